@@ -1,0 +1,9 @@
+# One interface target with the warnings and sanitizers that all of our own code is compiled with.
+add_library(rc_compile INTERFACE)
+target_compile_options(rc_compile INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+  $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
+  $<$<BOOL:${RC_WERROR}>:-Werror>)
+if(RC_SANITIZE)
+  target_compile_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE})
+endif()

@@ -1,0 +1,163 @@
+/* roughcontact plugin interface: how a backend (a way to multiply by H) or a solver is added from outside.
+ *
+ * A plugin is a shared object rcb_<name>.so that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
+ * its head). It links nothing of the library: all services come through rc_host. The same source can be built
+ * into the library instead. Nothing here may throw, longjmp, print or exit.
+ *
+ * The core hands backends and solvers a *dimensionless* problem for half-space grids (modulus 1, cells of unit
+ * area), so no component needs to think about units.
+ */
+#ifndef ROUGHCONTACT_PLUGIN_H
+#define ROUGHCONTACT_PLUGIN_H
+
+#include "roughcontact.h"
+
+#define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
+#define RC_PLUGIN_ABI_MINOR 0u /* grows when a vtable gets a new member at its end                            */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Services of the core. Valid as long as the component lives. Every function is thread-safe. */
+typedef struct rc_host rc_host;
+struct rc_host {
+  size_t struct_size;
+  uint32_t abi_major, abi_minor;
+  /** Sets the thread's message and returns code, so that `return host->fail(host, RC_ERR_..., "...")` works. */
+  rc_status (*fail)(const rc_host *, rc_status code, const char *message);
+  void (*log)(const rc_host *, int32_t level, const char *message);
+  /** Process-wide named locks for libraries with global state ("fftw" guards FFTW's planner). Not recursive. */
+  void (*lock)(const rc_host *, const char *resource);
+  void (*unlock)(const rc_host *, const char *resource);
+  rc_status (*option_int)(const rc_host *, const rc_options *, const char *key, int64_t *out);
+  rc_status (*option_real)(const rc_host *, const rc_options *, const char *key, double *out);
+  rc_status (*option_text)(const rc_host *, const rc_options *, const char *key, const char **out);
+  /** H at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix] [length per pressure]. Periodic
+   *  systems: of the periodic Green's function without its mean (zero_mode = 0). HALFSPACE only. */
+  rc_status (*coefficients)(const rc_host *, const rc_system *, const char *kernel, int64_t mx, int64_t my, double *out);
+  /** Periodic systems: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx];
+   *  those at nx-kx and ny-ky are equal. out[0] (the mean) is 0. */
+  rc_status (*symbol)(const rc_host *, const rc_system *, const char *kernel, double *out);
+};
+
+/** What an operator is built for. Valid as long as the operator. */
+typedef struct rc_operator_spec {
+  size_t struct_size;
+  const rc_system *system;   /* dimensionless for HALFSPACE; as the caller gave it for DENSE and CALLBACK      */
+  const char *kernel;        /* resolved name; "" for DENSE and CALLBACK                                       */
+  const rc_options *options; /* read through rc_host                                                           */
+} rc_operator_spec;
+
+/** The points that may carry pressure (the trial set T). Valid until the next bind or destroy. */
+typedef struct rc_domain {
+  size_t struct_size;
+  int64_t n;            /* >= 1                                                                                */
+  const int64_t *index; /* [n] ascending point numbers iy*nx + ix; NULL: every point of the grid, n = nx*ny    */
+  double zero_mode;     /* periodic: eigenvalue of H for the constant vector. 0: the mean plane is the datum   */
+} rc_domain;
+
+/* What a backend can do. A bit without its function, or the reverse, fails registration. */
+#define RC_CAP_FREE (UINT64_C(1) << 0)             /* half-space grids with free boundaries                   */
+#define RC_CAP_PERIODIC (UINT64_C(1) << 1)         /* half-space grids with periodic boundaries               */
+#define RC_CAP_DENSE_INPUT (UINT64_C(1) << 2)      /* the caller's dense matrix                               */
+#define RC_CAP_CALLBACK (UINT64_C(1) << 3)         /* the caller's product                                    */
+#define RC_CAP_SUBSET (UINT64_C(1) << 4)           /* has subset()                                            */
+#define RC_CAP_THREAD_INVARIANT (UINT64_C(1) << 5) /* bitwise equal results for any number of threads         */
+
+/** A backend: products with H. All vectors are over the domain's points unless said otherwise. One operator is
+ *  used by one thread at a time; several operators may be used at the same time. */
+typedef struct rc_backend {
+  size_t struct_size;
+  const char *name;    /* [a-z][a-z0-9_-]{0,30}                                                                */
+  const char *summary; /* one line                                                                             */
+  const char *license; /* SPDX, of the backend with its dependencies                                           */
+  uint64_t caps;       /* RC_CAP_*                                                                             */
+  int64_t n_options;
+  const rc_option_spec *const *options; /* keys "<name>.<key>"                                                 */
+  /** Builds an operator. bind() is called before any product. */
+  rc_status (*create)(const rc_host *, const rc_operator_spec *, void **self);
+  void (*destroy)(void *self);
+  /** Sets the trial set; called again whenever it changes. Keep what can be kept. On failure no product follows. */
+  rc_status (*bind)(void *self, const rc_domain *);
+  /** y = H[T,T] x. x and y do not overlap. */
+  rc_status (*apply)(void *self, const double *x, double *y);
+  /** y = H[all points, T] x, y of length nx*ny. x and y do not overlap. */
+  rc_status (*field)(void *self, const double *x, double *y);
+  /** Number of points the operator works on for the bound domain: n for a dense one, the box for a transform. */
+  int64_t (*modelled)(void *self);
+  /** RC_CAP_SUBSET, else NULL: solve H[a,a] x = b for the na ascending positions a in the domain. Successive
+   *  calls with sets that differ little should be cheap. RC_ERR_NUMERIC if H[a,a] is not positive definite. */
+  rc_status (*subset)(void *self, int64_t na, const int64_t *a, const double *b, double *x);
+} rc_backend;
+
+/** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (displacement
+ *  control) or w = H p - u - d (load control, d found): p >= 0, w >= 0, p w = 0. */
+typedef struct rc_problem rc_problem;
+struct rc_problem {
+  size_t struct_size;
+  int64_t n;          /* unknowns                                                                              */
+  int32_t control;    /* RC_CONTROL_*                                                                          */
+  int32_t reserved;
+  const double *u;    /* [n] DISPLACEMENT: compenetration d - h; LOAD: -h                                      */
+  double load;        /* LOAD: the sum of p that is wanted                                                     */
+  double tol;         /* residual to reach, relative to a compenetration of 1                                  */
+  /** y = H x. Counts and polls; a status other than 0 must be returned at once (it may be a stop). */
+  rc_status (*apply)(const rc_problem *, const double *x, double *y);
+  /** H[a,a] x = b for ascending positions a: the backend's, or conjugate gradients. NULL if fallbacks are off. */
+  rc_status (*subset)(const rc_problem *, int64_t na, const int64_t *a, const double *b, double *x);
+  /** Once an iteration, with the worst residual as the solver sees it. Nonzero: return it at once. */
+  rc_status (*poll)(const rc_problem *, int64_t iteration, double kkt);
+};
+
+/** A solver. It never knows which backend multiplies. */
+typedef struct rc_solver {
+  size_t struct_size;
+  const char *name;
+  const char *summary;
+  const char *license;
+  uint64_t needs;    /* RC_CAP_SUBSET or 0                                                                     */
+  uint32_t controls; /* bit RC_CONTROL_*: the controls it handles itself. Load control is added to a
+                        displacement solver by the core's iteration on the approach                            */
+  uint32_t reserved;
+  int64_t n_options;
+  const rc_option_spec *const *options;
+  /** p: start in, solution out; *d: approach (LOAD: start in, answer out). RC_OK only if the solver believes
+   *  that tol is met; the core checks. p must be usable at every return >= 0. */
+  rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
+} rc_solver;
+
+typedef struct rc_plugin {
+  size_t struct_size;
+  uint32_t abi_major, abi_minor; /* RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR                                   */
+  const char *name;              /* as in the file name                                                        */
+  const char *version;
+  int64_t n_backends, n_solvers;
+  const rc_backend *const *backends;
+  const rc_solver *const *solvers;
+} rc_plugin;
+
+/** The one symbol a plugin file exports. *out points to static data. May refuse with host->fail. */
+typedef rc_status (*rc_plugin_query_fn)(const rc_host *, const rc_plugin **out);
+
+/** Adds a plugin that is linked into the host program. Errors: ARGUMENT, PLUGIN. */
+RC_API rc_status rc_context_register(rc_context *context, const rc_plugin *plugin);
+
+#ifdef __cplusplus
+#define RC_PLUGIN_LINKAGE extern "C"
+#else
+#define RC_PLUGIN_LINKAGE
+#endif
+#ifdef RC_PLUGIN_BUILTIN
+#define RC_PLUGIN_ENTRY(name, host, out) \
+  RC_PLUGIN_LINKAGE rc_status rc_builtin_##name(const rc_host *host, const rc_plugin **out)
+#else
+#define RC_PLUGIN_ENTRY(name, host, out)                                            \
+  RC_PLUGIN_LINKAGE RC_API rc_status rc_plugin_query(const rc_host *, const rc_plugin **); \
+  RC_PLUGIN_LINKAGE RC_API rc_status rc_plugin_query(const rc_host *host, const rc_plugin **out)
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,301 @@
+/* roughcontact: certified normal contact of rough surfaces on an elastic half-space.
+ *
+ * The problem (Bemporad & Paggi 2015, Problem 1): find pressures p on a grid of cells such that
+ *     p >= 0,   g = H p + h - d >= 0,   p_i g_i = 0 for every point i,
+ * where h is the undeformed gap, d the approach (far-field displacement), H the influence matrix
+ * (displacement at point i for unit pressure on cell j) and g the deformed gap. Either d is prescribed
+ * (displacement control) or the normal force W = hx hy sum(p) is (load control, d is then found).
+ *
+ * Conventions
+ *   pressure        force / length^2                   approach, gap    length
+ *   contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2), force / length^2
+ *   arrays          n = nx*ny values, point (ix, iy) at index iy*nx + ix (x fastest)
+ *   any consistent set of units: answers do not depend on which
+ *
+ * Every function that can fail returns an rc_status: 0 (RC_OK) is a *certified* solution, positive values are
+ * usable but not certified answers, negative values are failed calls. The text of the last failure in the
+ * calling thread is rc_last_error(). The library never prints, exits, aborts, throws across this interface or
+ * installs a signal handler. The caller owns every array; the library keeps none beyond what is stated.
+ *
+ * Sized structs: set struct_size to sizeof(the struct) (the RC_..._INIT macros and rc_..._init functions do).
+ * A smaller struct from an older header is accepted, a larger one from a newer header if the part unknown to
+ * the library is all zero; else RC_ERR_ARGUMENT.
+ */
+#ifndef ROUGHCONTACT_H
+#define ROUGHCONTACT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define RC_VERSION_MAJOR 0
+#define RC_VERSION_MINOR 1
+#define RC_VERSION_PATCH 0
+#define RC_ABI 0 /* the number in the SONAME; changes only with an incompatible change */
+
+#ifndef RC_API
+#if defined(_WIN32)
+#define RC_API
+#elif defined(__GNUC__)
+#define RC_API __attribute__((visibility("default")))
+#else
+#define RC_API
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @defgroup status Status
+ *  0 certified, > 0 usable but not certified (the result is written), < 0 the call failed.
+ *  @{ */
+typedef int32_t rc_status;
+enum {
+  RC_OK = 0,               /* certified: every kkt_* residual is <= tol                                     */
+  RC_STOP_MAX_ITER = 1,    /* max_iter reached before the tolerance                                          */
+  RC_STOP_TIME = 2,        /* time_limit reached                                                             */
+  RC_STOP_CANCELLED = 3,   /* the progress callback or rc_contact_cancel asked to stop                       */
+  RC_STOP_STALLED = 4,     /* no further progress is possible in double precision                            */
+  RC_STOP_UNCERTIFIED = 5, /* the solver claimed success, the library's own check disagrees                  */
+  RC_ERR_ARGUMENT = -1,    /* a null pointer, NaN, a value out of range, a bad struct_size                   */
+  RC_ERR_SHAPE = -2,       /* array shape: nx, ny, dense_ld, or nx*ny too large                              */
+  RC_ERR_OPTION = -3,      /* unknown option key, wrong type, value out of range                             */
+  RC_ERR_NO_BACKEND = -4,  /* no backend of that name, or none that can do this                              */
+  RC_ERR_NO_SOLVER = -5,   /* no solver of that name                                                         */
+  RC_ERR_INCOMPATIBLE = -6, /* solver, backend, kernel, boundary and control do not go together              */
+  RC_ERR_PLUGIN = -7,      /* a plugin was found but is refused (permissions, version, contents)             */
+  RC_ERR_MEMORY = -8,      /* out of memory, or a request that cannot fit                                    */
+  RC_ERR_INFEASIBLE = -9,  /* no solution exists: negative load, periodic approach beyond the mean plane     */
+  RC_ERR_NUMERIC = -10,    /* the operator is not positive definite or returned NaN                          */
+  RC_ERR_EXTERNAL = -11,   /* the caller's apply callback reported failure                                   */
+  RC_ERR_BUSY = -12,       /* this contact is being used by another thread                                   */
+  RC_ERR_INTERNAL = -99    /* a defect in the library or a plugin                                            */
+};
+/** @} */
+
+enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3 };
+enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2 };
+enum { RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2 };
+
+typedef struct rc_context rc_context; /* registry of solvers, backends and kernels. Any thread.               */
+typedef struct rc_options rc_options; /* checked key/value set. One thread at a time.                         */
+typedef struct rc_contact rc_contact; /* operator, plans, factors and last pressures. One thread at a time.   */
+
+/** What stays fixed over a loading sequence. Copied; `dense` and `user` must outlive the contact. */
+typedef struct rc_system {
+  size_t struct_size;  /* sizeof(rc_system)                                                                 */
+  int32_t op;          /* RC_OPERATOR_*                                                                     */
+  int32_t boundary;    /* RC_BOUNDARY_*; HALFSPACE only                                                     */
+  int64_t nx, ny;      /* points along x and y, >= 1; DENSE and CALLBACK: n = nx*ny unknowns                */
+  double hx, hy;       /* cell size along x and y [length], > 0; DENSE and CALLBACK: hx*hy is the cell area */
+  double modulus;      /* contact modulus E* [force/length^2], > 0; HALFSPACE only                          */
+  const double *dense; /* DENSE: symmetric positive definite n x n, row stride dense_ld
+                          [length per (force/length^2)]; referenced, not copied                             */
+  int64_t dense_ld;    /* DENSE: >= n                                                                       */
+  int32_t (*apply)(const double *x, double *y, int64_t n, void *user); /* CALLBACK: y = H x, symmetric positive
+                          definite; return nonzero to fail; must not throw; called on the solving thread    */
+  void *user;          /* handed to apply                                                                   */
+} rc_system;
+#define RC_SYSTEM_INIT \
+  { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 1, 1, 1.0, 1.0, 1.0, NULL, 0, NULL, NULL }
+
+/** What changes from step to step. Nothing in it is kept after the call except a copy of gap and mask. */
+typedef struct rc_step {
+  size_t struct_size;  /* sizeof(rc_step)                                                                   */
+  int32_t control;     /* RC_CONTROL_*                                                                      */
+  int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold              */
+  double target;       /* DISPLACEMENT: approach d [length]; LOAD: normal force W [force], >= 0             */
+  const double *gap;   /* [n] undeformed gap h [length]; NULL: as in the previous step                      */
+  const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none   */
+  const uint8_t *mask; /* [n] 0: this point carries no pressure and its gap is ignored (it may be NaN);
+                          NULL with gap given: all points; NULL without gap: as in the previous step        */
+} rc_step;
+#define RC_STEP_INIT \
+  { sizeof(rc_step), RC_CONTROL_DISPLACEMENT, 1, 0.0, NULL, NULL, NULL }
+
+/** Answer of one step. The caller sets struct_size, p and gap; the library writes the rest whenever the
+ *  returned status is >= 0, and leaves p and gap untouched when it is < 0. */
+typedef struct rc_result {
+  size_t struct_size;  /* sizeof(rc_result)                                                                 */
+  double *p;           /* [n] pressures [force/length^2]; NULL: not wanted                                  */
+  double *gap;         /* [n] deformed gap g = H p + h - d [length]; NULL: not wanted                       */
+  rc_status status;    /* as returned                                                                       */
+  int32_t reserved;    /* 0                                                                                 */
+  int64_t iterations;  /* of the solver, all rounds together                                                */
+  int64_t applications; /* products with H, the certificate's and the stiffness' included                   */
+  int64_t points;      /* n, as given                                                                       */
+  int64_t candidates;  /* points that can carry pressure at this approach (gap < d; all points where H has
+                          negative entries: periodic boundaries, some caller's matrices, callbacks)         */
+  int64_t modelled;    /* unknowns or transform points of the operator used: the bounding box of the
+                          candidates for matrix-free backends, the candidates themselves for dense ones     */
+  int64_t contacts;    /* points with p > 0                                                                 */
+  double load;         /* hx hy sum(p) [force]                                                              */
+  double displacement; /* approach d [length]                                                               */
+  double mean_pressure; /* load / (n hx hy) [force/length^2]                                                */
+  double contact_area; /* contacts hx hy [length^2]                                                         */
+  double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised      */
+  double stiffness;    /* dW/dd of the contact set [force/length], infinite in full periodic contact;
+                          NaN unless option stiffness is 1                                                  */
+  double kkt_primal;   /* max(0, -min p) / max|p|                                                           */
+  double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h)                                */
+  double kkt_complementarity; /* max over all points of min(p / max p, |g| / s)                             */
+  double kkt_control;  /* |load - W| / W, 0 in displacement control                                         */
+  double seconds;      /* solving and certifying                                                            */
+  double setup_seconds; /* influence coefficients, plans and factors built in this call                     */
+  char solver[32];     /* what "auto" resolved to                                                           */
+  char backend[32];
+  char kernel[32];
+  char note[160];      /* operations the core had to substitute, and why; "" if none                        */
+} rc_result;
+
+/** Handed to the progress callback. */
+typedef struct rc_progress {
+  size_t struct_size;
+  int64_t iteration;    /* of the solver                                                                    */
+  int64_t applications; /* products with H so far                                                           */
+  double kkt;           /* the solver's own estimate of its worst residual; NaN before the first            */
+  double seconds;       /* since the step began                                                             */
+} rc_progress;
+typedef int32_t (*rc_progress_fn)(const rc_progress *, void *user); /* return nonzero to stop               */
+
+enum { RC_LOG_INFO = 1, RC_LOG_WARNING = 2 };
+typedef void (*rc_log_fn)(int32_t level, const char *message, void *user);
+
+enum {
+  RC_CONTEXT_NO_PLUGINS = 1,    /* never load code from disk                                                */
+  RC_CONTEXT_NO_ENVIRONMENT = 2 /* ignore RC_PLUGIN_PATH                                                    */
+};
+typedef struct rc_context_config {
+  size_t struct_size;
+  uint32_t flags;          /* RC_CONTEXT_*                                                                  */
+  uint32_t reserved;       /* 0                                                                             */
+  const char *plugin_path; /* ':'-separated absolute directories, searched before RC_PLUGIN_PATH and the
+                              installed one; relative ones are refused; NULL: none; copied                  */
+  rc_log_fn log;           /* NULL: silent                                                                  */
+  void *log_user;
+} rc_context_config;
+#define RC_CONTEXT_CONFIG_INIT \
+  { sizeof(rc_context_config), 0, 0, NULL, NULL, NULL }
+
+/** Described by rc_backend_describe, rc_solver_describe, rc_kernel_describe. Strings live as long as the context. */
+typedef struct rc_component {
+  size_t struct_size;
+  const char *name;
+  const char *summary;
+  const char *license; /* of the component with what it links (SPDX); "" for kernels                        */
+  const char *origin;  /* "built-in" or the file it was loaded from                                         */
+} rc_component;
+
+enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
+/** Schema of one option. Strings live as long as the context. */
+typedef struct rc_option_spec {
+  size_t struct_size;
+  const char *key;
+  const char *default_value; /* as text                                                                     */
+  const char *choices;       /* TEXT: "a|b|c", NULL: any text                                               */
+  const char *help;          /* one line                                                                    */
+  int32_t type;              /* RC_TYPE_*                                                                   */
+  int32_t fixed;             /* 1: cannot change after rc_contact_create                                    */
+  double minimum, maximum;   /* INT and REAL, inclusive                                                     */
+} rc_option_spec;
+
+/* Keys of the core, for a compile-time check of the spelling. Keys of components are dotted ("fft.planning"). */
+#define RC_OPT_SOLVER "solver"
+#define RC_OPT_BACKEND "backend"
+#define RC_OPT_KERNEL "kernel"
+#define RC_OPT_TOL "tol"
+#define RC_OPT_MAX_ITER "max_iter"
+#define RC_OPT_TIME_LIMIT "time_limit"
+#define RC_OPT_THREADS "threads"
+#define RC_OPT_STIFFNESS "stiffness"
+#define RC_OPT_ALLOW_FALLBACK "allow_fallback"
+#define RC_OPT_CERTIFY_BACKEND "certify_backend"
+
+/** @defgroup general General  @{ */
+/** Version of the library in use; any pointer may be NULL. */
+RC_API void rc_version(int32_t *major, int32_t *minor, int32_t *patch, int32_t *abi);
+/** "RC_ERR_SHAPE" and the like; "RC_STATUS_UNKNOWN" for other numbers; never NULL. */
+RC_API const char *rc_status_name(rc_status status);
+/** What a status means, one sentence; never NULL. */
+RC_API const char *rc_status_text(rc_status status);
+/** The calling thread's last failure or stop, as "where: what, value, limit, what to do"; "" if the last call
+ *  returned RC_OK. Valid until the thread's next call of a function that returns rc_status. */
+RC_API const char *rc_last_error(void);
+/** Default values, as the RC_..._INIT macros. NULL is ignored. */
+RC_API void rc_system_init(rc_system *system);
+RC_API void rc_step_init(rc_step *step);
+RC_API void rc_result_init(rc_result *result);
+RC_API void rc_context_config_init(rc_context_config *config);
+/** @} */
+
+/** @defgroup context Context: the registry  @{ */
+/** A registry of its own. config may be NULL. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */
+RC_API rc_status rc_context_create(const rc_context_config *config, rc_context **out);
+/** NULL is allowed. Contacts and options made from it keep what they need. */
+RC_API void rc_context_destroy(rc_context *context);
+/** Components by number 0 .. count-1, sorted by name. A NULL context is the default one. The first call loads
+ *  every plugin of the search path; files that are refused are reported to the context's log. */
+RC_API int64_t rc_backend_count(rc_context *context);
+RC_API rc_status rc_backend_describe(rc_context *context, int64_t i, rc_component *out);
+RC_API int64_t rc_solver_count(rc_context *context);
+RC_API rc_status rc_solver_describe(rc_context *context, int64_t i, rc_component *out);
+RC_API int64_t rc_kernel_count(rc_context *context);
+RC_API rc_status rc_kernel_describe(rc_context *context, int64_t i, rc_component *out);
+/** RC_OK if this solver can run on this backend for this system and control; otherwise the status that
+ *  rc_contact_solve would give, with the reason in rc_last_error(). options may be NULL. */
+RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, const char *backend, const rc_system *system,
+                                   int32_t control, const rc_options *options);
+/** Influence coefficients of a kernel: out[iy*nx + ix] = E* times the deflection [length] at offset
+ *  (ix*hx, iy*hy) from a cell under unit pressure. Free boundaries; relative error <= 1e-12.
+ *  Errors: ARGUMENT, SHAPE, INCOMPATIBLE (hx != hy where the kernel needs square cells). */
+RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);
+/** @} */
+
+/** @defgroup options Options: keys with a declared schema, checked when set  @{ */
+/** context NULL: the default context. */
+RC_API rc_status rc_options_create(rc_context *context, rc_options **out);
+RC_API void rc_options_destroy(rc_options *options);
+/** Errors: OPTION with the nearest key, the type or the range in the message. A dotted key loads its component. */
+RC_API rc_status rc_options_set_int(rc_options *options, const char *key, int64_t value);
+RC_API rc_status rc_options_set_real(rc_options *options, const char *key, double value);
+RC_API rc_status rc_options_set_text(rc_options *options, const char *key, const char *value);
+/** Converts the text by the key's type; a point is the decimal mark in every locale. */
+RC_API rc_status rc_options_parse(rc_options *options, const char *key, const char *text);
+RC_API rc_status rc_options_get_int(const rc_options *options, const char *key, int64_t *out);
+RC_API rc_status rc_options_get_real(const rc_options *options, const char *key, double *out);
+/** *out lives until the key is next set or the options are destroyed. */
+RC_API rc_status rc_options_get_text(const rc_options *options, const char *key, const char **out);
+/** The schema, 0 .. count-1: the core's keys, then those of every component. */
+RC_API int64_t rc_options_count(rc_context *context);
+RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_spec *out);
+/** @} */
+
+/** @defgroup contact Contact: one system, many steps  @{ */
+/** Checks the system and builds what an explicitly named backend needs; "auto" decides at the first step.
+ *  options may be NULL (defaults, default context); they are copied. Errors: ARGUMENT, SHAPE, INCOMPATIBLE,
+ *  NO_BACKEND, NO_SOLVER, PLUGIN, MEMORY, NUMERIC, EXTERNAL. */
+RC_API rc_status rc_contact_create(const rc_system *system, const rc_options *options, rc_contact **out);
+/** Changes what may change (not keys marked fixed whose value differs: OPTION). Errors: OPTION, BUSY. */
+RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *options);
+/** Calls fn on the solving thread at least every `every` iterations (>= 1). fn NULL: none. fn may call only
+ *  rc_contact_cancel. Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_on_progress(rc_contact *contact, rc_progress_fn fn, void *user, int64_t every);
+/** Solves one step and certifies the answer. A failed or stopped step keeps the last certified pressures as
+ *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */
+RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_result *result);
+/** Certifies the pressures the caller puts in result->p (required, [n]) for this step: nothing is solved. In
+ *  load control the approach is the one that fits them best. RC_OK or RC_STOP_UNCERTIFIED. */
+RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
+/** Forgets gap, mask and last pressures; keeps plans and tables. Errors: BUSY. */
+RC_API rc_status rc_contact_reset(rc_contact *contact);
+/** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */
+RC_API void rc_contact_cancel(rc_contact *contact);
+RC_API void rc_contact_destroy(rc_contact *contact);
+/** One shot: create, solve, destroy. options may be NULL. */
+RC_API rc_status rc_solve(const rc_system *system, const rc_step *step, const rc_options *options, rc_result *result);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+#endif
