@@ -1,0 +1,99 @@
+// rc_contact_*, rc_solve
+#include "abi/guard.h"
+#include "abi/handles.h"
+#include "abi/sized_struct.h"
+
+namespace {
+
+using namespace rc;
+
+rc_options options_or_defaults(const rc_options* options) { return options ? *options : rc_options{Context::standard(), {}}; }
+
+// One thread at a time: a second one is told so instead of racing.
+template <class Body>
+rc_status exclusively(const char* where, rc_contact* contact, const Body& body) {
+  return guard(where, [&] {
+    if (!contact) fail(RC_ERR_ARGUMENT, "contact is null");
+    Contact& c = contact->contact;
+    if (!c.try_enter()) fail(RC_ERR_BUSY, "the contact is in use by another thread; make one contact per thread");
+    struct Leave {
+      Contact& used;
+      ~Leave() { used.leave(); }
+    } leave{c};
+    return body(c);
+  });
+}
+
+template <class Body>
+rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
+  const rc_step today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
+  rc_result defaults{};
+  rc_result_init(&defaults);
+  rc_result answer = read(result, "rc_result", defaults);
+  const rc_status status = body(contact, today, answer);
+  write(result, answer);
+  return status;
+}
+
+}  // namespace
+
+extern "C" {
+
+rc_status rc_contact_create(const rc_system* system, const rc_options* options, rc_contact** out) {
+  return guard("rc_contact_create", [&] {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = nullptr;
+    *out = new rc_contact{{read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options)}};
+    return RC_OK;
+  });
+}
+
+void rc_contact_destroy(rc_contact* contact) { delete contact; }
+
+rc_status rc_contact_set_options(rc_contact* contact, const rc_options* options) {
+  return exclusively("rc_contact_set_options", contact, [&](Contact& c) {
+    if (!options) fail(RC_ERR_ARGUMENT, "options is null");
+    c.set_options(*options);
+    return RC_OK;
+  });
+}
+
+rc_status rc_contact_on_progress(rc_contact* contact, rc_progress_fn fn, void* user, int64_t every) {
+  return exclusively("rc_contact_on_progress", contact, [&](Contact& c) {
+    if (every < 1) fail(RC_ERR_ARGUMENT, "every = ", every, " must be >= 1");
+    c.on_progress({fn, user, every});
+    return RC_OK;
+  });
+}
+
+rc_status rc_contact_solve(rc_contact* contact, const rc_step* step, rc_result* result) {
+  return exclusively("rc_contact_solve", contact, [&](Contact& c) {
+    return with_step(c, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.solve(s, r); });
+  });
+}
+
+rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result* result) {
+  return exclusively("rc_contact_certify", contact, [&](Contact& c) {
+    return with_step(c, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.certify_given(s, r); });
+  });
+}
+
+rc_status rc_contact_reset(rc_contact* contact) {
+  return exclusively("rc_contact_reset", contact, [&](Contact& c) {
+    c.reset();
+    return RC_OK;
+  });
+}
+
+void rc_contact_cancel(rc_contact* contact) {
+  if (contact) contact->contact.cancel();
+}
+
+rc_status rc_solve(const rc_system* system, const rc_step* step, const rc_options* options, rc_result* result) {
+  return guard("rc_solve", [&] {
+    Contact contact(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options));
+    return with_step(contact, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.solve(s, r); });
+  });
+}
+
+}  // extern "C"

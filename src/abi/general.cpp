@@ -1,0 +1,34 @@
+// Version, messages, initial values.
+#include "core/error.h"
+
+namespace {
+
+template <class Number>
+void give(Number* to, Number value) {
+  if (to) *to = value;
+}
+
+}  // namespace
+
+extern "C" {
+
+void rc_version(int32_t* major, int32_t* minor, int32_t* patch, int32_t* abi) {
+  give<int32_t>(major, RC_VERSION_MAJOR);
+  give<int32_t>(minor, RC_VERSION_MINOR);
+  give<int32_t>(patch, RC_VERSION_PATCH);
+  give<int32_t>(abi, RC_ABI);
+}
+
+const char* rc_last_error(void) { return rc::last_message(); }
+
+void rc_system_init(rc_system* system) { give<rc_system>(system, RC_SYSTEM_INIT); }
+void rc_step_init(rc_step* step) { give<rc_step>(step, RC_STEP_INIT); }
+void rc_context_config_init(rc_context_config* config) { give<rc_context_config>(config, RC_CONTEXT_CONFIG_INIT); }
+
+void rc_result_init(rc_result* result) {
+  rc_result empty{};
+  empty.struct_size = sizeof(rc_result);
+  give(result, empty);
+}
+
+}  // extern "C"

@@ -1,0 +1,44 @@
+// Every exported function runs inside guard(): exceptions become a status and a message.
+#pragma once
+
+#include <cxxabi.h>
+
+#include <new>
+
+#include "core/error.h"
+
+namespace rc {
+
+template <class Body>
+rc_status guard(const char* where, const Body& body) {
+  clear_message();
+  const auto failed = [&](rc_status code, const char* what) {
+    try {
+      set_message(join(where, ": ", what).c_str());
+    } catch (...) {
+      set_message(what);
+    }
+    return code;
+  };
+  try {
+    const rc_status status = body();
+    if (status > 0) {
+      const std::string reason = last_message();
+      return failed(status, reason.empty() ? rc_status_text(status) : reason.c_str());
+    }
+    clear_message();
+    return status;
+  } catch (const Error& error) {
+    return failed(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(RC_ERR_MEMORY, "out of memory");
+  } catch (const abi::__forced_unwind&) {
+    throw;  // the thread is being cancelled
+  } catch (const std::exception& error) {
+    return failed(RC_ERR_INTERNAL, error.what());
+  } catch (...) {
+    return failed(RC_ERR_INTERNAL, "an unknown exception");
+  }
+}
+
+}  // namespace rc

@@ -1,0 +1,27 @@
+// The library's own check of an answer, from one fresh product with H over all points.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/surface_state.h"
+
+namespace rc {
+
+struct Certificate {
+  double primal = 0;           // max(0, -min p) / max|p|
+  double dual = 0;             // max(0, -min g) / s over all points, s = max(d - h)
+  double complementarity = 0;  // max over all points of min(p / max p, |g| / s)
+  double control = 0;          // |load - W| / W
+
+  bool within(double tol) const;  // false if any is NaN
+};
+
+// p and product = H p over all points [pressure, length], gap out: g = H p + h - d. Excluded points have p = 0 and do not count.
+Certificate certify(const SurfaceState& surface, double approach, std::span<const double> p, std::span<const double> product,
+                    std::span<double> gap);
+
+// |load - wanted| / wanted; 0 if both are 0.
+double load_imbalance(double load, double wanted);
+
+}  // namespace rc

@@ -1,0 +1,160 @@
+#include "contact/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace rc {
+
+Contact::Contact(const rc_system& system, const rc_options& options)
+    : system_(checked_system(system, options.text(RC_OPT_KERNEL), true)), options_(options) {
+  // Names are checked now, and a pair that is fully named must go together.
+  const std::string& solver = options_.text(RC_OPT_SOLVER);
+  const std::string& backend = options_.text(RC_OPT_BACKEND);
+  if (solver != "auto") options_.context->solver(solver);
+  if (const std::string& certifier = options_.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty()) options_.context->backend(certifier);
+  if (backend != "auto") choose(options_, system_, RC_CONTROL_DISPLACEMENT, {});
+}
+
+void Contact::set_options(const rc_options& options) {
+  if (options.context != options_.context) fail(RC_ERR_OPTION, "these options belong to another context");
+  for (const OptionSpec* spec : options_.context->options())
+    if (spec->fixed && options.values.get(*spec) != options_.values.get(*spec))
+      fail(RC_ERR_OPTION, "option \"", spec->key, "\" is fixed when the contact is created; make a new contact to change it");
+  const rc_options before = options_;
+  options_ = options;
+  try {
+    if (options_.text(RC_OPT_SOLVER) != "auto") options_.context->solver(options_.text(RC_OPT_SOLVER));
+    if (options_.text(RC_OPT_BACKEND) != "auto") choose(options_, system_, RC_CONTROL_DISPLACEMENT, {});
+  } catch (...) {
+    options_ = before;
+    throw;
+  }
+}
+
+void Contact::reset() {
+  surface_.clear();
+  last_ = {};
+}
+
+void Contact::take_gap(const rc_step& step) {
+  const auto n = static_cast<std::size_t>(system_.points());
+  if (!step.gap && surface_.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");
+  if (!step.gap && !step.mask) return;
+  const std::vector<double> gap = step.gap ? std::vector<double>(step.gap, step.gap + n)
+                                           : std::vector<double>(surface_.gap().begin(), surface_.gap().end());
+  SurfaceState fresh;
+  fresh.set(gap, {step.mask, step.mask ? n : 0});
+  last_.same_gap = last_.same_gap && fresh == surface_;
+  surface_ = std::move(fresh);
+}
+
+void Contact::check_target(const rc_step& step) const {
+  if (step.control != RC_CONTROL_DISPLACEMENT && step.control != RC_CONTROL_LOAD)
+    fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.control, " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+  if (!std::isfinite(step.target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", step.target, " is not finite");
+  if (step.control == RC_CONTROL_LOAD && step.target < 0)
+    fail(RC_ERR_INFEASIBLE, "load = ", step.target, " is negative; a contact without adhesion cannot pull, the smallest load is 0");
+  if (step.control == RC_CONTROL_LOAD && step.target > 0 && surface_.included_points() == 0)
+    fail(RC_ERR_INFEASIBLE, "load = ", step.target, " but every point is excluded by the mask");
+  if (step.control == RC_CONTROL_DISPLACEMENT && system_.periodic() && surface_.whole() && step.target > surface_.lowest() &&
+      step.target >= surface_.mean())
+    fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface_.mean(),
+         ": with periodic boundaries the load is not determined there; prescribe the load");
+  if (step.p0)
+    for (std::int64_t i = 0; i < system_.points(); ++i)
+      if (!std::isfinite(step.p0[i])) fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", step.p0[i], " is not finite");
+}
+
+void Contact::begin(const rc_step& step) {
+  take_gap(step);
+  check_target(step);
+  setup_seconds_ = 0;
+  applications_before_ = applications();
+}
+
+std::int64_t Contact::applications() const {
+  std::int64_t total = 0;
+  for (const auto& [name, op] : operators_) total += op->applications();
+  return total;
+}
+
+bool Contact::nothing_touches(const rc_step& step) const {
+  if (surface_.included_points() == 0) return true;
+  return step.control == RC_CONTROL_LOAD ? step.target == 0 : step.target <= surface_.lowest();
+}
+
+rc_status Contact::solve(const rc_step& step, rc_result& result) {
+  begin(step);
+  struct Clear {
+    std::atomic<bool>& flag;
+    ~Clear() { flag.store(false, std::memory_order_relaxed); }
+  } clear{cancelled_};
+  Monitor monitor(cancelled_, progress_, options_.real(RC_OPT_TIME_LIMIT), options_.integer(RC_OPT_MAX_ITER));
+  if (nothing_touches(step)) return finish(step, {}, monitor, result);
+  const Answer answer = step.control == RC_CONTROL_LOAD ? at_load(step, monitor) : at_displacement(step, monitor);
+  return finish(step, answer, monitor, result);
+}
+
+TrialSet Contact::trial_below(double limit) const { return system_.positive ? surface_.below(limit) : surface_.all(); }
+
+Choice Contact::choose_for(const TrialSet& trial, std::int32_t control) const {
+  const Counts counts{trial.n, box_points(trial, system_.given.nx, system_.given.ny), system_.points(), options_.real(RC_OPT_TOL)};
+  return choose(options_, system_, control, counts);
+}
+
+Operator& Contact::bound_operator(const rc_backend& backend, const TrialSet& trial) {
+  const auto begun = Clock::now();
+  std::unique_ptr<Operator>& op = operators_[backend.name];
+  if (!op)
+    op = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_, system_.operator_scale);
+  op->bind(trial);
+  setup_seconds_ += seconds_since(begun);
+  return *op;
+}
+
+Answer Contact::prepare(const TrialSet& trial, std::int32_t control, double length_unit) {
+  Answer answer;
+  answer.choice = choose_for(trial, control);
+  answer.length_unit = length_unit;
+  answer.pressure_unit = length_unit / system_.length_per_pressure;
+  return answer;
+}
+
+SolverRun Contact::run(const Answer& answer, Monitor& monitor) const {
+  return {*answer.choice.solver, *options_.context, options_, *answer.op, monitor, options_.integer(RC_OPT_ALLOW_FALLBACK) != 0};
+}
+
+std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, double pressure_unit) const {
+  std::vector<double> p(static_cast<std::size_t>(trial.n), 0.0);
+  const double* from = step.p0 ? step.p0 : step.warm_start && !last_.p.empty() ? last_.p.data() : nullptr;
+  if (from)
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = std::max(0.0, from[trial.point(static_cast<std::int64_t>(i))] / pressure_unit);
+  return p;
+}
+
+Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
+  const TrialSet trial = trial_below(step.target);
+  Answer answer = prepare(trial, step.control, step.target - surface_.lowest());
+  answer.op = &bound_operator(*answer.choice.backend, trial);
+  answer.p = start(step, trial, answer.pressure_unit);
+  answer.approach = step.target;
+  std::vector<double> u(answer.p.size());
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = (step.target - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
+  double unused = 0;
+  answer.status = run(answer, monitor)(step.control, u, 0, options_.real(RC_OPT_TOL), answer.p, unused);
+  return answer;
+}
+
+std::vector<double> Contact::over_all_points(const Answer& answer) const {
+  std::vector<double> p(static_cast<std::size_t>(system_.points()), 0.0);
+  if (!answer.op) return p;
+  const TrialSet& trial = answer.op->trial();
+  for (std::size_t i = 0; i < answer.p.size(); ++i)
+    p[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] = answer.p[i] * answer.pressure_unit;
+  return p;
+}
+
+}  // namespace rc

@@ -1,0 +1,91 @@
+// One contact: a system, its operators, and what is remembered from step to step.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/certificate.h"
+#include "contact/monitor.h"
+#include "contact/selection.h"
+#include "contact/solver_run.h"
+#include "contact/surface_state.h"
+#include "contact/system.h"
+#include "operator/operator.h"
+#include "registry/options_handle.h"
+
+namespace rc {
+
+// A solution on a trial set, before it is certified.
+struct Answer {
+  rc_status status = RC_OK;
+  Choice choice;
+  Operator* op = nullptr;    // bound to the trial set
+  std::vector<double> p;     // on the trial set, dimensionless
+  double length_unit = 1;    // [length]
+  double pressure_unit = 1;  // [force/length^2]
+  double approach = 0;       // [length]
+  double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
+};
+
+class Contact {
+ public:
+  Contact(const rc_system& system, const rc_options& options);
+
+  void set_options(const rc_options& options);
+  void on_progress(const ProgressCallback& progress) { progress_ = progress; }
+  rc_status solve(const rc_step& step, rc_result& result);
+  rc_status certify_given(const rc_step& step, rc_result& result);
+  void reset();
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+  // True for the one thread that may use the contact now.
+  bool try_enter() { return !busy_.exchange(true, std::memory_order_acquire); }
+  void leave() { busy_.store(false, std::memory_order_release); }
+
+ private:
+  struct Last {
+    std::vector<double> p;  // all points [pressure]; empty: none
+    double approach = 0, load = 0;
+    bool same_gap = false;  // it belongs to the current gap
+  };
+
+  void begin(const rc_step& step);
+  void take_gap(const rc_step& step);
+  void check_target(const rc_step& step) const;
+  bool nothing_touches(const rc_step& step) const;
+  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit) const;
+
+  TrialSet trial_below(double limit) const;
+  Choice choose_for(const TrialSet& trial, std::int32_t control) const;
+  Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
+  Answer prepare(const TrialSet& trial, std::int32_t control, double length_unit);
+  SolverRun run(const Answer& answer, Monitor& monitor) const;
+
+  Answer at_displacement(const rc_step& step, Monitor& monitor);
+  Answer at_load(const rc_step& step, Monitor& monitor);
+  double approach_estimate(double load) const;
+  rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor) const;
+
+  std::vector<double> over_all_points(const Answer& answer) const;
+  rc_status finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result);
+  rc_status certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
+                             rc_result& result) const;
+  void name_components(const Answer& answer, rc_result& result) const;
+  double stiffness(const Answer& answer) const;
+  std::int64_t applications() const;
+
+  System system_;
+  rc_options options_;
+  SurfaceState surface_;
+  Last last_;
+  std::map<std::string, std::unique_ptr<Operator>> operators_;
+  ProgressCallback progress_;
+  std::atomic<bool> busy_{false}, cancelled_{false};
+  double setup_seconds_ = 0;             // of this step
+  std::int64_t applications_before_ = 0; // this step
+};
+
+}  // namespace rc

@@ -1,0 +1,172 @@
+// From an answer on a trial set to a certified result.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "contact/contact.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <std::size_t size>
+void copy_text(char (&to)[size], const char* text) {
+  std::snprintf(to, size, "%s", text);
+}
+
+std::string explain(rc_status status, const rc_result& result, double tol) {
+  return join(rc_status_text(status), ": kkt_primal ", result.kkt_primal, ", kkt_dual ", result.kkt_dual, ", kkt_complementarity ",
+              result.kkt_complementarity, ", kkt_control ", result.kkt_control, ", tol ", tol, ", after ", result.iterations, " iterations");
+}
+
+}  // namespace
+
+void Contact::name_components(const Answer& answer, rc_result& result) const {
+  copy_text(result.kernel, system_.kernel.c_str());
+  copy_text(result.note, "");
+  copy_text(result.solver, answer.choice.solver ? answer.choice.solver->name : "none");
+  copy_text(result.backend, answer.choice.backend ? answer.choice.backend->name : "none");
+  if (!answer.choice.solver || !answer.op || answer.op->has_subset()) return;
+  if ((answer.choice.solver->needs & RC_CAP_SUBSET) != 0)
+    copy_text(result.note, join("systems on subsets by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor").c_str());
+}
+
+// dW/dd = hx hy 1' H_CC^-1 1 on the contact set C.
+double Contact::stiffness(const Answer& answer) const {
+  if (!answer.op) return 0;
+  std::vector<std::int64_t> contact;
+  for (std::size_t i = 0; i < answer.p.size(); ++i)
+    if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
+  if (contact.empty()) return 0;
+  const bool full = static_cast<std::int64_t>(contact.size()) == system_.points();
+  if (system_.periodic() && full) return std::numeric_limits<double>::infinity();
+  const std::vector<double> ones(contact.size(), 1.0);
+  std::vector<double> rate(contact.size());
+  const rc_status status = answer.op->subset(contact, ones.data(), rate.data());
+  raise_if_failed(status, "the stiffness");
+  if (status != RC_OK) return nan;
+  double sum = 0;
+  for (const double value : rate) sum += value;
+  // Without the rank-one zero mode (Sherman & Morrison 1950).
+  sum /= 1 - answer.op->trial().zero_mode / static_cast<double>(system_.points()) * sum;
+  return sum * system_.cell_area() / system_.length_per_pressure;
+}
+
+rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
+                                    rc_result& result) const {
+  const std::span<const double> h = surface_.gap();
+  double sum = 0, work = 0;
+  std::int64_t contacts = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!surface_.included(i)) continue;
+    sum += p[i];
+    contacts += p[i] > 0;
+    work += (0.5 * product[i] - (approach - h[i])) * p[i];
+  }
+  const double area = system_.cell_area();
+  std::vector<double>& gap = product;
+  Certificate certificate = certify(surface_, approach, p, product, gap);
+  if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
+
+  if (result.p) std::copy(p.begin(), p.end(), result.p);
+  if (result.gap) std::copy(gap.begin(), gap.end(), result.gap);
+  result.points = system_.points();
+  result.candidates = system_.positive ? surface_.count_below(approach) : surface_.included_points();
+  result.contacts = contacts;
+  result.load = sum * area;
+  result.displacement = approach;
+  result.mean_pressure = sum / static_cast<double>(p.size());
+  result.contact_area = static_cast<double>(contacts) * area;
+  result.energy = work * area;
+  result.kkt_primal = certificate.primal;
+  result.kkt_dual = certificate.dual;
+  result.kkt_complementarity = certificate.complementarity;
+  result.kkt_control = certificate.control;
+  return certificate.within(options_.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
+}
+
+rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result) {
+  const std::vector<double> p = over_all_points(answer);
+  std::vector<double> product(p.size(), 0.0);
+  double approach = step.target;
+  result.modelled = 0;
+  if (answer.op) {
+    const std::string& certifier = options_.text(RC_OPT_CERTIFY_BACKEND);
+    Operator& op = certifier.empty() ? *answer.op : bound_operator(options_.context->backend(certifier), answer.op->trial());
+    op.field(answer.p, product);
+    for (double& value : product) value = value * answer.length_unit - answer.datum_shift;
+    approach = answer.approach;
+    result.modelled = answer.op->modelled();
+  } else if (step.control == RC_CONTROL_LOAD) {
+    approach = surface_.included_points() > 0 ? surface_.lowest() : 0;
+  }
+  const double rate = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
+  name_components(answer, result);
+  const rc_status checked = certify_and_fill(step, p, product, approach, result);
+  result.stiffness = rate;
+  result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
+  result.iterations = monitor.iterations();
+  result.applications = applications() - applications_before_;
+  result.setup_seconds = setup_seconds_;
+  result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
+  if (result.status == RC_OK)
+    last_ = {p, approach, result.load, true};
+  else
+    set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  return result.status;
+}
+
+rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
+  if (!result.p) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
+  begin(step);
+  const Monitor monitor(cancelled_, {}, 0, 1);
+  const std::vector<double> p(result.p, result.p + system_.points());
+  TrialSet trial;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p[i], " is not finite");
+    if (p[i] == 0) continue;
+    if (!surface_.included(i)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p[i], " but this point is excluded by the mask");
+    trial.index.push_back(static_cast<std::int64_t>(i));
+  }
+  trial.n = static_cast<std::int64_t>(trial.index.size());
+  if (trial.n == system_.points()) trial.index.clear();
+
+  std::vector<double> product(p.size(), 0.0);
+  Answer answer;
+  if (trial.n > 0) {
+    answer = prepare(trial, RC_CONTROL_DISPLACEMENT, 1);
+    answer.pressure_unit = 1;
+    answer.op = &bound_operator(*answer.choice.backend, trial);
+    for (std::int64_t i = 0; i < trial.n; ++i) answer.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
+    answer.op->field(answer.p, product);
+    for (double& value : product) value *= system_.length_per_pressure;
+  }
+  double approach = step.target;
+  if (step.control == RC_CONTROL_LOAD) {
+    // The approach at which the mean of the gap, weighted by the pressures, vanishes.
+    double sum = 0, moment = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p[i] == 0) continue;
+      sum += p[i];
+      moment += p[i] * (product[i] + (surface_.gap()[i] - surface_.lowest()));
+    }
+    approach = surface_.included_points() == 0 ? 0 : sum > 0 ? surface_.lowest() + moment / sum : surface_.lowest();
+  }
+  name_components(answer, result);
+  copy_text(result.solver, "none");
+  result.modelled = answer.op ? answer.op->modelled() : 0;
+  result.status = certify_and_fill(step, p, product, approach, result);
+  result.stiffness = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
+  result.iterations = 0;
+  result.applications = applications() - applications_before_;
+  result.setup_seconds = setup_seconds_;
+  result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
+  if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  return result.status;
+}
+
+}  // namespace rc

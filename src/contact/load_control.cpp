@@ -1,0 +1,125 @@
+// Load control: a trial set that surely holds the contact set, and for solvers that only know displacement control an iteration on
+// the approach.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "contact/contact.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr int most_rounds = 8;        // of enlarging the trial set
+constexpr int most_approaches = 80;   // of the iteration on the approach
+constexpr double growth = 1.2;
+
+}  // namespace
+
+// Height above the lowest gap below which all contact is expected. A bed of springs as soft as a flat punch of the grid's size
+// sinks deeper than an elastic body; between two loads on the same surface the approach grows at most in proportion, because the
+// load is a convex function of the approach.
+double Contact::approach_estimate(double load) const {
+  const rc_system& s = system_.given;
+  const double size = std::sqrt(s.hx * static_cast<double>(s.nx)) * std::sqrt(s.hy * static_cast<double>(s.ny));
+  double height = surface_.bearing_height(load / system_.cell_area() / s.modulus * size);
+  if (last_.same_gap && last_.load > 0)
+    height = std::min(height, growth * (last_.approach - surface_.lowest()) * std::max(1.0, load / last_.load));
+  return height;
+}
+
+Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
+  const double lowest = surface_.lowest(), load = step.target / system_.cell_area();
+  double height = system_.halfspace() ? approach_estimate(step.target) : surface_.highest() - lowest;
+  if (!(height > 0)) height = load * system_.length_per_pressure;
+  rc_step from = step;
+  std::vector<double> start_pressures;
+  for (int round = 0;; ++round) {
+    const double limit = std::max(lowest + height, std::nextafter(lowest, std::numeric_limits<double>::infinity()));
+    TrialSet trial = system_.halfspace() ? trial_below(limit) : surface_.all();
+    Answer answer = prepare(trial, step.control, height);
+    const bool direct = (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
+    if (system_.periodic() && !direct) {
+      // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full contact.
+      const rc_system& unit = system_.unit;
+      trial.zero_mode = std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny)) / std::numbers::pi;
+    }
+    answer.op = &bound_operator(*answer.choice.backend, trial);
+    answer.p = start(from, trial, answer.pressure_unit);
+    const double wanted = load / answer.pressure_unit;
+    const double shift = trial.zero_mode * wanted / static_cast<double>(system_.points());
+    if (direct) {
+      std::vector<double> u(answer.p.size());
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] = (lowest - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / height;
+      double d = 0;
+      answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), answer.p, d);
+      answer.approach = d;
+    } else {
+      double first = last_.same_gap ? (last_.approach - lowest) / height : 1;
+      if (system_.periodic() && !last_.same_gap) first = (surface_.mean() - lowest) / height;
+      answer.status = balance_load(answer, wanted, shift, first, monitor);
+    }
+    answer.datum_shift = shift * height;
+    answer.approach = lowest + answer.approach * height;
+    const bool covered = trial.n == surface_.included_points() || answer.approach <= limit;
+    if (covered || answer.status != RC_OK || round == most_rounds) return answer;
+    height = growth * (answer.approach - lowest);
+    start_pressures = over_all_points(answer);
+    from.p0 = start_pressures.data();
+  }
+}
+
+// Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
+// the contact set at hand. Steps outside the bracket are replaced by bisection. All in dimensionless units; the operator's zero
+// mode adds `shift` to the approach, which is taken out of the answer.
+rc_status Contact::balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor) const {
+  const TrialSet& trial = answer.op->trial();
+  const std::size_t n = answer.p.size();
+  const double tol = options_.real(RC_OPT_TOL), lowest = surface_.lowest();
+  const SolverRun run_solver = run(answer, monitor);
+  std::vector<double> height(n), u(n), ones, rate;
+  std::vector<std::int64_t> contact;
+  for (std::size_t i = 0; i < n; ++i)
+    height[i] = (surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] - lowest) / answer.length_unit;
+
+  double low = 0, high = std::numeric_limits<double>::infinity(), d = first + shift;
+  for (int k = 0; k < most_approaches; ++k) {
+    for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
+    double unused = 0;
+    answer.approach = d - shift;
+    const double depth = std::max(answer.approach, 1e-3 * d);
+    if (const rc_status status = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, answer.p, unused); status != RC_OK)
+      return status;
+    double sum = 0;
+    contact.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+      sum += answer.p[i];
+      if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
+    }
+    if (std::abs(sum - load) <= 0.05 * tol * load) return RC_OK;
+    (sum < load ? low : high) = d;
+
+    ones.assign(contact.size(), 1.0);
+    rate.resize(contact.size());
+    if (const rc_status status = answer.op->subset(contact, ones.data(), rate.data()); status != RC_OK) {
+      raise_if_failed(status, "the slope of the load");
+      return status;
+    }
+    double slope = 0;
+    for (const double value : rate) slope += value;
+    double next = d + (load - sum) / slope;
+    if (next == d) return RC_OK;  // as near as double precision comes; the certificate decides
+    if (!(next > low && next < high)) next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : 2 * d;
+    for (std::size_t i = 0; i < contact.size(); ++i) {
+      double& p = answer.p[static_cast<std::size_t>(contact[i])];
+      p = std::max(0.0, p + (next - d) * rate[i]);
+    }
+    d = next;
+  }
+  return RC_STOP_STALLED;
+}
+
+}  // namespace rc

@@ -1,0 +1,114 @@
+#include "contact/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+const char* kind_of(const System& system) {
+  if (system.given.op == RC_OPERATOR_DENSE) return "the caller's dense matrix";
+  if (system.given.op == RC_OPERATOR_CALLBACK) return "the caller's product";
+  return system.periodic() ? "periodic boundaries" : "free boundaries";
+}
+
+bool fits(const rc_backend& backend, const System& system) { return (backend.caps & system.needed_caps()) == system.needed_caps(); }
+bool factors(const rc_backend& backend) { return (backend.caps & RC_CAP_SUBSET) != 0; }
+
+// Operations of a direct solve: assembly, about six factorisations of a third of the candidates, and a certificate that sums over
+// contacts and points.
+double direct_cost(const Counts& c) {
+  const double n = static_cast<double>(c.candidates);
+  return 4 * n * n + 6 * std::pow(n / 3, 3) / 3 + 0.5 * n * static_cast<double>(c.points);
+}
+
+// Operations of about a hundred products by padded transforms on the box, and one on the grid.
+double transform_cost(const Counts& c) {
+  const auto product = [](double points) { return 2.5 * 4 * points * std::log2(4 * points + 1); };
+  return 100 * product(static_cast<double>(c.box)) + product(static_cast<double>(c.points));
+}
+
+constexpr double exact_tol = 1e-12;            // below this, iterations come near the limit of double precision
+constexpr std::int64_t exact_candidates = 4096;  // up to which an exact solve is always affordable
+
+// A factoring backend with an exact solver, or iterations on a matrix-free one.
+bool prefers_direct(const Counts& counts) {
+  if (counts.tol < exact_tol && counts.candidates <= exact_candidates) return true;
+  return direct_cost(counts) <= transform_cost(counts);
+}
+
+std::string describe(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+  return text;
+}
+
+// The first of the named backends that can be used; by counts for "auto".
+const rc_backend& choose_backend(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
+                                 const rc_solver* solver) {
+  const std::string& wanted = options.text(RC_OPT_BACKEND);
+  const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0;
+  const auto reason = [&](const rc_backend& backend) {
+    if (solver) return obstacle(*solver, backend, system, control, fallbacks);
+    return fits(backend, system) ? std::string() : join("backend \"", backend.name, "\" cannot do ", kind_of(system));
+  };
+  if (wanted != "auto") {
+    std::vector<std::string> reasons;
+    std::optional<Error> missing;
+    for (const std::string& name : split(wanted, ',')) {
+      try {
+        const rc_backend& backend = options.context->backend(name);
+        reasons.push_back(reason(backend));
+        if (reasons.back().empty()) return backend;
+      } catch (const Error& error) {
+        if (!missing) missing = error;
+      }
+    }
+    if (missing && reasons.empty()) throw *missing;
+    fail(RC_ERR_INCOMPATIBLE, describe(reasons));
+  }
+  const rc_backend *direct = nullptr, *matrix_free = nullptr;
+  for (const auto* component : options.context->backends()) {
+    if (!reason(component->vtable).empty()) continue;
+    const rc_backend*& slot = factors(component->vtable) ? direct : matrix_free;
+    if (!slot) slot = &component->vtable;
+  }
+  if (!direct && !matrix_free)
+    fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver ? " with this solver" : "", "; is a plugin missing?");
+  if (!matrix_free) return *direct;
+  if (!direct) return *matrix_free;
+  return prefers_direct(counts) ? *direct : *matrix_free;
+}
+
+}  // namespace
+
+std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control, bool fallbacks) {
+  if (!fits(backend, system)) return join("backend \"", backend.name, "\" cannot do ", kind_of(system));
+  const bool replaced = !factors(backend);
+  if ((solver.needs & RC_CAP_SUBSET) && replaced && !fallbacks)
+    return join("solver \"", solver.name, "\" needs systems on subsets, which backend \"", backend.name,
+                "\" cannot factor, and allow_fallback is 0");
+  if (control == RC_CONTROL_LOAD && !(solver.controls & RC_CONTROL_LOAD) && replaced && !fallbacks)
+    return join("load control of solver \"", solver.name, "\" needs systems on subsets, which backend \"", backend.name,
+                "\" cannot factor, and allow_fallback is 0");
+  return {};
+}
+
+Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts) {
+  Choice choice;
+  const std::string& wanted = options.text(RC_OPT_SOLVER);
+  if (wanted != "auto") choice.solver = &options.context->solver(wanted);
+  choice.backend = &choose_backend(options, system, control, counts, choice.solver);
+  if (!choice.solver) {
+    const bool direct = factors(*choice.backend) && (prefers_direct(counts) || system.given.op == RC_OPERATOR_DENSE);
+    choice.solver = &options.context->solver(direct ? "nnls" : "polonsky-keer");
+  }
+  return choice;
+}
+
+}  // namespace rc

@@ -1,0 +1,32 @@
+// Which solver and which backend: as named, or by counts. Never by clocks, so that the choice can be repeated.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <string>
+
+#include "contact/system.h"
+#include "registry/options_handle.h"
+
+namespace rc {
+
+struct Counts {
+  std::int64_t candidates = 0;  // points of the trial set
+  std::int64_t box = 0;         // points of its bounding box
+  std::int64_t points = 0;      // points of the grid
+  double tol = 0;
+};
+
+struct Choice {
+  const rc_solver* solver = nullptr;
+  const rc_backend* backend = nullptr;
+};
+
+// Why this pair cannot solve this system under this control; "" if it can.
+std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control, bool fallbacks);
+
+// Throws Error(NO_SOLVER, NO_BACKEND, INCOMPATIBLE, PLUGIN).
+Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts);
+
+}  // namespace rc

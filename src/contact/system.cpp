@@ -1,0 +1,133 @@
+#include "contact/system.h"
+
+#include <roughcontact/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/error.h"
+#include "kernel/kernel.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double symmetric = 1e-12;  // largest |H_ij - H_ji| relative to the largest entry
+// Arrays of doubles over all points of a padded grid must be addressable.
+constexpr std::int64_t most_points = std::numeric_limits<std::int64_t>::max() / 1024;
+
+void check_length(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0)) fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length");
+}
+
+std::string resolved_kernel(const rc_system& system, const std::string& option) {
+  const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
+  const std::string name = option == "auto" ? (periodic ? "spectral" : "love") : option;
+  const kernel::Kernel* found = kernel::find(name);
+  if (!found) {
+    std::vector<std::string> names{"auto"};
+    for (const kernel::Kernel& each : kernel::all()) names.push_back(each.name);
+    std::string list;
+    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
+    fail(RC_ERR_OPTION, "kernel \"", name, "\" not found", suggestion(name, names), "; available: ", list);
+  }
+  if ((found->boundary == kernel::Boundary::periodic) != periodic)
+    fail(RC_ERR_INCOMPATIBLE, "kernel \"", name, "\" is for ", periodic ? "free" : "periodic", " boundaries, the system has ",
+         periodic ? "periodic" : "free", " ones; use kernel=auto");
+  if (found->square_cells && system.hx != system.hy)
+    fail(RC_ERR_INCOMPATIBLE, "kernel \"", name, "\" needs square cells, hx = ", system.hx, " and hy = ", system.hy,
+         " differ; use love or galerkin");
+  return name;
+}
+
+void probe_dense(System& result) {
+  const rc_system& system = result.given;
+  const std::int64_t n = result.points();
+  const auto entry = [&](std::int64_t i, std::int64_t j) { return system.dense[i * system.dense_ld + j]; };
+  double largest = 0, diagonal = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    for (std::int64_t j = 0; j < n; ++j) {
+      if (!std::isfinite(entry(i, j))) fail(RC_ERR_ARGUMENT, "dense matrix: entry (", i, ", ", j, ") is ", entry(i, j));
+      largest = std::max(largest, std::abs(entry(i, j)));
+      result.positive = result.positive && entry(i, j) >= 0;
+    }
+    if (!(entry(i, i) > 0))
+      fail(RC_ERR_NUMERIC, "dense matrix is not positive definite: diagonal entry ", i, " is ", entry(i, i), ", must be > 0");
+    diagonal = std::max(diagonal, entry(i, i));
+  }
+  for (std::int64_t i = 0; i < n; ++i)
+    for (std::int64_t j = 0; j < i; ++j)
+      if (std::abs(entry(i, j) - entry(j, i)) > symmetric * largest)
+        fail(RC_ERR_ARGUMENT, "dense matrix is not symmetric: entry (", i, ", ", j, ") = ", entry(i, j), " but (", j, ", ", i,
+             ") = ", entry(j, i), "; allowed difference ", symmetric * largest);
+  result.length_per_pressure = result.operator_scale = diagonal;
+}
+
+// One product with a constant: shows a callback that fails before a solve depends on it, and gives the scale.
+void probe_callback(System& result) {
+  const rc_system& system = result.given;
+  const auto n = static_cast<std::size_t>(result.points());
+  std::vector<double> x(n, 1.0), y(n, std::numeric_limits<double>::quiet_NaN());
+  if (system.apply(x.data(), y.data(), result.points(), system.user) != 0)
+    fail(RC_ERR_EXTERNAL, "the caller's apply function reported failure");
+  double work = 0, largest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::isfinite(y[i])) fail(RC_ERR_NUMERIC, "the caller's apply function returned ", y[i], " at point ", i);
+    work += y[i];
+    largest = std::max(largest, std::abs(y[i]));
+  }
+  if (!(work > 0)) fail(RC_ERR_NUMERIC, "the caller's apply function is not positive definite: 1'H1 = ", work, ", must be > 0");
+  result.positive = false;
+  result.length_per_pressure = result.operator_scale = largest;
+}
+
+}  // namespace
+
+std::uint64_t System::needed_caps() const {
+  if (given.op == RC_OPERATOR_DENSE) return RC_CAP_DENSE_INPUT;
+  if (given.op == RC_OPERATOR_CALLBACK) return RC_CAP_CALLBACK;
+  return periodic() ? RC_CAP_PERIODIC : RC_CAP_FREE;
+}
+
+System checked_system(const rc_system& system, const std::string& kernel, bool probe) {
+  if (system.op < RC_OPERATOR_HALFSPACE || system.op > RC_OPERATOR_CALLBACK)
+    fail(RC_ERR_ARGUMENT, "rc_system.op = ", system.op, " is none of RC_OPERATOR_HALFSPACE, _DENSE, _CALLBACK (1 .. 3)");
+  if (system.nx < 1 || system.ny < 1) fail(RC_ERR_SHAPE, "nx = ", system.nx, ", ny = ", system.ny, " must both be >= 1");
+  if (system.nx > most_points / system.ny)
+    fail(RC_ERR_SHAPE, "nx*ny = ", system.nx, " * ", system.ny, " is more than ", most_points, " points");
+  check_length(system.hx, "hx");
+  check_length(system.hy, "hy");
+
+  System result{system, system, "", 1, 1, true};
+  switch (system.op) {
+    case RC_OPERATOR_HALFSPACE: {
+      if (system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
+        fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary, " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");
+      if (!(std::isfinite(system.modulus) && system.modulus > 0))
+        fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus, " must be positive and finite (contact modulus E*)");
+      const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
+      result.kernel = resolved_kernel(system, kernel);
+      result.unit.hx = system.hx / cell;
+      result.unit.hy = system.hx == system.hy ? result.unit.hx : system.hy / cell;
+      result.unit.modulus = 1;
+      result.length_per_pressure = cell / system.modulus;
+      result.positive = !result.periodic();
+      break;
+    }
+    case RC_OPERATOR_DENSE:
+      if (!system.dense) fail(RC_ERR_ARGUMENT, "rc_system.dense is null");
+      if (system.dense_ld < result.points())
+        fail(RC_ERR_SHAPE, "rc_system.dense_ld = ", system.dense_ld, " must be >= n = ", result.points());
+      if (probe) probe_dense(result);
+      break;
+    case RC_OPERATOR_CALLBACK:
+      if (!system.apply) fail(RC_ERR_ARGUMENT, "rc_system.apply is null");
+      if (probe) probe_callback(result);
+      break;
+  }
+  return result;
+}
+
+}  // namespace rc

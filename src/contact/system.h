@@ -1,0 +1,29 @@
+// A checked system, and the dimensionless one that components see.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <string>
+
+namespace rc {
+
+struct System {
+  rc_system given;        // as the caller described it
+  rc_system unit;         // HALFSPACE: modulus 1 and cells of unit area; else as given
+  std::string kernel;     // resolved name, "" without a half-space
+  double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
+  double operator_scale = 1;       // what products of `unit` must be divided by to be dimensionless
+  bool positive = true;   // H has no negative entries, so points with gap >= d carry no pressure
+
+  std::int64_t points() const { return given.nx * given.ny; }
+  double cell_area() const { return given.hx * given.hy; }
+  bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
+  bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
+  std::uint64_t needed_caps() const;
+};
+
+// Throws Error(ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, EXTERNAL, NUMERIC). `kernel`: the option's value. With `probe`, a caller's
+// matrix is read and a caller's product is tried once.
+System checked_system(const rc_system& system, const std::string& kernel, bool probe);
+
+}  // namespace rc

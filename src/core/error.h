@@ -1,0 +1,38 @@
+// Errors inside the library: an exception that carries a status, turned into status and message at the ABI.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <exception>
+#include <string>
+
+#include "core/text.h"
+
+namespace rc {
+
+class Error : public std::exception {
+ public:
+  Error(rc_status code, std::string message) : code_(code), message_(std::move(message)) {}
+  rc_status code() const { return code_; }
+  const char* what() const noexcept override { return message_.c_str(); }
+
+ private:
+  rc_status code_;
+  std::string message_;
+};
+
+// fail(RC_ERR_SHAPE, "nx = ", nx, " must be >= 1")
+template <class... Parts>
+[[noreturn]] void fail(rc_status code, const Parts&... parts) {
+  throw Error(code, join(parts...));
+}
+
+// The calling thread's message. Fixed storage, so that it works when memory has run out.
+const char* last_message();
+void set_message(const char* text);
+void clear_message();
+
+// What a component reported through rc_host::fail, as an exception. `what` names the operation for components that said nothing.
+void raise_if_failed(rc_status status, const char* what);
+
+}  // namespace rc

@@ -1,0 +1,64 @@
+// Options: keys with a declared schema. A value is checked when it is set, so a solve never meets a bad one.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rc {
+
+using OptionValue = std::variant<std::int64_t, double, std::string>;
+
+struct OptionSpec {
+  std::string key, default_value, help;
+  std::vector<std::string> choices;  // text only; empty: any text
+  std::string choices_text;
+  int type = RC_TYPE_TEXT;
+  bool fixed = false;
+  double minimum = 0, maximum = 0;
+  OptionValue parsed_default{};  // filled by Schema::add
+};
+
+// The declared keys. Grows as components are loaded; entries never move.
+class Schema {
+ public:
+  void add(const OptionSpec& spec);
+  const OptionSpec* find(std::string_view key) const;
+  std::size_t size() const { return specs_.size(); }
+  const OptionSpec& operator[](std::size_t i) const { return specs_[i]; }
+  std::vector<std::string> keys() const;
+
+ private:
+  std::deque<OptionSpec> specs_;
+};
+
+// The core's own keys.
+const std::vector<OptionSpec>& core_options();
+
+// Checks a foreign description; throws Error(RC_ERR_PLUGIN).
+OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component);
+
+// Converts and checks; throws Error(RC_ERR_OPTION).
+OptionValue checked_value(const OptionSpec& spec, const OptionValue& value);
+OptionValue parsed_value(const OptionSpec& spec, std::string_view text);
+
+// Values that differ from the defaults.
+class OptionSet {
+ public:
+  void set(const OptionSpec& spec, OptionValue value);
+  // The value, or the default. The reference lives until the key is set again.
+  const OptionValue& get(const OptionSpec& spec) const;
+  std::int64_t integer(const OptionSpec& spec) const { return std::get<std::int64_t>(get(spec)); }
+  double real(const OptionSpec& spec) const { return std::get<double>(get(spec)); }
+  const std::string& text(const OptionSpec& spec) const { return std::get<std::string>(get(spec)); }
+
+ private:
+  std::map<std::string, OptionValue, std::less<>> values_;
+};
+
+}  // namespace rc

@@ -1,0 +1,46 @@
+// The registry of kernels.
+#include "kernel/kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "kernel/kernels.h"
+
+namespace rc::kernel {
+
+namespace {
+
+using Fill = void (*)(double hx, double hy, std::int64_t mx, std::int64_t my, double* out);
+
+constexpr std::array<Kernel, 6> kernels{{
+    {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true},
+    {"eq9",
+     "punch with the self term printed in Bemporad & Paggi (2015), eq. (9), 36 % too small: only to reproduce their results",
+     Boundary::free, true},
+    {"galerkin", "uniform pressure on the cell, mean deflection of the receiving cell; second order", Boundary::free, false},
+    {"love", "uniform pressure on the cell, centre deflection (Love 1929); second order", Boundary::free, false},
+    {"punch", "rigid circular punch inscribed in the cell; square cells, first order", Boundary::free, true},
+    {"spectral", "exact for every wave that the periodic grid resolves: 2/|q|, mean 0", Boundary::periodic, false},
+}};
+constexpr std::array<Fill, kernels.size()> fills{disc, eq9, galerkin, love, punch, nullptr};
+
+}  // namespace
+
+std::span<const Kernel> all() { return kernels; }
+
+const Kernel* find(std::string_view name) {
+  const auto found = std::ranges::find(kernels, name, &Kernel::name);
+  return found == kernels.end() ? nullptr : &*found;
+}
+
+void coefficients(const Kernel& kernel, double hx, double hy, std::int64_t mx, std::int64_t my, double* out) {
+  const Kernel* known = find(kernel.name);
+  const Fill fill = known ? fills[static_cast<std::size_t>(known - kernels.data())] : nullptr;
+  if (fill)
+    fill(hx, hy, mx, my, out);
+  else  // not a free kernel: no value exists
+    std::fill_n(out, mx * my, std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace rc::kernel

@@ -1,0 +1,88 @@
+// The periodic kernel: a pressure wave exp(i q.x) deflects the half-space by 2/(E* |q|) times itself (Johnson, Contact Mechanics
+// (1985), section 13.2), for every wave of the grid, q = 2 pi (kx/(nx hx), ky/(ny hy)).
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "kernel/kernel.h"
+
+namespace rc::kernel {
+
+namespace {
+
+struct Matrix {
+  Matrix(std::int64_t row_count, std::int64_t column_count)
+      : rows(row_count), columns(column_count), value(static_cast<std::size_t>(row_count * column_count)) {}
+  double* row(std::int64_t i) { return value.data() + i * columns; }
+  const double* row(std::int64_t i) const { return value.data() + i * columns; }
+
+  std::int64_t rows, columns;
+  std::vector<double> value;
+};
+
+// Summed block by block, which bounds the growth of round-off and keeps the block of b in cache.
+Matrix operator*(const Matrix& a, const Matrix& b) {
+  constexpr std::int64_t block = 64, unroll = 4;
+  Matrix product(a.rows, b.columns);
+  std::vector<double> partial(static_cast<std::size_t>(b.columns));
+  for (std::int64_t first = 0; first < b.rows; first += block) {
+    const std::int64_t last = std::min(first + block, b.rows);
+    for (std::int64_t i = 0; i < a.rows; ++i) {
+      const double* ai = a.row(i);
+      double* sum = partial.data();
+      std::fill_n(sum, b.columns, 0.0);
+      std::int64_t k = first;
+      for (; k + unroll <= last; k += unroll) {
+        const double a0 = ai[k], a1 = ai[k + 1], a2 = ai[k + 2], a3 = ai[k + 3];
+        const double *b0 = b.row(k), *b1 = b.row(k + 1), *b2 = b.row(k + 2), *b3 = b.row(k + 3);
+        for (std::int64_t j = 0; j < b.columns; ++j) sum[j] += (a0 * b0[j] + a1 * b1[j]) + (a2 * b2[j] + a3 * b3[j]);
+      }
+      for (; k < last; ++k)
+        for (std::int64_t j = 0; j < b.columns; ++j) sum[j] += ai[k] * b.row(k)[j];
+      double* total = product.row(i);
+      for (std::int64_t j = 0; j < b.columns; ++j) total[j] += sum[j];
+    }
+  }
+  return product;
+}
+
+// The inverse transform of an even function on n points: cosines(i, k) is the share of wave number k = 0..n/2 at offset i. A wave
+// and its conjugate count together, but the mean and, for even n, the highest wave are their own conjugates.
+double cosine(std::int64_t n, std::int64_t i, std::int64_t k) {
+  const double pair = k == 0 || 2 * k == n ? 1 : 2;
+  const double turn = static_cast<double>(i * k % n) / static_cast<double>(n);
+  return pair / static_cast<double>(n) * std::cos(2 * std::numbers::pi * turn);
+}
+
+}  // namespace
+
+void symbol(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t ny, double* out) {
+  const double lx = static_cast<double>(nx) * hx, ly = static_cast<double>(ny) * hy;
+  double* value = out;
+  for (std::int64_t ky = 0; ky <= ny / 2; ++ky)
+    for (std::int64_t kx = 0; kx <= nx / 2; ++kx)
+      *value++ = 1 / (std::numbers::pi * std::hypot(static_cast<double>(kx) / lx, static_cast<double>(ky) / ly));
+  out[0] = 0;
+}
+
+void periodic_coefficients(const Kernel& kernel, double hx, double hy, std::int64_t nx, std::int64_t ny, std::int64_t mx,
+                           std::int64_t my, double* out) {
+  // Offsets beyond half the period repeat the nearer ones.
+  const std::int64_t half_x = nx / 2 + 1, half_y = ny / 2 + 1;
+  const std::int64_t distinct_x = std::min(mx, half_x), distinct_y = std::min(my, half_y);
+
+  Matrix eigenvalues(half_y, half_x), to_x(half_x, distinct_x), to_y(distinct_y, half_y);
+  symbol(kernel, hx, hy, nx, ny, eigenvalues.value.data());
+  for (std::int64_t k = 0; k < half_x; ++k)
+    for (std::int64_t i = 0; i < distinct_x; ++i) to_x.row(k)[i] = cosine(nx, i, k);
+  for (std::int64_t i = 0; i < distinct_y; ++i)
+    for (std::int64_t k = 0; k < half_y; ++k) to_y.row(i)[k] = cosine(ny, i, k);
+
+  const Matrix coefficient = to_y * (eigenvalues * to_x);
+  for (std::int64_t iy = 0; iy < my; ++iy)
+    for (std::int64_t ix = 0; ix < mx; ++ix) *out++ = coefficient.row(std::min(iy, ny - iy))[std::min(ix, nx - ix)];
+}
+
+}  // namespace rc::kernel

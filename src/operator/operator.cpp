@@ -1,0 +1,57 @@
+#include "operator/operator.h"
+
+#include "core/error.h"
+
+namespace rc {
+
+Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
+                   const rc_options& options, double scale)
+    : backend_(backend), system_(system), kernel_(kernel), scale_(scale) {
+  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options};
+  clear_message();
+  raise_if_failed(backend_.create(&host, &spec_, &self_), "creating the operator");
+}
+
+Operator::~Operator() {
+  if (self_) backend_.destroy(self_);
+}
+
+void Operator::bind(const TrialSet& trial) {
+  if (bound_ && trial == trial_) return;
+  bound_ = false;
+  TrialSet copy = trial;
+  const rc_domain domain{sizeof(rc_domain), copy.n, copy.index.empty() ? nullptr : copy.index.data(), copy.zero_mode};
+  clear_message();
+  raise_if_failed(backend_.bind(self_, &domain), "binding the trial set");
+  trial_ = std::move(copy);  // the vector's storage, which the backend points to, moves along
+  bound_ = true;
+}
+
+rc_status Operator::apply(const double* x, double* y) {
+  if (ask_)
+    if (const rc_status stop = ask_(); stop != RC_OK) return stop;
+  ++applications_;
+  const rc_status status = backend_.apply(self_, x, y);
+  if (scale_ != 1)
+    for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= scale_;
+  return status;
+}
+
+void Operator::field(std::span<const double> x, std::span<double> y) {
+  ++applications_;
+  clear_message();
+  raise_if_failed(backend_.field(self_, x.data(), y.data()), "the product over all points");
+  if (scale_ != 1)
+    for (double& value : y) value /= scale_;
+}
+
+rc_status Operator::subset(std::span<const std::int64_t> a, const double* b, double* x) {
+  if (a.empty()) return RC_OK;
+  if (!backend_.subset) return conjugate_gradients(a, b, x);
+  const rc_status status = backend_.subset(self_, static_cast<std::int64_t>(a.size()), a.data(), b, x);
+  if (scale_ != 1)
+    for (std::size_t i = 0; i < a.size(); ++i) x[i] *= scale_;
+  return status;
+}
+
+}  // namespace rc

@@ -1,0 +1,68 @@
+// The C++ view of a backend's operator: products with H on the trial set, scaled to a dimensionless problem.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "registry/context.h"
+
+namespace rc {
+
+// The points that may carry pressure. Without an index: all `n` of the grid.
+struct TrialSet {
+  std::int64_t n = 0;
+  std::vector<std::int64_t> index;  // ascending; empty: every point
+  double zero_mode = 0;
+
+  std::int64_t point(std::int64_t i) const { return index.empty() ? i : index[static_cast<std::size_t>(i)]; }
+  bool operator==(const TrialSet&) const = default;
+};
+
+class Operator {
+ public:
+  // `options` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
+  Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel, const rc_options& options,
+           double scale);
+  ~Operator();
+  Operator(const Operator&) = delete;
+  Operator& operator=(const Operator&) = delete;
+
+  // Does nothing if the set is the one bound already.
+  void bind(const TrialSet& trial);
+  const TrialSet& trial() const { return trial_; }
+
+  // Asked before every product; a status other than 0 stops it.
+  void watch(std::function<rc_status()> ask) { ask_ = std::move(ask); }
+
+  rc_status apply(const double* x, double* y);                    // y = H[T,T] x
+  void field(std::span<const double> x, std::span<double> y);     // y = H[all,T] x
+  std::int64_t modelled() { return backend_.modelled(self_); }
+
+  // H[a,a] x = b for ascending positions a in the trial set: the backend's factorisation, or conjugate gradients on `apply`.
+  rc_status subset(std::span<const std::int64_t> a, const double* b, double* x);
+  bool has_subset() const { return backend_.subset != nullptr; }
+
+  std::int64_t applications() const { return applications_; }
+  const char* name() const { return backend_.name; }
+
+ private:
+  rc_status conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x);
+
+  const rc_backend& backend_;
+  rc_system system_;
+  std::string kernel_;
+  rc_operator_spec spec_{};
+  double scale_;
+  std::function<rc_status()> ask_;
+  void* self_ = nullptr;
+  TrialSet trial_;
+  bool bound_ = false;
+  std::int64_t applications_ = 0;
+};
+
+}  // namespace rc

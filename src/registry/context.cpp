@@ -1,0 +1,178 @@
+#include "registry/context.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/error.h"
+#include "registry/builtin.h"
+#include "registry/loader.h"
+
+namespace rc {
+
+Context::Context(const ContextConfig& config) : config_(config), host_(*this) {
+  for (const OptionSpec& spec : core_options()) schema_.add(spec);
+  for (const rc_plugin_query_fn query : builtin_plugins()) {
+    const rc_plugin* plugin = nullptr;
+    raise_if_failed(query(&host_, &plugin), "a built-in component");
+    add(*plugin, "built-in");
+  }
+}
+
+const std::shared_ptr<Context>& Context::standard() {
+  static const std::shared_ptr<Context> context = std::make_shared<Context>(ContextConfig{});
+  return context;
+}
+
+void Context::log(std::int32_t level, const std::string& message) const {
+  if (config_.log) config_.log(level, message.c_str(), config_.log_user);
+}
+
+namespace {
+
+// The members that the component's header knew, the rest null.
+template <class Vtable>
+Vtable zero_filled(const Vtable& vtable) {
+  Vtable copy{};
+  std::memcpy(&copy, &vtable, std::min(vtable.struct_size, sizeof copy));
+  return copy;
+}
+
+void check_bit(const rc_backend& backend, std::uint64_t bit, bool present, const char* function) {
+  if (((backend.caps & bit) != 0) != present)
+    fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" has ", present ? "" : "no ", function, "() but its caps say otherwise");
+}
+
+void check(const rc_backend& backend) {
+  if (!backend.create || !backend.destroy || !backend.bind || !backend.apply || !backend.field || !backend.modelled)
+    fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" lacks one of create, destroy, bind, apply, field, modelled");
+  check_bit(backend, RC_CAP_SUBSET, backend.subset != nullptr, "subset");
+}
+
+void check(const rc_solver& solver) {
+  if (!solver.solve || (solver.controls & RC_CONTROL_DISPLACEMENT) == 0)
+    fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" lacks solve or displacement control");
+}
+
+}  // namespace
+
+template <class Vtable>
+const Component<Vtable>* Context::find(const std::deque<Component<Vtable>>& components, std::string_view name) const {
+  const auto it = std::find_if(components.begin(), components.end(), [&](const auto& c) { return name == c.vtable.name; });
+  return it == components.end() ? nullptr : &*it;
+}
+
+template <class Vtable>
+void Context::add_component(std::deque<Component<Vtable>>& components, const Vtable& vtable, const std::string& origin) {
+  const Vtable copy = zero_filled(vtable);
+  if (!copy.name || !is_component_name(copy.name))
+    fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "", "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
+  if (!copy.summary || !copy.license) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" lacks a summary or a licence");
+  if (find(backends_, copy.name) || find(solvers_, copy.name))
+    fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
+  check(copy);
+  std::vector<OptionSpec> specs;
+  for (std::int64_t i = 0; i < copy.n_options; ++i) specs.push_back(checked_spec(*copy.options[i], copy.name));
+  for (const OptionSpec& spec : specs) schema_.add(spec);
+  components.push_back({copy, origin});
+}
+
+void Context::add(const rc_plugin& plugin, const std::string& origin) {
+  const std::lock_guard lock(mutex_);
+  if (plugin.struct_size < sizeof(rc_plugin) || !plugin.name)
+    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", plugin.struct_size, " is smaller than ", sizeof(rc_plugin), ", or it has no name");
+  if (plugin.abi_major != RC_PLUGIN_ABI_MAJOR)
+    fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, ") has plugin ABI ", plugin.abi_major, ", this library has ",
+         RC_PLUGIN_ABI_MAJOR, "; rebuild it against the installed headers");
+  for (std::int64_t i = 0; i < plugin.n_backends; ++i) add_component(backends_, *plugin.backends[i], origin);
+  for (std::int64_t i = 0; i < plugin.n_solvers; ++i) add_component(solvers_, *plugin.solvers[i], origin);
+}
+
+bool Context::load(const std::string& name) {
+  if (std::find(loaded_.begin(), loaded_.end(), name) != loaded_.end()) return true;
+  if (config_.flags & RC_CONTEXT_NO_PLUGINS) return false;
+  const std::string path = find_plugin(plugin_directories(config_, *this), name);
+  if (path.empty()) return false;
+  add(*load_plugin(path, name, host_), path);
+  loaded_.push_back(name);
+  return true;
+}
+
+void Context::load_all() {
+  if (all_loaded_) return;
+  all_loaded_ = true;
+  if (config_.flags & RC_CONTEXT_NO_PLUGINS) return;
+  for (const std::string& name : plugin_names(plugin_directories(config_, *this))) {
+    if (find(backends_, name) || find(solvers_, name)) continue;
+    try {
+      load(name);
+    } catch (const Error& error) {
+      log(RC_LOG_WARNING, error.what());
+    }
+  }
+}
+
+template <class Vtable>
+const Vtable& Context::get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind) {
+  const std::lock_guard lock(mutex_);
+  if (const auto* component = find(components, name)) return component->vtable;
+  if (is_component_name(name) && load(std::string(name)))
+    if (const auto* component = find(components, name)) return component->vtable;
+  load_all();
+  std::vector<std::string> known;
+  for (const auto& component : components) known.push_back(component.vtable.name);
+  std::sort(known.begin(), known.end());
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+  if (const char* hint = known_but_absent(name))
+    fail(missing, kind, " \"", name, "\" is not installed: ", hint, "; available: ", list);
+  fail(missing, kind, " \"", name, "\" not found", suggestion(name, known), "; available: ", list);
+}
+
+const rc_backend& Context::backend(std::string_view name) { return get(backends_, name, RC_ERR_NO_BACKEND, "backend"); }
+const rc_solver& Context::solver(std::string_view name) { return get(solvers_, name, RC_ERR_NO_SOLVER, "solver"); }
+
+namespace {
+
+template <class Vtable>
+std::vector<const Component<Vtable>*> sorted(const std::deque<Component<Vtable>>& components) {
+  std::vector<const Component<Vtable>*> result;
+  for (const auto& component : components) result.push_back(&component);
+  std::sort(result.begin(), result.end(), [](const auto* a, const auto* b) { return std::strcmp(a->vtable.name, b->vtable.name) < 0; });
+  return result;
+}
+
+}  // namespace
+
+std::vector<const Component<rc_backend>*> Context::backends() {
+  const std::lock_guard lock(mutex_);
+  load_all();
+  return sorted(backends_);
+}
+
+std::vector<const Component<rc_solver>*> Context::solvers() {
+  const std::lock_guard lock(mutex_);
+  load_all();
+  return sorted(solvers_);
+}
+
+const OptionSpec& Context::option(std::string_view key) {
+  const std::lock_guard lock(mutex_);
+  if (const OptionSpec* spec = schema_.find(key)) return *spec;
+  if (const size_t dot = key.find('.'); dot != std::string_view::npos && is_component_name(key.substr(0, dot))) {
+    load(std::string(key.substr(0, dot)));
+    if (const OptionSpec* spec = schema_.find(key)) return *spec;
+  }
+  load_all();
+  if (const OptionSpec* spec = schema_.find(key)) return *spec;
+  fail(RC_ERR_OPTION, "option \"", key, "\" is unknown", suggestion(key, schema_.keys()));
+}
+
+std::vector<const OptionSpec*> Context::options() {
+  const std::lock_guard lock(mutex_);
+  load_all();
+  std::vector<const OptionSpec*> result;
+  for (size_t i = 0; i < schema_.size(); ++i) result.push_back(&schema_[i]);
+  return result;
+}
+
+}  // namespace rc

@@ -1,0 +1,85 @@
+// The registry: backends and solvers known to a context, whether linked in, registered by the host program or loaded from disk.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/options.h"
+
+namespace rc {
+
+class Context;
+
+// The services handed to components: rc_host's functions find their context behind it.
+struct Host : rc_host {
+  explicit Host(const Context& context);
+  const Context* context;
+};
+
+template <class Vtable>
+struct Component {
+  Vtable vtable;  // members that an older plugin lacks are null
+  std::string origin;
+};
+
+struct ContextConfig {
+  std::uint32_t flags = 0;
+  std::string plugin_path;
+  rc_log_fn log = nullptr;
+  void* log_user = nullptr;
+};
+
+// Shared between threads; components are added under a lock and never move or go away.
+class Context {
+ public:
+  explicit Context(const ContextConfig& config);
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  // The context behind null arguments, made at first use.
+  static const std::shared_ptr<Context>& standard();
+
+  void add(const rc_plugin& plugin, const std::string& origin);
+
+  // By exact name, loading rcb_<name>.so if needed. Throw Error(NO_BACKEND, NO_SOLVER, PLUGIN).
+  const rc_backend& backend(std::string_view name);
+  const rc_solver& solver(std::string_view name);
+
+  // Everything that can be found, sorted by name; refused files are logged.
+  std::vector<const Component<rc_backend>*> backends();
+  std::vector<const Component<rc_solver>*> solvers();
+
+  // Throws Error(RC_ERR_OPTION) with the nearest key. A dotted key loads its component.
+  const OptionSpec& option(std::string_view key);
+  std::vector<const OptionSpec*> options();
+
+  const Host& host() const { return host_; }
+  void log(std::int32_t level, const std::string& message) const;
+
+ private:
+  template <class Vtable>
+  const Component<Vtable>* find(const std::deque<Component<Vtable>>& components, std::string_view name) const;
+  template <class Vtable>
+  void add_component(std::deque<Component<Vtable>>& components, const Vtable& vtable, const std::string& origin);
+  template <class Vtable>
+  const Vtable& get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind);
+  bool load(const std::string& name);  // true if a file of that name was loaded now or before
+  void load_all();
+
+  const ContextConfig config_;
+  Host host_;
+  mutable std::recursive_mutex mutex_;
+  std::deque<Component<rc_backend>> backends_;
+  std::deque<Component<rc_solver>> solvers_;
+  std::vector<std::string> loaded_;
+  Schema schema_;
+  bool all_loaded_ = false;
+};
+
+}  // namespace rc

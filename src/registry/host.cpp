@@ -1,0 +1,94 @@
+// The services behind rc_host.
+#include <map>
+#include <new>
+
+#include "core/error.h"
+#include "kernel/kernel.h"
+#include "registry/context.h"
+#include "registry/options_handle.h"
+
+namespace rc {
+
+namespace {
+
+// Components are C: exceptions stay on this side.
+template <class Body>
+rc_status shielded(const Body& body) {
+  try {
+    body();
+    return RC_OK;
+  } catch (const Error& error) {
+    set_message(error.what());
+    return error.code();
+  } catch (const std::bad_alloc&) {
+    set_message("out of memory");
+    return RC_ERR_MEMORY;
+  } catch (const std::exception& error) {
+    set_message(error.what());
+    return RC_ERR_INTERNAL;
+  }
+}
+
+std::mutex& named_lock(const char* resource) {
+  static std::mutex guard;
+  static std::map<std::string, std::mutex> locks;
+  const std::lock_guard lock(guard);
+  return locks[resource];
+}
+
+const OptionValue& value(const rc_options* options, const char* key, int type) {
+  const OptionSpec& spec = options->context->option(key);
+  if (spec.type != type) fail(RC_ERR_OPTION, "option \"", key, "\" is read with the wrong type");
+  return options->values.get(spec);
+}
+
+const kernel::Kernel& kernel_named(const char* name) {
+  const kernel::Kernel* found = kernel::find(name);
+  if (!found) fail(RC_ERR_INTERNAL, "kernel \"", name, "\" is unknown");
+  return *found;
+}
+
+}  // namespace
+
+Host::Host(const Context& owner) : rc_host{}, context(&owner) {
+  struct_size = sizeof(rc_host);
+  abi_major = RC_PLUGIN_ABI_MAJOR;
+  abi_minor = RC_PLUGIN_ABI_MINOR;
+  fail = [](const rc_host*, rc_status code, const char* message) {
+    set_message(message);
+    return code;
+  };
+  log = [](const rc_host* host, std::int32_t level, const char* message) {
+    shielded([&] { static_cast<const Host*>(host)->context->log(level, message); });
+  };
+  lock = [](const rc_host*, const char* resource) { named_lock(resource).lock(); };
+  unlock = [](const rc_host*, const char* resource) { named_lock(resource).unlock(); };
+  option_int = [](const rc_host*, const rc_options* options, const char* key, std::int64_t* out) {
+    return shielded([&] { *out = std::get<std::int64_t>(value(options, key, RC_TYPE_INT)); });
+  };
+  option_real = [](const rc_host*, const rc_options* options, const char* key, double* out) {
+    return shielded([&] { *out = std::get<double>(value(options, key, RC_TYPE_REAL)); });
+  };
+  option_text = [](const rc_host*, const rc_options* options, const char* key, const char** out) {
+    return shielded([&] { *out = std::get<std::string>(value(options, key, RC_TYPE_TEXT)).c_str(); });
+  };
+  coefficients = [](const rc_host*, const rc_system* system, const char* name, std::int64_t mx, std::int64_t my, double* out) {
+    return shielded([&] {
+      if (system->boundary == RC_BOUNDARY_PERIODIC)
+        kernel::periodic_coefficients(kernel_named(name), system->hx, system->hy, system->nx, system->ny, mx, my, out);
+      else
+        kernel::coefficients(kernel_named(name), system->hx, system->hy, mx, my, out);
+      if (system->modulus != 1)
+        for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= system->modulus;
+    });
+  };
+  symbol = [](const rc_host*, const rc_system* system, const char* name, double* out) {
+    return shielded([&] {
+      kernel::symbol(kernel_named(name), system->hx, system->hy, system->nx, system->ny, out);
+      if (system->modulus != 1)
+        for (std::int64_t i = 0; i < (system->nx / 2 + 1) * (system->ny / 2 + 1); ++i) out[i] /= system->modulus;
+    });
+  };
+}
+
+}  // namespace rc

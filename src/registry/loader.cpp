@@ -1,0 +1,119 @@
+#include "registry/loader.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.h"
+#include "registry/context.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::string_view prefix = "rcb_", suffix = ".so";
+
+// Beside the shared library that holds this code, so that an installed tree can be moved; for a program that links the static
+// library, the configured installation.
+std::string installed_directory() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<void*>(&is_component_name), &info) != 0 && info.dli_fname) {
+    const std::filesystem::path file(info.dli_fname);
+    if (file.filename().native().starts_with("libroughcontact.so"))
+      return (std::filesystem::absolute(file).parent_path() / RC_PLUGIN_SUBDIRECTORY).native();
+  }
+  return RC_INSTALLED_PLUGIN_DIRECTORY;
+}
+
+void append(std::vector<std::string>& directories, std::string_view path, const char* source, const Context& context) {
+  for (const std::string& directory : split(path, ':')) {
+    if (directory.starts_with('/'))
+      directories.push_back(directory);
+    else if (!directory.empty())
+      context.log(RC_LOG_WARNING, join("plugin directory \"", directory, "\" from ", source, " ignored: it is not absolute"));
+  }
+}
+
+// Code that others can write to is not loaded.
+void check_owner(const struct stat& info, const std::string& path) {
+  if (info.st_mode & S_IWOTH) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is world-writable; chmod o-w it");
+  if (info.st_uid != 0 && info.st_uid != geteuid())
+    fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is owned by user ", info.st_uid, ", neither root nor the current user ", geteuid());
+}
+
+}  // namespace
+
+bool is_component_name(std::string_view name) {
+  const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !name.empty() && name.size() <= 31 && letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; });
+}
+
+std::vector<std::string> plugin_directories(const ContextConfig& config, const Context& context) {
+  std::vector<std::string> directories;
+  append(directories, config.plugin_path, "the context's plugin_path", context);
+  if (!(config.flags & RC_CONTEXT_NO_ENVIRONMENT))
+    if (const char* path = secure_getenv("RC_PLUGIN_PATH")) append(directories, path, "RC_PLUGIN_PATH", context);
+  append(directories, installed_directory(), "the installation", context);
+  return directories;
+}
+
+std::string find_plugin(const std::vector<std::string>& directories, std::string_view name) {
+  for (const std::string& directory : directories) {
+    const std::string path = join(directory, "/", prefix, name, suffix);
+    std::error_code error;
+    if (std::filesystem::exists(path, error)) return path;
+  }
+  return {};
+}
+
+std::vector<std::string> plugin_names(const std::vector<std::string>& directories) {
+  std::vector<std::string> names;
+  for (const std::string& directory : directories) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
+      const std::string file = it->path().filename().native();
+      if (!file.starts_with(prefix) || !file.ends_with(suffix) || file.size() <= prefix.size() + suffix.size()) continue;
+      const std::string name = file.substr(prefix.size(), file.size() - prefix.size() - suffix.size());
+      if (is_component_name(name)) names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+const rc_plugin* load_plugin(const std::string& path, const std::string& name, const rc_host& host) {
+  struct stat info{};
+  const std::string directory = path.substr(0, path.rfind('/'));
+  if (stat(directory.c_str(), &info) != 0) fail(RC_ERR_PLUGIN, "plugin directory ", directory, ": ", std::strerror(errno));
+  check_owner(info, directory);
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be opened: ", std::strerror(errno));
+  const int known = fstat(file, &info);
+  close(file);
+  if (known != 0 || !S_ISREG(info.st_mode)) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a regular file");
+  check_owner(info, path);
+
+  void* const code = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (!code) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be loaded: ", dlerror());
+  const auto query = reinterpret_cast<rc_plugin_query_fn>(dlsym(code, "rc_plugin_query"));
+  if (!query) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " does not export rc_plugin_query");
+  const rc_plugin* plugin = nullptr;
+  clear_message();
+  raise_if_failed(query(&host, &plugin), "rc_plugin_query");
+  if (!plugin) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " describes nothing");
+  if (!plugin->name || name != plugin->name)
+    fail(RC_ERR_PLUGIN, "plugin refused: ", path, " calls itself \"", plugin->name ? plugin->name : "", "\", not \"", name, "\"");
+  return plugin;
+}
+
+}  // namespace rc

@@ -1,0 +1,30 @@
+// Plugins on disk: where they may lie, which are refused, and the one place that loads code.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rc {
+
+class Context;
+struct ContextConfig;
+
+// [a-z][a-z0-9_-]{0,30}: no path can hide in a name.
+bool is_component_name(std::string_view name);
+
+// Configured, RC_PLUGIN_PATH, installed: absolute directories in the order they are searched. Others are logged and dropped.
+std::vector<std::string> plugin_directories(const ContextConfig& config, const Context& context);
+
+// The first directory's rcb_<name>.so; "" if there is none.
+std::string find_plugin(const std::vector<std::string>& directories, std::string_view name);
+
+// Names of all plugins in these directories, sorted, each once.
+std::vector<std::string> plugin_names(const std::vector<std::string>& directories);
+
+// Loads and queries. The code stays in the process for good. Throws Error(RC_ERR_PLUGIN).
+const rc_plugin* load_plugin(const std::string& path, const std::string& name, const rc_host& host);
+
+}  // namespace rc

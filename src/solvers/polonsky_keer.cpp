@@ -1,0 +1,185 @@
+// Constrained conjugate gradients: Polonsky & Keer (1999), the corrected form of Bemporad & Paggi (2015), Algorithm 2.
+//
+// Against the printed algorithm: beta is the ratio of *squared* norms, norms and directions are restricted to the contact set,
+// every point (not only those of the contact set) is clipped and checked for overlap, and the stop test is the KKT residual.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/solver.h"
+#include "solvers/vector_math.h"
+
+namespace rc {
+
+namespace {
+
+constexpr int refresh_every = 25;       // updates of H p between products that wash out its drift
+constexpr int patience = 300;           // iterations in which the residual must fall by a tenth
+constexpr double round_off = 1e-10;     // a curvature below -round_off sum|q t| is not round-off
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+class Iteration {
+ public:
+  Iteration(const Problem& problem, Vector& p, double& d)
+      : problem_(problem), u_(problem.u()), n_(p.size()), p_(p), d_(d), hp_(n_), t_(n_, 0.0), q_(n_), highest_(*std::max_element(u_, u_ + n_)) {
+    for (double& value : p_) value = std::max(value, 0.0);
+  }
+
+  rc_status run() {
+    start();
+    return iterate();
+  }
+
+ private:
+  double gap(std::size_t i) const { return hp_[i] - u_[i] - approach_; }
+
+  void refresh() {
+    problem_.apply(p_, hp_);
+    since_refresh_ = 0;
+  }
+
+  void start() {
+    if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) {
+      refresh();
+    } else if (problem_.load_control()) {
+      std::fill(p_.begin(), p_.end(), 1.0);
+      refresh();
+    } else {
+      // The best multiple of the compenetration.
+      for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(u_[i], 0.0);
+      refresh();
+      const double work = sum_of(n_, [&](std::size_t i) { return p_[i] * u_[i]; });
+      const double curvature = sum_of(n_, [&](std::size_t i) { return p_[i] * hp_[i]; });
+      if (!(curvature > 0)) not_definite(curvature);
+      rescale(work / curvature);
+    }
+    balance();
+  }
+
+  void rescale(double factor) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      p_[i] *= factor;
+      hp_[i] *= factor;
+    }
+  }
+
+  // Load control: the pressures are scaled to the load that is wanted.
+  void balance() {
+    if (!problem_.load_control()) return;
+    const double sum = sum_of(n_, [&](std::size_t i) { return p_[i]; });
+    if (sum > 0) return rescale(problem_.load() / sum);
+    p_[static_cast<std::size_t>(std::max_element(u_, u_ + n_) - u_)] = problem_.load();
+    refresh();
+  }
+
+  [[noreturn]] void not_definite(double curvature) const {
+    if (std::isnan(curvature)) problem_.fail("polonsky-keer: the operator returned values that are not finite");
+    problem_.fail("polonsky-keer: the operator is not positive definite: t'Ht <= 0 along a search direction t");
+  }
+
+  // The largest violation of the KKT conditions relative to the largest compenetration. In load control the approach is the one
+  // that makes the mean gap of the contact set zero.
+  double residual() {
+    double scale = 1;
+    if (problem_.load_control()) {
+      approach_ = 0;
+      double count = 0;
+      for (std::size_t i = 0; i < n_; ++i) count += p_[i] > 0;
+      approach_ = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? hp_[i] - u_[i] : 0.0; }) / count;
+      d_ = approach_;
+      scale = approach_ + highest_;
+      if (!(scale > 0)) return infinite;
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, p_[i] > 0 ? std::abs(gap(i)) : -gap(i));
+    return largest / scale;
+  }
+
+  // The direction t and the product q = H t; returns the step length along t, 0 if t gives none.
+  double direction() {
+    const double norm = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? gap(i) * gap(i) : 0.0; });
+    const double beta = conjugate_ && norm_ > 0 ? norm / norm_ : 0;
+    norm_ = norm;
+    double count = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      t_[i] = p_[i] > 0 ? gap(i) + beta * t_[i] : 0;
+      count += p_[i] > 0;
+    }
+    if (norm == 0) return 0;
+    problem_.apply(t_, q_);
+    // In load control the step keeps the mean gap of the contact set.
+    const double mean = problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? q_[i] : 0.0; }) / count : 0;
+    const double slope = sum_of(n_, [&](std::size_t i) { return t_[i] * (p_[i] > 0 ? gap(i) : 0.0); });
+    const double curvature = sum_of(n_, [&](std::size_t i) { return (q_[i] - mean) * t_[i]; });
+    const double size = sum_of(n_, [&](std::size_t i) { return std::abs(q_[i] * t_[i]); });
+    if (!(curvature >= -round_off * size)) not_definite(curvature);
+    return curvature > 0 && slope > 0 ? slope / curvature : 0;
+  }
+
+  // Moves along t, clips at zero, admits points that overlap. True if a bound was met, so that H p must be computed afresh.
+  bool step(double length) {
+    if (length > 0) last_length_ = length;
+    bool bounded = false;
+    conjugate_ = length > 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const bool contact = p_[i] > 0;
+      if (contact) p_[i] -= length * t_[i];
+      if (contact && p_[i] > 0) continue;
+      bounded = bounded || contact;
+      p_[i] = 0;
+      if (gap(i) < 0) {
+        p_[i] = -last_length_ * gap(i);
+        bounded = true;
+        conjugate_ = false;
+      }
+    }
+    return bounded;
+  }
+
+  rc_status iterate() {
+    double milestone = infinite;
+    std::int64_t milestone_at = 0;
+    for (std::int64_t iteration = 0;; ++iteration) {
+      double r = residual();
+      if (r <= problem_.tol() && since_refresh_ > 0) {
+        refresh();
+        r = residual();
+      }
+      problem_.poll(iteration, r);
+      if (r <= problem_.tol()) return RC_OK;
+      if (r < 0.9 * milestone) {
+        milestone = r;
+        milestone_at = iteration;
+      } else if (iteration - milestone_at > patience) {
+        return RC_STOP_STALLED;
+      }
+
+      const double length = direction();
+      if (step(length) || ++since_refresh_ >= refresh_every) {
+        refresh();
+      } else {
+        for (std::size_t i = 0; i < n_; ++i) hp_[i] -= length * q_[i];
+      }
+      balance();
+    }
+  }
+
+  const Problem& problem_;
+  const double* const u_;
+  const std::size_t n_;
+  Vector& p_;               // pressure
+  double& d_;               // approach, as an answer of load control
+  Vector hp_, t_, q_;       // H p, direction, H t
+  const double highest_;    // largest u
+  double approach_ = 0;     // the gap is H p - u - approach; 0 in displacement control, where u contains it
+  double norm_ = 0;         // squared norm of the gap on the contact set
+  double last_length_ = 1;  // step length for admitted points where the contact set gives none
+  bool conjugate_ = false;  // the next direction is conjugate to the last
+  int since_refresh_ = 0;
+};
+
+}  // namespace
+
+rc_status polonsky_keer(const Problem& problem, Vector& p, double& d) { return Iteration(problem, p, d).run(); }
+
+}  // namespace rc
