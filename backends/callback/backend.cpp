@@ -2,6 +2,7 @@
 #include <roughcontact/plugin.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/circle.h"
 #include "kernel/kernels.h"
 
 namespace rc::kernel {
@@ -26,8 +25,8 @@ class InverseDistance {
     for (int j = 0; j < terms; ++j) reach_[j] = 0.25 * std::pow(1e16, 1.0 / (j + 1));
   }
 
+  // At the given distance squared, in cells.
   double operator()(double square) const {
-    if (square == 0) return 0;
     const double inverse = 1 / square, k_square = 0.25 * inverse;
     int j = 0;
     while (j + 1 < terms && square < reach_[j]) ++j;
@@ -45,10 +44,12 @@ class InverseDistance {
 
 }  // namespace
 
-void disc(double hx, double, std::int64_t mx, std::int64_t my, double* out) {
+void disc(double hx, double, const Window& window, double* out) {
   const InverseDistance inverse_distance;
-  const auto elsewhere = [&](double square) { return inverse_distance(square) / std::numbers::pi; };
-  fill_circle(hx, 4 / std::numbers::pi, elsewhere, mx, my, out);
+  fill(window, out, [&](double x, double y) {
+    const double square = x * x + y * y;
+    return square == 0 ? 4 * hx / std::numbers::pi : hx / std::numbers::pi * inverse_distance(square);
+  });
 }
 
 }  // namespace rc::kernel

@@ -9,8 +9,7 @@ namespace rc::kernel {
 
 namespace {
 
-template <class F>
-double second_difference(F f, double at, double step) {
+template <class F> double second_difference(F f, double at, double step) {
   return (f(at + step) - f(at)) - (f(at) - f(at - step));
 }
 
@@ -37,8 +36,8 @@ double on_line(double x, double y) {
 
 }  // namespace
 
-void galerkin(double hx, double hy, std::int64_t mx, std::int64_t my, double* out) {
-  fill_rectangle({tent, on_line, closed}, hx, hy, mx, my, out);
+void galerkin(double hx, double hy, const Window& window, double* out) {
+  fill_rectangle({tent, on_line, closed}, hx, hy, window, out);
 }
 
 }  // namespace rc::kernel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 
 #include "kernel/kernels.h"
@@ -11,7 +12,7 @@ namespace rc::kernel {
 
 namespace {
 
-using Fill = void (*)(double hx, double hy, std::int64_t mx, std::int64_t my, double* out);
+using Fill = void (*)(double hx, double hy, const Window&, double* out);
 
 constexpr std::array<Kernel, 6> kernels{{
     {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true},
@@ -34,13 +35,17 @@ const Kernel* find(std::string_view name) {
   return found == kernels.end() ? nullptr : &*found;
 }
 
-void coefficients(const Kernel& kernel, double hx, double hy, std::int64_t mx, std::int64_t my, double* out) {
+void window_coefficients(const Kernel& kernel, double hx, double hy, const Window& window, double* out) {
   const Kernel* known = find(kernel.name);
-  const Fill fill = known ? fills[static_cast<std::size_t>(known - kernels.data())] : nullptr;
-  if (fill)
-    fill(hx, hy, mx, my, out);
+  const Fill fill_table = known ? fills[static_cast<std::size_t>(known - kernels.data())] : nullptr;
+  if (fill_table)
+    fill_table(hx, hy, window, out);
   else  // not a free kernel: no value exists
-    std::fill_n(out, mx * my, std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(out, window.mx * window.my, std::numeric_limits<double>::quiet_NaN());
+}
+
+void coefficients(const Kernel& kernel, double hx, double hy, std::int64_t mx, std::int64_t my, double* out) {
+  window_coefficients(kernel, hx, hy, {0, 0, mx, my}, out);
 }
 
 }  // namespace rc::kernel

@@ -24,8 +24,8 @@ double on_line(double x, double y) { return std::asinh((x + 0.5) / y) - std::asi
 
 }  // namespace
 
-void love(double hx, double hy, std::int64_t mx, std::int64_t my, double* out) {
-  fill_rectangle({box, on_line, closed}, hx, hy, mx, my, out);
+void love(double hx, double hy, const Window& window, double* out) {
+  fill_rectangle({box, on_line, closed}, hx, hy, window, out);
 }
 
 }  // namespace rc::kernel

@@ -9,8 +9,7 @@ namespace {
 constexpr double tolerance = 1e-15;  // of the truncated sum, relative
 
 // Clenshaw: sum over l = 0..degree of c_l T_l(t).
-template <class Coefficients>
-double chebyshev_sum(const Coefficients& c, int degree, double t) {
+template <class Coefficients> double chebyshev_sum(const Coefficients& c, int degree, double t) {
   double b1 = 0, b2 = 0;
   for (int l = degree; l > 0; --l) {
     const double b = c[l] + 2 * t * b1 - b2;

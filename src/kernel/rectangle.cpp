@@ -33,16 +33,11 @@ class MeanInverseDistance {
 
 }  // namespace
 
-void fill_rectangle(const Rectangle& rectangle, double hx, double hy, std::int64_t mx, std::int64_t my, double* out) {
+void fill_rectangle(const Rectangle& rectangle, double hx, double hy, const Window& window, double* out) {
   const double longer = std::max(hx, hy), side = std::min(hx, hy) / longer;
   const MeanInverseDistance mean(rectangle, side);
   const double factor = longer * side / std::numbers::pi;
-
-  for (std::int64_t iy = 0; iy < my; ++iy)
-    for (std::int64_t ix = 0; ix < mx; ++ix) {
-      const double i = static_cast<double>(ix), j = static_cast<double>(iy);
-      *out++ = factor * (hx >= hy ? mean(i, j * side) : mean(j, i * side));
-    }
+  fill(window, out, [&](double x, double y) { return factor * (hx >= hy ? mean(x, y * side) : mean(y, x * side)); });
 }
 
 }  // namespace rc::kernel
