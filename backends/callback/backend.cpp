@@ -2,6 +2,7 @@
 #include <roughcontact/plugin.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <new>
 #include <vector>
@@ -19,8 +20,11 @@ struct Callback {
 
 // The message of a failed product is allocation-free: it may be the allocation that failed.
 rc_status multiply(const Callback& self, const double* x, double* y) {
-  if (self.system->apply(x, y, self.points(), self.system->user) == 0) return RC_OK;
-  return self.host->fail(self.host, RC_ERR_EXTERNAL, "callback: the caller's apply function reported failure");
+  if (self.system->apply(x, y, self.points(), self.system->user) != 0)
+    return self.host->fail(self.host, RC_ERR_EXTERNAL, "callback: the caller's apply function reported failure");
+  if (!std::all_of(y, y + self.points(), [](double value) { return std::isfinite(value); }))
+    return self.host->fail(self.host, RC_ERR_NUMERIC, "callback: the caller's apply function returned a value that is not finite");
+  return RC_OK;
 }
 
 rc_status create(const rc_host* host, const rc_operator_spec* spec, void** self) {

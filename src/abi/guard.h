@@ -12,20 +12,14 @@ namespace rc {
 template <class Body>
 rc_status guard(const char* where, const Body& body) {
   clear_message();
+  // Free of allocations: it may be the allocation that failed.
   const auto failed = [&](rc_status code, const char* what) {
-    try {
-      set_message(join(where, ": ", what).c_str());
-    } catch (...) {
-      set_message(what);
-    }
+    set_message(where, what);
     return code;
   };
   try {
     const rc_status status = body();
-    if (status > 0) {
-      const std::string reason = last_message();
-      return failed(status, reason.empty() ? rc_status_text(status) : reason.c_str());
-    }
+    if (status > 0) return failed(status, last_message()[0] != '\0' ? last_message() : rc_status_text(status));
     clear_message();
     return status;
   } catch (const Error& error) {

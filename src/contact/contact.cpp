@@ -9,12 +9,15 @@ namespace rc {
 
 Contact::Contact(const rc_system& system, const rc_options& options)
     : system_(checked_system(system, options.text(RC_OPT_KERNEL), true)), options_(options) {
-  // Names are checked now, and a pair that is fully named must go together.
-  const std::string& solver = options_.text(RC_OPT_SOLVER);
-  const std::string& backend = options_.text(RC_OPT_BACKEND);
-  if (solver != "auto") options_.context->solver(solver);
-  if (const std::string& certifier = options_.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty()) options_.context->backend(certifier);
-  if (backend != "auto") choose(options_, system_, RC_CONTROL_DISPLACEMENT, {});
+  check_names(options_);
+}
+
+// Names are checked before a step needs them, and a pair that is fully named must go together.
+void Contact::check_names(const rc_options& options) const {
+  const std::string& solver = options.text(RC_OPT_SOLVER);
+  if (solver != "auto") options.context->solver(solver);
+  if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty()) options.context->backend(certifier);
+  if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system_, RC_CONTROL_DISPLACEMENT, {});
 }
 
 void Contact::set_options(const rc_options& options) {
@@ -22,15 +25,9 @@ void Contact::set_options(const rc_options& options) {
   for (const OptionSpec* spec : options_.context->options())
     if (spec->fixed && options.values.get(*spec) != options_.values.get(*spec))
       fail(RC_ERR_OPTION, "option \"", spec->key, "\" is fixed when the contact is created; make a new contact to change it");
-  const rc_options before = options_;
-  options_ = options;
-  try {
-    if (options_.text(RC_OPT_SOLVER) != "auto") options_.context->solver(options_.text(RC_OPT_SOLVER));
-    if (options_.text(RC_OPT_BACKEND) != "auto") choose(options_, system_, RC_CONTROL_DISPLACEMENT, {});
-  } catch (...) {
-    options_ = before;
-    throw;
-  }
+  check_names(options);
+  rc_options copy = options;
+  options_ = std::move(copy);
 }
 
 void Contact::reset() {
@@ -38,29 +35,29 @@ void Contact::reset() {
   last_ = {};
 }
 
-void Contact::take_gap(const rc_step& step) {
+// The surface as this step describes it; nothing where it is that of the step before.
+std::optional<SurfaceState> Contact::given_surface(const rc_step& step) const {
   const auto n = static_cast<std::size_t>(system_.points());
   if (!step.gap && surface_.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");
-  if (!step.gap && !step.mask) return;
+  if (!step.gap && !step.mask) return std::nullopt;
   const std::vector<double> gap = step.gap ? std::vector<double>(step.gap, step.gap + n)
                                            : std::vector<double>(surface_.gap().begin(), surface_.gap().end());
   SurfaceState fresh;
   fresh.set(gap, {step.mask, step.mask ? n : 0});
-  last_.same_gap = last_.same_gap && fresh == surface_;
-  surface_ = std::move(fresh);
+  return fresh;
 }
 
-void Contact::check_target(const rc_step& step) const {
+void Contact::check_target(const rc_step& step, const SurfaceState& surface) const {
   if (step.control != RC_CONTROL_DISPLACEMENT && step.control != RC_CONTROL_LOAD)
     fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.control, " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
   if (!std::isfinite(step.target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", step.target, " is not finite");
   if (step.control == RC_CONTROL_LOAD && step.target < 0)
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " is negative; a contact without adhesion cannot pull, the smallest load is 0");
-  if (step.control == RC_CONTROL_LOAD && step.target > 0 && surface_.included_points() == 0)
+  if (step.control == RC_CONTROL_LOAD && step.target > 0 && surface.included_points() == 0)
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " but every point is excluded by the mask");
-  if (step.control == RC_CONTROL_DISPLACEMENT && system_.periodic() && surface_.whole() && step.target > surface_.lowest() &&
-      step.target >= surface_.mean())
-    fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface_.mean(),
+  if (step.control == RC_CONTROL_DISPLACEMENT && system_.periodic() && surface.whole() && step.target > surface.lowest() &&
+      step.target >= surface.mean())
+    fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
   if (step.p0)
     for (std::int64_t i = 0; i < system_.points(); ++i)
@@ -68,8 +65,13 @@ void Contact::check_target(const rc_step& step) const {
 }
 
 void Contact::begin(const rc_step& step) {
-  take_gap(step);
-  check_target(step);
+  // A step that is refused changes nothing.
+  std::optional<SurfaceState> given = given_surface(step);
+  check_target(step, given ? *given : surface_);
+  if (given) {
+    last_.same_gap = last_.same_gap && *given == surface_;
+    surface_ = std::move(*given);
+  }
   setup_seconds_ = 0;
   applications_before_ = applications();
 }
@@ -106,12 +108,14 @@ Choice Contact::choose_for(const TrialSet& trial, std::int32_t control) const {
 
 Operator& Contact::bound_operator(const rc_backend& backend, const TrialSet& trial) {
   const auto begun = Clock::now();
-  std::unique_ptr<Operator>& op = operators_[backend.name];
-  if (!op)
-    op = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_, system_.operator_scale);
-  op->bind(trial);
+  auto it = operators_.find(backend.name);
+  if (it == operators_.end()) {
+    auto made = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_, system_.operator_scale);
+    it = operators_.emplace(backend.name, std::move(made)).first;
+  }
+  it->second->bind(trial);
   setup_seconds_ += seconds_since(begun);
-  return *op;
+  return *it->second;
 }
 
 Answer Contact::prepare(const TrialSet& trial, std::int32_t control, double length_unit) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,9 @@ class Contact {
   };
 
   void begin(const rc_step& step);
-  void take_gap(const rc_step& step);
-  void check_target(const rc_step& step) const;
+  void check_names(const rc_options& options) const;
+  std::optional<SurfaceState> given_surface(const rc_step& step) const;
+  void check_target(const rc_step& step, const SurfaceState& surface) const;
   bool nothing_touches(const rc_step& step) const;
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit) const;
 
@@ -73,6 +75,7 @@ class Contact {
   rc_status finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result);
   rc_status certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
                              rc_result& result) const;
+  void hand_over(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
   void name_components(const Answer& answer, rc_result& result) const;
   double stiffness(const Answer& answer) const;
   std::int64_t applications() const;

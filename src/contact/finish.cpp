@@ -71,9 +71,11 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
   std::vector<double>& gap = product;
   Certificate certificate = certify(surface_, approach, p, product, gap);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
+  if (std::isnan(certificate.dual))
+    fail(RC_ERR_NUMERIC, "pressures or gaps are not finite: the operator returned values that are not finite, or the input is beyond ",
+         "double precision");
 
-  if (result.p) std::copy(p.begin(), p.end(), result.p);
-  if (result.gap) std::copy(gap.begin(), gap.end(), result.gap);
+  result.reserved = 0;
   result.points = system_.points();
   result.candidates = system_.positive ? surface_.count_below(approach) : surface_.included_points();
   result.contacts = contacts;
@@ -89,8 +91,15 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
   return certificate.within(options_.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
 }
 
+// The caller's arrays are written when nothing can fail any more.
+void Contact::hand_over(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result) {
+  if (result.p) std::copy(p.begin(), p.end(), result.p);
+  if (result.gap) std::copy(gap.begin(), gap.end(), result.gap);
+  if (result.status == RC_OK) last_ = {std::move(p), result.displacement, result.load, true};
+}
+
 rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result) {
-  const std::vector<double> p = over_all_points(answer);
+  std::vector<double> p = over_all_points(answer);
   std::vector<double> product(p.size(), 0.0);
   double approach = step.target;
   result.modelled = 0;
@@ -113,10 +122,8 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
   result.applications = applications() - applications_before_;
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
-  if (result.status == RC_OK)
-    last_ = {p, approach, result.load, true};
-  else
-    set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  hand_over(std::move(p), product, result);
   return result.status;
 }
 
@@ -166,6 +173,7 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  if (result.gap) std::copy(product.begin(), product.end(), result.gap);
   return result.status;
 }
 

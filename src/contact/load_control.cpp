@@ -15,16 +15,17 @@ namespace {
 constexpr int most_rounds = 8;        // of enlarging the trial set
 constexpr int most_approaches = 80;   // of the iteration on the approach
 constexpr double growth = 1.2;
+constexpr double margin = 1.05;
 
 }  // namespace
 
-// Height above the lowest gap below which all contact is expected. A bed of springs as soft as a flat punch of the grid's size
-// sinks deeper than an elastic body; between two loads on the same surface the approach grows at most in proportion, because the
-// load is a convex function of the approach.
+// Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's share
+// of a flat punch of that area. It is near the truth for one asperity and larger for many (1.0 to 1.6 times on measured surfaces);
+// where it is too small the trial set grows. Between two loads on the same surface the approach grows at most in proportion,
+// because the load is a convex function of the approach.
 double Contact::approach_estimate(double load) const {
   const rc_system& s = system_.given;
-  const double size = std::sqrt(s.hx * static_cast<double>(s.nx)) * std::sqrt(s.hy * static_cast<double>(s.ny));
-  double height = surface_.bearing_height(load / system_.cell_area() / s.modulus * size);
+  double height = margin * surface_.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
   if (last_.same_gap && last_.load > 0)
     height = std::min(height, growth * (last_.approach - surface_.lowest()) * std::max(1.0, load / last_.load));
   return height;

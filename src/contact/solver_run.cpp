@@ -39,11 +39,14 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.poll = poll;
   problem.op = &op;
   problem.monitor = &monitor;
+  struct Watch {
+    Operator& watched;
+    ~Watch() { watched.watch(nullptr); }
+  } watch{op};
   op.watch([this] { return monitor.ask(); });
   monitor.next_call();
   clear_message();
   const rc_status status = solver.solve(&context.host(), &problem, &options, p.data(), &d);
-  op.watch(nullptr);
   raise_if_failed(status, solver.name);
   return status;
 }

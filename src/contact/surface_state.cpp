@@ -60,22 +60,50 @@ TrialSet SurfaceState::below(double limit) const {
   return trial;
 }
 
-double SurfaceState::bearing_height(double volume) const {
-  // Newton's method on a convex increasing function, from above.
-  double height = (highest_ - lowest_) + volume / static_cast<double>(included_points_);
-  for (int round = 0; round < 60; ++round) {
-    double filled = 0, count = 0;
-    for (std::size_t i = 0; i < gap_.size(); ++i) {
-      const double depth = included(i) ? height - (gap_[i] - lowest_) : 0;
-      if (depth <= 0) continue;
-      filled += depth;
-      count += 1;
-    }
-    const double excess = filled - volume;
-    if (count == 0 || excess <= 1e-3 * volume) break;
-    height -= excess / count;
+namespace {
+
+constexpr std::size_t bins = 1024;
+
+// Counts and sums of heights by bins of equal width over [0, range).
+struct Histogram {
+  explicit Histogram(double over) : range(over), count(bins, 0.0), sum(bins, 0.0) {}
+  void add(double height) {
+    if (!(height < range)) return;
+    const auto bin = std::min(static_cast<std::size_t>(height / range * static_cast<double>(bins)), bins - 1);
+    count[bin] += 1;
+    sum[bin] += height;
   }
-  return height;
+  // The upper edge of the first bin at which sum(t - height) / sqrt(count) reaches the target; range if none does.
+  double reach(double target) const {
+    double points = 0, heights = 0;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      points += count[bin];
+      heights += sum[bin];
+      const double edge = range * static_cast<double>(bin + 1) / static_cast<double>(bins);
+      if (points > 0 && (edge * points - heights) / std::sqrt(points) >= target) return edge;
+    }
+    return range;
+  }
+  double range;
+  std::vector<double> count, sum;
+};
+
+}  // namespace
+
+double SurfaceState::bearing_height(double target) const {
+  const double n = static_cast<double>(included_points_);
+  const double all = (target * std::sqrt(n) + n * (mean() - lowest_)) / n;  // if every point bears
+  double range = highest_ - lowest_;
+  if (all >= range) return all;
+  // The range is narrowed until the bins resolve the answer.
+  for (int round = 0;; ++round) {
+    Histogram histogram(range);
+    for (std::size_t i = 0; i < gap_.size(); ++i)
+      if (included(i)) histogram.add(gap_[i] - lowest_);
+    const double height = histogram.reach(target);
+    if (height > 0.02 * range || round == 6) return height;
+    range = 2 * height;
+  }
 }
 
 std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {

@@ -31,9 +31,9 @@ class SurfaceState {
   TrialSet all() const { return below(std::numeric_limits<double>::infinity()); }
   std::int64_t count_below(double limit) const;
 
-  // The `height` above the lowest gap at which sum(max(height - (gap - lowest), 0)) = volume: how deep a bed of independent
-  // springs would sink.
-  double bearing_height(double volume) const;
+  // The height t above the lowest gap at which sum(max(t - (gap - lowest), 0)) / sqrt(points with gap - lowest < t) = target, to
+  // about two percent from above.
+  double bearing_height(double target) const;
 
  private:
   std::vector<double> gap_;

@@ -46,11 +46,12 @@ void probe_dense(System& result) {
   const rc_system& system = result.given;
   const std::int64_t n = result.points();
   const auto entry = [&](std::int64_t i, std::int64_t j) { return system.dense[i * system.dense_ld + j]; };
-  double largest = 0, diagonal = 0;
+  double largest = 0, diagonal = 0, sum = 0;
   for (std::int64_t i = 0; i < n; ++i) {
     for (std::int64_t j = 0; j < n; ++j) {
       if (!std::isfinite(entry(i, j))) fail(RC_ERR_ARGUMENT, "dense matrix: entry (", i, ", ", j, ") is ", entry(i, j));
       largest = std::max(largest, std::abs(entry(i, j)));
+      sum += entry(i, j);
       result.positive = result.positive && entry(i, j) >= 0;
     }
     if (!(entry(i, i) > 0))
@@ -62,6 +63,13 @@ void probe_dense(System& result) {
       if (std::abs(entry(i, j) - entry(j, i)) > symmetric * largest)
         fail(RC_ERR_ARGUMENT, "dense matrix is not symmetric: entry (", i, ", ", j, ") = ", entry(i, j), " but (", j, ", ", i,
              ") = ", entry(j, i), "; allowed difference ", symmetric * largest);
+  // What every positive definite matrix satisfies and n^2 operations can tell; a factorisation tells the rest.
+  for (std::int64_t i = 0; i < n; ++i)
+    for (std::int64_t j = 0; j < i; ++j)
+      if (std::abs(entry(i, j)) > std::sqrt(entry(i, i)) * std::sqrt(entry(j, j)) * (1 + symmetric))
+        fail(RC_ERR_NUMERIC, "dense matrix is not positive definite: entry (", i, ", ", j, ") = ", entry(i, j),
+             " exceeds the geometric mean of the diagonal entries ", entry(i, i), " and ", entry(j, j));
+  if (!(sum > 0)) fail(RC_ERR_NUMERIC, "dense matrix is not positive definite: the sum of its entries is ", sum, ", must be > 0");
   result.length_per_pressure = result.operator_scale = diagonal;
 }
 
@@ -99,6 +107,8 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
     fail(RC_ERR_SHAPE, "nx*ny = ", system.nx, " * ", system.ny, " is more than ", most_points, " points");
   check_length(system.hx, "hx");
   check_length(system.hy, "hy");
+  if (!std::isnormal(system.hx * system.hy))
+    fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy, " is beyond double precision; choose other units");
 
   System result{system, system, "", 1, 1, true};
   switch (system.op) {
@@ -113,6 +123,8 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       result.unit.hy = system.hx == system.hy ? result.unit.hx : system.hy / cell;
       result.unit.modulus = 1;
       result.length_per_pressure = cell / system.modulus;
+      if (!std::isnormal(result.length_per_pressure))
+        fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus, " is beyond double precision; choose other units");
       result.positive = !result.periodic();
       break;
     }
@@ -120,6 +132,8 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       if (!system.dense) fail(RC_ERR_ARGUMENT, "rc_system.dense is null");
       if (system.dense_ld < result.points())
         fail(RC_ERR_SHAPE, "rc_system.dense_ld = ", system.dense_ld, " must be >= n = ", result.points());
+      if (system.dense_ld > most_points / result.points())
+        fail(RC_ERR_SHAPE, "dense matrix: n*dense_ld = ", result.points(), " * ", system.dense_ld, " is more than ", most_points, " entries");
       if (probe) probe_dense(result);
       break;
     case RC_OPERATOR_CALLBACK:

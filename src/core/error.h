@@ -30,6 +30,7 @@ template <class... Parts>
 // The calling thread's message. Fixed storage, so that it works when memory has run out.
 const char* last_message();
 void set_message(const char* text);
+void set_message(const char* where, const char* text);  // "where: text"; text may be last_message()
 void clear_message();
 
 // What a component reported through rc_host::fail, as an exception. `what` names the operation for components that said nothing.

@@ -9,8 +9,9 @@
 namespace rc {
 
 void Schema::add(const OptionSpec& spec) {
-  specs_.push_back(spec);
-  specs_.back().parsed_default = parsed_value(spec, spec.default_value);
+  OptionSpec copy = spec;
+  copy.parsed_default = parsed_value(spec, spec.default_value);
+  specs_.push_back(std::move(copy));
 }
 
 const OptionSpec* Schema::find(std::string_view key) const {
@@ -34,7 +35,12 @@ OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component) 
   OptionSpec copy{spec.key, spec.default_value, spec.help, {}, spec.choices ? spec.choices : "", spec.type, spec.fixed != 0,
                   spec.minimum, spec.maximum};
   if (spec.choices) copy.choices = split(spec.choices, '|');
-  parsed_value(copy, copy.default_value);
+  try {
+    parsed_value(copy, copy.default_value);
+  } catch (const Error& error) {
+    if (error.code() != RC_ERR_OPTION) throw;
+    fail(RC_ERR_PLUGIN, "component \"", component, "\": the default of an option does not fit: ", error.what());
+  }
   return copy;
 }
 

@@ -28,6 +28,7 @@ struct OptionSpec {
 class Schema {
  public:
   void add(const OptionSpec& spec);
+  void shrink(std::size_t size) { specs_.erase(specs_.begin() + static_cast<std::ptrdiff_t>(size), specs_.end()); }
   const OptionSpec* find(std::string_view key) const;
   std::size_t size() const { return specs_.size(); }
   const OptionSpec& operator[](std::size_t i) const { return specs_[i]; }

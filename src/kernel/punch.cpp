@@ -24,8 +24,8 @@ void fill_punch(double diameter, double self, const Window& window, double* out)
 void punch(double hx, double, const Window& window, double* out) { fill_punch(hx, hx, window, out); }
 
 // Eq. (9) as printed leaves arcsin(1) out of the self term: 36 % too small. Never the default: of first order with three to four
-// times punch's error, ill conditioned (more than four times punch's condition number), and its inverse has positive off-diagonal
-// entries, so that the greedy method, exact for love and disc, drops points that carry pressure.
+// times punch's error, ill conditioned (more than four times punch's condition number), and the off-diagonal entries of its
+// inverse are so far from non-positive that the greedy method often drops points that carry pressure.
 void eq9(double hx, double, const Window& window, double* out) { fill_punch(hx, 2 * hx / std::numbers::pi, window, out); }
 
 }  // namespace rc::kernel

@@ -19,7 +19,8 @@ Context::Context(const ContextConfig& config) : config_(config), host_(*this) {
 }
 
 const std::shared_ptr<Context>& Context::standard() {
-  static const std::shared_ptr<Context> context = std::make_shared<Context>(ContextConfig{});
+  // Never destroyed: the program's last static destructors may still solve.
+  static const auto& context = *new std::shared_ptr<Context>(std::make_shared<Context>(ContextConfig{}));
   return context;
 }
 
@@ -62,17 +63,20 @@ const Component<Vtable>* Context::find(const std::deque<Component<Vtable>>& comp
 }
 
 template <class Vtable>
-void Context::add_component(std::deque<Component<Vtable>>& components, const Vtable& vtable, const std::string& origin) {
-  const Vtable copy = zero_filled(vtable);
+void Context::add_component(std::deque<Component<Vtable>>& components, const Vtable* vtable, const std::string& origin) {
+  if (!vtable) fail(RC_ERR_PLUGIN, "plugin ", origin, ": a component is null");
+  const Vtable copy = zero_filled(*vtable);
   if (!copy.name || !is_component_name(copy.name))
     fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "", "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
   if (!copy.summary || !copy.license) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" lacks a summary or a licence");
   if (find(backends_, copy.name) || find(solvers_, copy.name))
     fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
   check(copy);
-  std::vector<OptionSpec> specs;
-  for (std::int64_t i = 0; i < copy.n_options; ++i) specs.push_back(checked_spec(*copy.options[i], copy.name));
-  for (const OptionSpec& spec : specs) schema_.add(spec);
+  if (copy.n_options > 0 && !copy.options) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" has options, but the list is null");
+  for (std::int64_t i = 0; i < copy.n_options; ++i) {
+    if (!copy.options[i]) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\": option ", i, " is null");
+    schema_.add(checked_spec(*copy.options[i], copy.name));
+  }
   components.push_back({copy, origin});
 }
 
@@ -83,8 +87,19 @@ void Context::add(const rc_plugin& plugin, const std::string& origin) {
   if (plugin.abi_major != RC_PLUGIN_ABI_MAJOR)
     fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, ") has plugin ABI ", plugin.abi_major, ", this library has ",
          RC_PLUGIN_ABI_MAJOR, "; rebuild it against the installed headers");
-  for (std::int64_t i = 0; i < plugin.n_backends; ++i) add_component(backends_, *plugin.backends[i], origin);
-  for (std::int64_t i = 0; i < plugin.n_solvers; ++i) add_component(solvers_, *plugin.solvers[i], origin);
+  if ((plugin.n_backends > 0 && !plugin.backends) || (plugin.n_solvers > 0 && !plugin.solvers))
+    fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, "): a list of components is null");
+  // All or nothing.
+  const std::size_t backends = backends_.size(), solvers = solvers_.size(), options = schema_.size();
+  try {
+    for (std::int64_t i = 0; i < plugin.n_backends; ++i) add_component(backends_, plugin.backends[i], origin);
+    for (std::int64_t i = 0; i < plugin.n_solvers; ++i) add_component(solvers_, plugin.solvers[i], origin);
+  } catch (...) {
+    while (backends_.size() > backends) backends_.pop_back();
+    while (solvers_.size() > solvers) solvers_.pop_back();
+    schema_.shrink(options);
+    throw;
+  }
 }
 
 bool Context::load(const std::string& name) {
@@ -92,22 +107,28 @@ bool Context::load(const std::string& name) {
   if (config_.flags & RC_CONTEXT_NO_PLUGINS) return false;
   const std::string path = find_plugin(plugin_directories(config_, *this), name);
   if (path.empty()) return false;
+  loaded_.reserve(loaded_.size() + 1);
+  std::string mark = name;
   add(*load_plugin(path, name, host_), path);
-  loaded_.push_back(name);
+  loaded_.push_back(std::move(mark));
   return true;
 }
 
 void Context::load_all() {
-  if (all_loaded_) return;
-  all_loaded_ = true;
-  if (config_.flags & RC_CONTEXT_NO_PLUGINS) return;
-  for (const std::string& name : plugin_names(plugin_directories(config_, *this))) {
-    if (find(backends_, name) || find(solvers_, name)) continue;
-    try {
-      load(name);
-    } catch (const Error& error) {
-      log(RC_LOG_WARNING, error.what());
+  if (all_loaded_ || (config_.flags & RC_CONTEXT_NO_PLUGINS)) return;
+  all_loaded_ = true;  // before the log is called, which may enumerate too
+  try {
+    for (const std::string& name : plugin_names(plugin_directories(config_, *this))) {
+      if (find(backends_, name) || find(solvers_, name)) continue;
+      try {
+        load(name);
+      } catch (const Error& error) {
+        log(RC_LOG_WARNING, error.what());
+      }
     }
+  } catch (...) {
+    all_loaded_ = false;
+    throw;
   }
 }
 

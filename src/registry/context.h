@@ -66,7 +66,7 @@ class Context {
   template <class Vtable>
   const Component<Vtable>* find(const std::deque<Component<Vtable>>& components, std::string_view name) const;
   template <class Vtable>
-  void add_component(std::deque<Component<Vtable>>& components, const Vtable& vtable, const std::string& origin);
+  void add_component(std::deque<Component<Vtable>>& components, const Vtable* vtable, const std::string& origin);
   template <class Vtable>
   const Vtable& get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind);
   bool load(const std::string& name);  // true if a file of that name was loaded now or before

@@ -1,6 +1,10 @@
 // The services behind rc_host.
+#include <functional>
 #include <map>
+#include <mutex>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include "core/error.h"
 #include "kernel/kernel.h"
@@ -29,11 +33,17 @@ rc_status shielded(const Body& body) {
   }
 }
 
-std::mutex& named_lock(const char* resource) {
-  static std::mutex guard;
-  static std::map<std::string, std::mutex> locks;
-  const std::lock_guard lock(guard);
-  return locks[resource];
+// Never destroyed: operators may be destroyed by the program's last static destructors. A lock that exists is found without an
+// allocation, so that taking it again cannot fail.
+std::mutex& named_lock(std::string_view resource) {
+  struct Locks {
+    std::mutex guard;
+    std::map<std::string, std::mutex, std::less<>> by_name;
+  };
+  static Locks& locks = *new Locks;
+  const std::lock_guard lock(locks.guard);
+  const auto it = locks.by_name.find(resource);
+  return it != locks.by_name.end() ? it->second : locks.by_name[std::string(resource)];
 }
 
 const OptionValue& value(const rc_options* options, const char* key, int type) {

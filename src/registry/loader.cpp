@@ -27,8 +27,10 @@ std::string installed_directory() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<void*>(&is_component_name), &info) != 0 && info.dli_fname) {
     const std::filesystem::path file(info.dli_fname);
-    if (file.filename().native().starts_with("libroughcontact.so"))
-      return (std::filesystem::absolute(file).parent_path() / RC_PLUGIN_SUBDIRECTORY).native();
+    std::error_code error;
+    const std::filesystem::path absolute = std::filesystem::absolute(file, error);
+    if (!error && file.filename().native().starts_with("libroughcontact.so"))
+      return (absolute.parent_path() / RC_PLUGIN_SUBDIRECTORY).native();
   }
   return RC_INSTALLED_PLUGIN_DIRECTORY;
 }
@@ -96,7 +98,7 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
   const std::string directory = path.substr(0, path.rfind('/'));
   if (stat(directory.c_str(), &info) != 0) fail(RC_ERR_PLUGIN, "plugin directory ", directory, ": ", std::strerror(errno));
   check_owner(info, directory);
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe of that name must not block
   if (file < 0) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be opened: ", std::strerror(errno));
   const int known = fstat(file, &info);
   close(file);
@@ -109,7 +111,8 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
   if (!query) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " does not export rc_plugin_query");
   const rc_plugin* plugin = nullptr;
   clear_message();
-  raise_if_failed(query(&host, &plugin), "rc_plugin_query");
+  if (const rc_status status = query(&host, &plugin); status < 0)
+    fail(RC_ERR_PLUGIN, "plugin ", path, " refuses to be used: ", last_message()[0] != '\0' ? last_message() : rc_status_text(status));
   if (!plugin) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " describes nothing");
   if (!plugin->name || name != plugin->name)
     fail(RC_ERR_PLUGIN, "plugin refused: ", path, " calls itself \"", plugin->name ? plugin->name : "", "\", not \"", name, "\"");

@@ -1,7 +1,7 @@
 // Constrained conjugate gradients: Polonsky & Keer (1999), the corrected form of Bemporad & Paggi (2015), Algorithm 2.
 //
-// Against the printed algorithm: beta is the ratio of *squared* norms, norms and directions are restricted to the contact set,
-// every point (not only those of the contact set) is clipped and checked for overlap, and the stop test is the KKT residual.
+// Against the printed algorithm: directions are restricted to the contact set and conjugate on it, every point (not only those of
+// the contact set) is clipped and checked for overlap, and the stop test is the KKT residual.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -95,20 +95,34 @@ class Iteration {
     return largest / scale;
   }
 
+  // Mean over the contact set of a vector; 0 in displacement control. In load control only what differs from it counts: the
+  // approach takes the mean up.
+  double datum(const Vector& v, double count) const {
+    return problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? v[i] : 0.0; }) / count : 0.0;
+  }
+
+  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the contact set. Where the set has not changed this is the
+  // ratio of squared norms of the paper; where it has, it still knows which part of t remains.
+  double conjugacy(double count) const {
+    const double mean = datum(q_, count);
+    const double overlap = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? gap(i) * (q_[i] - mean) : 0.0; });
+    const double curvature = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? t_[i] * (q_[i] - mean) : 0.0; });
+    return curvature > 0 ? std::max(0.0, -overlap / curvature) : 0;
+  }
+
   // The direction t and the product q = H t; returns the step length along t, 0 if t gives none.
   double direction() {
-    const double norm = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? gap(i) * gap(i) : 0.0; });
-    const double beta = conjugate_ && norm_ > 0 ? norm / norm_ : 0;
-    norm_ = norm;
-    double count = 0;
+    double count = 0, largest = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      t_[i] = p_[i] > 0 ? gap(i) + beta * t_[i] : 0;
-      count += p_[i] > 0;
+      if (p_[i] <= 0) continue;
+      count += 1;
+      largest = std::max(largest, std::abs(gap(i)));
     }
-    if (norm == 0) return 0;
+    if (largest == 0) return 0;
+    const double beta = conjugate_ ? conjugacy(count) : 0;
+    for (std::size_t i = 0; i < n_; ++i) t_[i] = p_[i] > 0 ? gap(i) + beta * t_[i] : 0;
     problem_.apply(t_, q_);
-    // In load control the step keeps the mean gap of the contact set.
-    const double mean = problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? q_[i] : 0.0; }) / count : 0;
+    const double mean = datum(q_, count);
     const double slope = sum_of(n_, [&](std::size_t i) { return t_[i] * (p_[i] > 0 ? gap(i) : 0.0); });
     const double curvature = sum_of(n_, [&](std::size_t i) { return (q_[i] - mean) * t_[i]; });
     const double size = sum_of(n_, [&](std::size_t i) { return std::abs(q_[i] * t_[i]); });
@@ -130,7 +144,6 @@ class Iteration {
       if (gap(i) < 0) {
         p_[i] = -last_length_ * gap(i);
         bounded = true;
-        conjugate_ = false;
       }
     }
     return bounded;
@@ -172,9 +185,8 @@ class Iteration {
   Vector hp_, t_, q_;       // H p, direction, H t
   const double highest_;    // largest u
   double approach_ = 0;     // the gap is H p - u - approach; 0 in displacement control, where u contains it
-  double norm_ = 0;         // squared norm of the gap on the contact set
   double last_length_ = 1;  // step length for admitted points where the contact set gives none
-  bool conjugate_ = false;  // the next direction is conjugate to the last
+  bool conjugate_ = false;  // the last step had a length: the next direction is made conjugate to it
   int since_refresh_ = 0;
 };
 

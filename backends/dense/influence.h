@@ -1,0 +1,34 @@
+// Entries of the influence matrix H by grid points. Nothing of the size of H is stored here.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace rc_dense {
+
+struct Point {
+  std::int64_t y, x;  // in this order points compare as their numbers y*nx + x do
+  auto operator<=>(const Point&) const = default;
+};
+
+class Influence {
+ public:
+  virtual ~Influence() = default;
+
+  // Called before entries of points within mx x my cells are asked for.
+  virtual void prepare(std::int64_t mx, std::int64_t my) = 0;
+  // Eigenvalue of H for the constant vector; of meaning for periodic systems only.
+  virtual void set_zero_mode(double zero_mode) = 0;
+  // out[k] = H(rows[k], column)
+  virtual void column(std::span<const Point> rows, Point column, double* out) const = 0;
+  // y = H[all points, points] x; costs the number of nonzeros of x times the number of grid points.
+  virtual void field(std::span<const Point> points, const double* x, double* y) = 0;
+};
+
+std::unique_ptr<Influence> make_influence(const rc_host*, const rc_operator_spec&);
+
+}  // namespace rc_dense

@@ -1,0 +1,7 @@
+// Eigen without threads of its own, whatever the compiler flags: results must not depend on how many there are.
+#pragma once
+
+#ifndef EIGEN_DONT_PARALLELIZE
+#define EIGEN_DONT_PARALLELIZE
+#endif
+#include <Eigen/Core>

@@ -1,0 +1,31 @@
+// Which lengths the transforms have.
+#pragma once
+
+#include <cstdint>
+
+namespace rc_fft {
+
+// Array lengths of a transform along x and y.
+struct Lengths {
+  std::int64_t x = 0, y = 0;
+
+  bool operator==(const Lengths&) const = default;
+};
+
+// The largest grid along one axis: four times it still fits FFTW's int.
+inline constexpr std::int64_t longest_axis = (std::int64_t{1} << 29) - 1;
+
+// Least length along one axis for which a circular product with an even kernel gives the free one, for sources at
+// [begin, begin + count) and targets at [0, extent).
+std::int64_t exact_length(std::int64_t begin, std::int64_t count, std::int64_t extent);
+
+// The length >= at_least that FFTW is expected to transform fastest: 1, or even with no prime factor above 7.
+std::int64_t fast_length(std::int64_t at_least);
+
+bool covers(Lengths have, Lengths needed);
+
+// Lengths for a transform that has to cover `needed`, never more than what covers `largest`. The present ones are kept
+// while they suffice and are not much too long; if they have been outgrown, the new ones leave room for the next growth.
+Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present);
+
+}  // namespace rc_fft

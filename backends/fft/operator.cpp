@@ -1,0 +1,63 @@
+#include "operator.h"
+
+#include <algorithm>
+
+namespace rc_fft {
+
+Operator::Operator(const rc_host* host, const rc_operator_spec& spec, std::int64_t threads, unsigned effort)
+    : host_(host), spec_(spec), effort_(effort), workers_(threads), whole_(spec.system->nx, spec.system->ny) {
+  const rc_system& system = *spec.system;
+  if (system.op != RC_OPERATOR_HALFSPACE) fail(RC_ERR_INCOMPATIBLE, "only half-space grids can be transformed; use another backend");
+  if (std::max(system.nx, system.ny) > longest_axis)
+    fail(RC_ERR_SHAPE, "a grid of ", system.nx, "x", system.ny, " points has an axis longer than the limit ", longest_axis,
+         "; use a coarser grid");
+}
+
+void Operator::bind(const rc_domain& domain) {
+  const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
+  const Box grid{0, 0, nx, ny};
+  box_ = periodic() ? grid : bounding_box(domain, nx, ny);
+  points_ = domain.index ? Points(domain, box_, nx) : whole_;
+  if (periodic()) {
+    build(transform_, {nx, ny}, ny);
+    transform_->set_zero_mode(domain.zero_mode);
+    return;
+  }
+  const Lengths needed{exact_length(0, box_.nx, box_.nx), exact_length(0, box_.ny, box_.ny)};
+  const Lengths largest{exact_length(0, nx, nx), exact_length(0, ny, ny)};
+  build(transform_, choose_lengths(needed, largest, transform_ ? transform_->lengths() : Lengths{}), box_.ny);
+}
+
+void Operator::apply(const double* x, double* y) { transform_->multiply(points_, 0, 0, x, points_, y); }
+
+void Operator::field(const double* x, double* y) { field_transform().multiply(points_, box_.x, box_.y, x, whole_, y); }
+
+Transform& Operator::field_transform() {
+  const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
+  if (periodic()) return *transform_;
+  const Lengths needed{exact_length(box_.x, box_.nx, nx), exact_length(box_.y, box_.ny, ny)};
+  if (covers(transform_->lengths(), needed)) {
+    grid_transform_.reset();
+    return *transform_;
+  }
+  const Lengths largest{exact_length(0, nx, nx), exact_length(0, ny, ny)};
+  build(grid_transform_, choose_lengths(needed, largest, grid_transform_ ? grid_transform_->lengths() : Lengths{}), ny);
+  return *grid_transform_;
+}
+
+void Operator::build(std::optional<Transform>& transform, Lengths lengths, std::int64_t rows) {
+  if (transform && transform->lengths() == lengths) return;
+  transform.reset();
+  transform.emplace(host_, lengths, rows, effort_, workspace_, workers_);
+  try {
+    if (periodic())
+      transform->load_periodic(host_, spec_);
+    else
+      transform->load_free(host_, spec_);
+  } catch (...) {
+    transform.reset();
+    throw;
+  }
+}
+
+}  // namespace rc_fft

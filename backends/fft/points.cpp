@@ -1,0 +1,69 @@
+#include "points.h"
+
+#include <algorithm>
+
+namespace rc_fft {
+
+namespace {
+
+// visit(entry, column, row) for the entries in order; divides only where a row begins.
+template <class Visit>
+void for_each_point(const rc_domain& domain, std::int64_t nx, const Visit& visit) {
+  std::int64_t row = 0, row_start = 0;
+  for (std::int64_t i = 0; i < domain.n; ++i) {
+    if (domain.index[i] >= row_start + nx) {
+      row = domain.index[i] / nx;
+      row_start = row * nx;
+    }
+    visit(i, domain.index[i] - row_start, row);
+  }
+}
+
+}  // namespace
+
+Box bounding_box(const rc_domain& domain, std::int64_t nx, std::int64_t ny) {
+  if (!domain.index) return {0, 0, nx, ny};
+  std::int64_t first = nx, last = 0;
+  for_each_point(domain, nx, [&](std::int64_t, std::int64_t column, std::int64_t) {
+    first = std::min(first, column);
+    last = std::max(last, column);
+  });
+  const std::int64_t first_row = domain.index[0] / nx, last_row = domain.index[domain.n - 1] / nx;
+  return {first, first_row, last - first + 1, last_row - first_row + 1};
+}
+
+Points::Points(const rc_domain& domain, const Box& box, std::int64_t grid_nx) : nx_(box.nx), ny_(box.ny) {
+  if (domain.n == box.points()) return;
+  begin_.resize(static_cast<std::size_t>(ny_) + 1);
+  columns_.resize(static_cast<std::size_t>(domain.n));
+  for_each_point(domain, grid_nx, [&](std::int64_t i, std::int64_t column, std::int64_t row) {
+    ++begin_[static_cast<std::size_t>(row - box.y) + 1];
+    columns_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(column - box.x);
+  });
+  for (std::size_t row = 1; row < begin_.size(); ++row) begin_[row] += begin_[row - 1];
+}
+
+bool Points::row_is_zero(std::int64_t row, const double* x) const {
+  return std::all_of(x + begin(row), x + begin(row + 1), [](double value) { return value == 0.0; });
+}
+
+void Points::scatter(std::int64_t row, const double* x, double* line) const {
+  const std::int64_t first = begin(row), last = begin(row + 1);
+  if (full()) {
+    std::copy(x + first, x + last, line);
+    return;
+  }
+  std::fill_n(line, nx_, 0.0);
+  for (std::int64_t i = first; i < last; ++i) line[columns_[static_cast<std::size_t>(i)]] = x[i];
+}
+
+void Points::gather(std::int64_t row, const double* line, double* y) const {
+  const std::int64_t first = begin(row), last = begin(row + 1);
+  if (full()) {
+    std::copy_n(line, nx_, y + first);
+    return;
+  }
+  for (std::int64_t i = first; i < last; ++i) y[i] = line[columns_[static_cast<std::size_t>(i)]];
+}
+
+}  // namespace rc_fft

@@ -1,0 +1,46 @@
+// Where the entries of a vector sit on the grid.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace rc_fft {
+
+struct Box {
+  std::int64_t x = 0, y = 0;    // first column and row on the grid
+  std::int64_t nx = 0, ny = 0;  // columns and rows
+
+  std::int64_t points() const { return nx * ny; }
+};
+
+Box bounding_box(const rc_domain& domain, std::int64_t nx, std::int64_t ny);
+
+// The points of a domain, row by row of its box: vector entries in a row are consecutive.
+class Points {
+ public:
+  Points() = default;
+  // Every point of a box.
+  Points(std::int64_t nx, std::int64_t ny) : nx_(nx), ny_(ny) {}
+  // A domain of a grid with rows of grid_nx points.
+  Points(const rc_domain& domain, const Box& box, std::int64_t grid_nx);
+
+  std::int64_t nx() const { return nx_; }
+  std::int64_t rows() const { return ny_; }
+  bool row_is_empty(std::int64_t row) const { return begin(row) == begin(row + 1); }
+  bool row_is_zero(std::int64_t row, const double* x) const;
+  // A row's entries of x into a line of nx() values, zero elsewhere; and back.
+  void scatter(std::int64_t row, const double* x, double* line) const;
+  void gather(std::int64_t row, const double* line, double* y) const;
+
+ private:
+  bool full() const { return columns_.empty(); }
+  std::int64_t begin(std::int64_t row) const { return full() ? row * nx_ : begin_[static_cast<std::size_t>(row)]; }
+
+  std::int64_t nx_ = 0, ny_ = 0;
+  std::vector<std::int64_t> begin_;    // of each row among the entries; empty if every point of the box has one
+  std::vector<std::int32_t> columns_;  // of each entry, from the box's first column; likewise
+};
+
+}  // namespace rc_fft

@@ -1,0 +1,297 @@
+// The backend through its function table, against matrices written out entry by entry.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cmocka.hpp"
+#include "stub_host.h"
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Indices = std::vector<std::int64_t>;
+
+VectorXd random_vector(Index n, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return VectorXd::NullaryExpr(n, [&] { return uniform(engine); });
+}
+
+Indices range(std::int64_t n) {
+  Indices index(static_cast<std::size_t>(n));
+  std::iota(index.begin(), index.end(), 0);
+  return index;
+}
+
+Indices picked(std::int64_t n, std::size_t count, unsigned seed) {
+  Indices index = range(n);
+  std::shuffle(index.begin(), index.end(), std::mt19937(seed));
+  index.resize(count);
+  std::sort(index.begin(), index.end());
+  return index;
+}
+
+void assert_close(const VectorXd& actual, const VectorXd& expected, double tolerance) {
+  assert_int_equal(actual.size(), expected.size());
+  assert_true((actual - expected).cwiseAbs().maxCoeff() <= tolerance * expected.cwiseAbs().maxCoeff());
+}
+
+void assert_message_has(const char* part) {
+  const std::string& message = stub::state().message;
+  const bool found = message.find(part) != std::string::npos;
+  if (!found) print_error("no \"%s\" in: %s\n", part, message.c_str());
+  assert_true(found);
+}
+
+// Residual of a subset solve relative to |H| |x|.
+void assert_solved(const MatrixXd& H, const Indices& a, const VectorXd& b, const VectorXd& x) {
+  const MatrixXd Haa = H(a, a);
+  const double scale = (Haa.cwiseAbs() * x.cwiseAbs()).maxCoeff();
+  assert_true((Haa * x - b).cwiseAbs().maxCoeff() <= 1e-13 * scale);
+}
+
+// Products, fields and one solve on the domain T, against H over the whole grid.
+void assert_agrees(stub::Operator& op, const MatrixXd& H, const Indices& T) {
+  const auto n = static_cast<Index>(T.size());
+  VectorXd x = random_vector(n, 1), y;
+  x.head(n / 3).setZero();
+  assert_int_equal(op.apply(x, y), RC_OK);
+  assert_close(y, H(T, T) * x, 1e-13);
+  assert_int_equal(op.field(x, y), RC_OK);
+  assert_close(y, H(Eigen::all, T) * x, 1e-13);
+  assert_int_equal(op.modelled(), n);
+
+  const Indices positions = picked(n, static_cast<std::size_t>(n) / 2 + 1, 2);
+  Indices a;
+  for (const auto i : positions) a.push_back(T[static_cast<std::size_t>(i)]);
+  const VectorXd b = random_vector(static_cast<Index>(a.size()), 3);
+  assert_int_equal(op.subset(positions, b, x), RC_OK);
+  assert_solved(H, a, b, x);
+}
+
+void description_is_complete(void**) {
+  const rc_backend& backend = stub::backend();
+  assert_string_equal(backend.name, "dense");
+  assert_string_equal(backend.license, "BSD-3-Clause AND MPL-2.0");
+  assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_THREAD_INVARIANT);
+  assert_non_null(backend.subset);
+  assert_int_equal(backend.n_options, 1);
+  assert_string_equal(backend.options[0]->key, "dense.memory_limit");
+}
+
+void half_space_agrees_with_its_matrix(void**) {
+  for (const auto& [nx, ny] : {std::pair{24, 17}, {1, 40}, {300, 1}, {1, 1}}) {
+    stub::Operator op(stub::half_space(nx, ny));
+    const MatrixXd H = op.matrix();
+    assert_int_equal(op.bind_all(), RC_OK);
+    assert_agrees(op, H, range(nx * ny));
+    const Indices some = picked(nx * ny, static_cast<std::size_t>(nx * ny + 2) / 3, 4);
+    assert_int_equal(op.bind(some), RC_OK);
+    assert_agrees(op, H, some);
+  }
+}
+
+void periodic_half_space_has_the_zero_mode(void**) {
+  stub::Operator op(stub::half_space(12, 7, RC_BOUNDARY_PERIODIC));
+  for (const double zero_mode : {2.5, 0.5}) {
+    const MatrixXd H = op.matrix(zero_mode);
+    assert_int_equal(op.bind_all(zero_mode), RC_OK);
+    assert_agrees(op, H, range(84));
+    VectorXd y;
+    assert_int_equal(op.apply(VectorXd::Ones(84), y), RC_OK);
+    assert_close(y, VectorXd::Constant(84, zero_mode), 1e-12);
+    const Indices some = picked(84, 30, 5);
+    assert_int_equal(op.bind(some, zero_mode), RC_OK);
+    assert_agrees(op, H, some);
+  }
+}
+
+void callers_matrix_with_a_row_stride(void**) {
+  constexpr Index n = 60, ld = 67;
+  MatrixXd storage = MatrixXd::Constant(ld, n, std::nan(""));
+  const MatrixXd M = Eigen::Map<const MatrixXd>(random_vector(n * n, 6).eval().data(), n, n);
+  storage.topRows(n) = M * M.transpose() + MatrixXd::Identity(n, n);
+  stub::Operator op(stub::dense(storage.data(), n, ld));
+  const MatrixXd H = op.matrix();
+  assert_int_equal(op.bind_all(), RC_OK);
+  assert_agrees(op, H, range(n));
+  const Indices some = picked(n, 33, 7);
+  assert_int_equal(op.bind(some), RC_OK);
+  assert_agrees(op, H, some);
+}
+
+void coefficients_are_fetched_late_and_for_the_bounding_box(void**) {
+  stub::Operator op(stub::half_space(50, 40));
+  const Indices box = {5 * 50 + 7, 5 * 50 + 12, 8 * 50 + 9};  // 6 x 4 cells
+  assert_int_equal(op.bind(box), RC_OK);
+  assert_int_equal(stub::state().requests, 0);
+  VectorXd y;
+  assert_int_equal(op.apply(VectorXd::Ones(3), y), RC_OK);
+  assert_int_equal(stub::state().mx, 6);
+  assert_int_equal(stub::state().my, 4);
+  assert_int_equal(op.bind({0, 3}), RC_OK);  // fits in the table
+  assert_int_equal(op.apply(VectorXd::Ones(2), y), RC_OK);
+  assert_int_equal(stub::state().requests, 1);
+  assert_int_equal(op.field(VectorXd::Ones(2), y), RC_OK);
+  assert_int_equal(stub::state().mx, 50);
+  assert_int_equal(stub::state().my, 40);
+}
+
+// The caller's matrix is scaled behind the operator's back: what follows it was computed anew, what does not was kept.
+void a_change_of_domain_keeps_the_factor_of_the_same_points(void**) {
+  constexpr Index n = 20;
+  MatrixXd H = MatrixXd::Identity(n, n);
+  stub::Operator op(stub::dense(H.data(), n, n));
+  VectorXd x;
+  const auto solution = [&](const Indices& positions) {
+    assert_int_equal(op.subset(positions, VectorXd::Ones(static_cast<Index>(positions.size())), x), RC_OK);
+    return x.maxCoeff();
+  };
+  op.bind_all();
+  assert_true(solution({4, 9, 15}) == 1.0);
+  H *= 0.25;
+  op.bind({2, 4, 9, 11, 15});
+  assert_true(solution({1, 2, 4}) == 1.0);
+  assert_true(solution({1, 2, 3, 4}) == 4.0);
+  op.bind({2, 4, 9, 11, 15}, 1.0);
+  assert_true(solution({1, 2, 4}) == 4.0);
+}
+
+void binding_the_same_domain_keeps_the_matrix(void**) {
+  constexpr Index n = 20;
+  MatrixXd H = MatrixXd::Identity(n, n);
+  stub::Operator op(stub::dense(H.data(), n, n));
+  VectorXd y;
+  op.bind(range(n));
+  assert_int_equal(op.apply(VectorXd::Ones(n), y), RC_OK);
+  H *= 0.25;
+  op.bind_all();
+  assert_int_equal(op.apply(VectorXd::Ones(n), y), RC_OK);
+  assert_true(y(0) == 1.0);
+  op.bind({0, 1});
+  assert_int_equal(op.apply(VectorXd::Ones(2), y), RC_OK);
+  assert_true(y(0) == 0.25);
+}
+
+// Long enough for every way to change the factor, a rebuild of a worn one included.
+void sequences_of_sets_are_solved(void**) {
+  stub::Operator op(stub::half_space(20, 15));
+  const MatrixXd H = op.matrix();
+  op.bind_all();
+  std::mt19937 engine(8);
+  std::vector<bool> in(300, false);
+  for (int step = 0; step < 500; ++step) {
+    const unsigned changes = step % 50 == 0 ? 150 : 1 + engine() % 12;
+    for (unsigned k = 0; k < changes; ++k) {
+      const std::size_t i = engine() % in.size();
+      in[i] = !in[i];
+    }
+    Indices a;
+    for (std::int64_t i = 0; i < 300; ++i)
+      if (in[static_cast<std::size_t>(i)]) a.push_back(i);
+    const VectorXd b = random_vector(static_cast<Index>(a.size()), static_cast<unsigned>(step));
+    VectorXd x;
+    assert_int_equal(op.subset(a, b, x), RC_OK);
+    if (!a.empty()) assert_solved(H, a, b, x);
+  }
+}
+
+void results_do_not_depend_on_what_was_asked_before_in_another_operator(void**) {
+  VectorXd x[2], y[2];
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    stub::Operator op(stub::half_space(40, 30));
+    op.bind_all();
+    assert_int_equal(op.subset(picked(1200, 300, 9), VectorXd::Ones(300), x[repeat]), RC_OK);
+    assert_int_equal(op.subset(picked(1200, 280, 9), VectorXd::Ones(280), x[repeat]), RC_OK);
+    assert_int_equal(op.apply(random_vector(1200, 10), y[repeat]), RC_OK);
+  }
+  assert_true(x[0] == x[1]);
+  assert_true(y[0] == y[1]);
+}
+
+void memory_limit_is_kept_and_explained(void**) {
+  stub::Operator op(stub::half_space(60, 40), 1.0);
+  op.bind_all();
+  VectorXd y;
+  assert_int_equal(op.apply(VectorXd::Ones(2400), y), RC_ERR_MEMORY);
+  assert_message_has("the matrix of 2400 unknowns needs 25436160 bytes");
+  assert_message_has("limit dense.memory_limit is 1 MiB");
+  assert_message_has("use a matrix-free backend");
+  assert_int_equal(op.field(VectorXd::Ones(2400), y), RC_OK);
+  assert_int_equal(op.subset(range(50), VectorXd::Ones(50), y), RC_OK);
+  assert_int_equal(op.subset(range(400), VectorXd::Ones(400), y), RC_ERR_MEMORY);
+  assert_message_has("the Cholesky factor of 400 unknowns");
+  assert_int_equal(op.subset(range(300), VectorXd::Ones(300), y), RC_OK);
+  op.bind(range(256));
+  assert_int_equal(op.apply(VectorXd::Ones(256), y), RC_ERR_MEMORY);  // the factor of 300 leaves no room
+  assert_message_has("(720000 are held already)");
+}
+
+void indefinite_matrix_is_reported_and_the_factor_dropped(void**) {
+  constexpr Index n = 30;
+  MatrixXd H = MatrixXd::Identity(n, n);
+  H(17, 17) = -0.25;
+  stub::Operator op(stub::dense(H.data(), n, n));
+  op.bind_all();
+  VectorXd x;
+  assert_int_equal(op.subset(range(15), VectorXd::Ones(15), x), RC_OK);
+  assert_int_equal(op.subset(range(n), VectorXd::Ones(n), x), RC_ERR_NUMERIC);
+  assert_message_has("dense: the matrix is not positive definite: pivot 18 of 30 is -0.25; ");
+  H *= 0.25;
+  assert_int_equal(op.subset(range(15), VectorXd::Ones(15), x), RC_OK);
+  assert_true(x(0) == 4.0);
+}
+
+void periodic_grid_without_zero_mode_is_singular_as_a_whole(void**) {
+  stub::Operator op(stub::half_space(12, 7, RC_BOUNDARY_PERIODIC));
+  op.bind_all();
+  VectorXd x;
+  assert_int_equal(op.subset(range(84), VectorXd::Ones(84), x), RC_ERR_NUMERIC);
+  assert_int_equal(op.subset(range(80), VectorXd::Ones(80), x), RC_OK);
+  assert_solved(op.matrix(), range(80), VectorXd::Ones(80), x);
+}
+
+void failures_of_the_host_pass_through(void**) {
+  stub::Operator op(stub::half_space(5, 5));
+  stub::state().coefficients_fail = true;
+  op.bind_all();
+  VectorXd y;
+  assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_ERR_INTERNAL);
+  assert_message_has("no coefficients today");
+  stub::state().coefficients_fail = false;
+  assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_OK);
+}
+
+void a_callers_product_is_refused(void**) {
+  rc_system system = stub::half_space(5, 5);
+  system.op = RC_OPERATOR_CALLBACK;
+  assert_int_equal(stub::Operator(system).created(), RC_ERR_INCOMPATIBLE);
+  assert_message_has("dense: ");
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(description_is_complete),
+      cmocka_unit_test(half_space_agrees_with_its_matrix),
+      cmocka_unit_test(periodic_half_space_has_the_zero_mode),
+      cmocka_unit_test(callers_matrix_with_a_row_stride),
+      cmocka_unit_test(coefficients_are_fetched_late_and_for_the_bounding_box),
+      cmocka_unit_test(a_change_of_domain_keeps_the_factor_of_the_same_points),
+      cmocka_unit_test(binding_the_same_domain_keeps_the_matrix),
+      cmocka_unit_test(sequences_of_sets_are_solved),
+      cmocka_unit_test(results_do_not_depend_on_what_was_asked_before_in_another_operator),
+      cmocka_unit_test(memory_limit_is_kept_and_explained),
+      cmocka_unit_test(indefinite_matrix_is_reported_and_the_factor_dropped),
+      cmocka_unit_test(periodic_grid_without_zero_mode_is_singular_as_a_whole),
+      cmocka_unit_test(failures_of_the_host_pass_through),
+      cmocka_unit_test(a_callers_product_is_refused),
+  };
+  return cmocka_run_group_tests_name("dense_backend", tests, nullptr, nullptr);
+}
