@@ -16,7 +16,7 @@ inline constexpr std::size_t first_size<rc_system> = 88;
 template <>
 inline constexpr std::size_t first_size<rc_step> = 48;
 template <>
-inline constexpr std::size_t first_size<rc_result> = 424;
+inline constexpr std::size_t first_size<rc_result> = 432;
 template <>
 inline constexpr std::size_t first_size<rc_context_config> = 40;
 template <>

@@ -59,6 +59,10 @@ void Contact::check_target(const rc_step& step, const SurfaceState& surface) con
       step.target >= surface.mean())
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
+  if (surface.included_points() > 0 && !(std::isfinite(surface.highest() - surface.lowest()) &&
+                                         (step.control == RC_CONTROL_LOAD || std::isfinite(step.target - surface.lowest()))))
+    fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", step.target,
+         " are too far apart for double precision");
   if (step.p0)
     for (std::int64_t i = 0; i < system_.points(); ++i)
       if (!std::isfinite(step.p0[i])) fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", step.p0[i], " is not finite");

@@ -26,10 +26,10 @@ class Pivoting {
     first_set();
     std::size_t fewest = n_ + 1;
     int attempts = block_attempts;
-    for (std::int64_t iteration = 0;; ++iteration) {
+    for (std::int64_t solves = 1;; ++solves) {
       if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
       const std::size_t infeasible = find_infeasible();
-      problem_.poll(iteration, worst_);
+      problem_.poll(solves, worst_);
       if (infeasible == 0) break;
       if (infeasible < fewest) {
         fewest = infeasible;
@@ -63,8 +63,8 @@ class Pivoting {
       const rc_status status = problem_.try_subset(contact_, right_, solution_);
       if (status == RC_OK) break;
       // The mean of a periodic operator is its null space: full contact has no solution in displacement control, so the point with
-      // the largest gap must stay out.
-      if (status != RC_ERR_NUMERIC || contact_.size() != n_ || n_ < 2) return status;
+      // the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
+      if (status != RC_ERR_NUMERIC || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
       in_contact_[static_cast<std::size_t>(std::min_element(u, u + n_) - u)] = false;
     }
     std::fill(p_.begin(), p_.end(), 0.0);
@@ -105,6 +105,7 @@ class Pivoting {
   Positions contact_;
   Vector right_, solution_;
   double tolerance_ = 0, largest_ = 0, worst_ = 0;
+  int full_sets_ = 0;              // of all points, which could not be solved
 };
 
 }  // namespace
