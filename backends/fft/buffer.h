@@ -22,7 +22,8 @@ class Buffer {
   void reserve(std::int64_t a, std::int64_t b, Lengths transform) {
     constexpr std::int64_t limit = PTRDIFF_MAX / static_cast<std::int64_t>(sizeof(double));
     if (a > limit / b)
-      fail(RC_ERR_MEMORY, "a ", transform.x, "x", transform.y, " transform needs more bytes than a pointer can reach; use a coarser grid");
+      fail(RC_ERR_MEMORY, "a ", transform.x, "x", transform.y,
+           " transform needs more bytes than a pointer can reach; use a coarser grid");
     if (a * b <= size_) return;
     data_.reset();
     size_ = 0;

@@ -7,7 +7,8 @@ namespace rc_fft {
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec, std::int64_t threads, unsigned effort)
     : host_(host), spec_(spec), effort_(effort), workers_(threads), whole_(spec.system->nx, spec.system->ny) {
   const rc_system& system = *spec.system;
-  if (system.op != RC_OPERATOR_HALFSPACE) fail(RC_ERR_INCOMPATIBLE, "only half-space grids can be transformed; use another backend");
+  if (system.op != RC_OPERATOR_HALFSPACE)
+    fail(RC_ERR_INCOMPATIBLE, "only half-space grids can be transformed; use another backend");
   if (std::max(system.nx, system.ny) > longest_axis)
     fail(RC_ERR_SHAPE, "a grid of ", system.nx, "x", system.ny, " points has an axis longer than the limit ", longest_axis,
          "; use a coarser grid");

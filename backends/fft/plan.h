@@ -27,7 +27,7 @@ class Plans {
   void destroy();
 
   const rc_host* host_;
-  fftw_plan forward_x_ = nullptr;  // real to complex, keeps its input
+  fftw_plan forward_x_ = nullptr;   // real to complex, keeps its input
   fftw_plan backward_x_ = nullptr;  // complex to real, destroys its input
   fftw_plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
 };

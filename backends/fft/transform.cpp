@@ -44,7 +44,8 @@ Layout::Layout(Lengths l) : lengths(l), half_x(l.x / 2 + 1), half_y(l.y / 2 + 1)
   scratch = std::max(aligned(l.x) + row_stride, columns_per_block * column_stride);
 }
 
-Transform::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, unsigned effort, Workspace& workspace, Workers& workers)
+Transform::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, unsigned effort, Workspace& workspace,
+                     Workers& workers)
     : layout_(lengths),
       workspace_(workspace),
       workers_(workers),
@@ -60,7 +61,8 @@ void Transform::reserve(std::int64_t rows) {
   workspace_.scratch.reserve(workers_.threads(), layout_.scratch, layout_.lengths);
 }
 
-void Transform::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x, const Points& targets, double* y) {
+void Transform::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x, const Points& targets,
+                         double* y) {
   reserve(targets.rows());
   rows_forward(sources, x0, y0, x);
   columns(y0, sources.rows(), targets.rows());

@@ -1,0 +1,97 @@
+// Every backend through its vtable alone.
+#include <roughcontact/plugin.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "assertions.h"
+#include "cases.h"
+#include "fixtures.h"
+
+// RC_SEAM_BACKENDS is a list of RC_SEAM_BACKEND(name).
+#define RC_SEAM_BACKEND(name) extern "C" rc_status rc_builtin_##name(const rc_host*, const rc_plugin**);
+RC_SEAM_BACKENDS
+#undef RC_SEAM_BACKEND
+
+namespace seam {
+
+void caps_agree_with_functions(const rc_backend& backend) {
+  assert_true(backend.struct_size == sizeof(rc_backend));
+  assert_true(backend.create && backend.destroy && backend.bind && backend.apply && backend.field && backend.modelled);
+  assert_true((backend.caps & RC_CAP_SUBSET) ? backend.subset != nullptr : backend.subset == nullptr);
+  assert_true(backend.caps & (RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_CALLBACK));
+  assert_true(std::strlen(backend.summary) > 0 && std::strlen(backend.license) > 0);
+  const std::string prefix = std::string(backend.name) + ".";
+  for (std::int64_t i = 0; i < backend.n_options; ++i) {
+    assert_true(backend.options[i]->struct_size == sizeof(rc_option_spec));
+    assert_true(std::string(backend.options[i]->key).find(prefix) == 0);
+  }
+}
+
+namespace {
+
+bool takes_periodic(const rc_backend& backend) { return backend.caps & RC_CAP_PERIODIC; }
+bool has_subset(const rc_backend& backend) { return backend.caps & RC_CAP_SUBSET; }
+bool claims_thread_invariance(const rc_backend& backend) { return backend.caps & RC_CAP_THREAD_INVARIANT; }
+
+#define RC_CASE(function, applies) \
+  Case { #function, applies, function }
+const Case cases[] = {
+    RC_CASE(caps_agree_with_functions, always),
+    RC_CASE(products_agree_with_the_matrix, always),
+    RC_CASE(operator_is_linear_and_symmetric, always),
+    RC_CASE(rebinding_equals_a_fresh_operator, always),
+    RC_CASE(constant_vector_has_the_zero_mode, takes_periodic),
+    RC_CASE(nan_is_not_hidden, takes_grids),
+    RC_CASE(every_choice_of_an_option_gives_the_same_product, always),
+    RC_CASE(results_do_not_depend_on_threads, claims_thread_invariance),
+    RC_CASE(operators_work_side_by_side, takes_grids),
+    RC_CASE(subset_solves_its_equations, has_subset),
+    RC_CASE(subset_after_changes_equals_a_fresh_solve, has_subset),
+    RC_CASE(host_failure_is_passed_on, takes_grids),
+#ifdef RC_SEAM_FAILING_NEW
+    RC_CASE(any_allocation_may_fail, takes_grids),
+    RC_CASE(impossible_sizes_are_refused, takes_free),
+#endif
+};
+#undef RC_CASE
+
+struct Test {
+  const rc_backend* backend;
+  const Case* test_case;
+  std::string name;
+};
+
+void run(void** state) {
+  const Test& test = *static_cast<const Test*>(*state);
+  test.test_case->run(*test.backend);
+}
+
+std::vector<Test> all_tests() {
+  std::vector<Test> tests;
+#define RC_SEAM_BACKEND(name) rc_builtin_##name,
+  const rc_plugin_query_fn queries[] = {RC_SEAM_BACKENDS};
+#undef RC_SEAM_BACKEND
+  for (rc_plugin_query_fn query : queries) {
+    const rc_plugin* plugin = nullptr;
+    if (query(nullptr, &plugin) != RC_OK || plugin->abi_major != RC_PLUGIN_ABI_MAJOR) std::abort();
+    for (std::int64_t i = 0; i < plugin->n_backends; ++i)
+      for (const Case& test_case : cases)
+        if (test_case.applies(*plugin->backends[i]))
+          tests.push_back({plugin->backends[i], &test_case, std::string(plugin->backends[i]->name) + "/" + test_case.name});
+  }
+  return tests;
+}
+
+}  // namespace
+
+}  // namespace seam
+
+int main() {
+  std::vector<seam::Test> tests = seam::all_tests();
+  std::vector<CMUnitTest> list;
+  for (seam::Test& test : tests) list.push_back({test.name.c_str(), seam::run, nullptr, nullptr, &test});
+  return _cmocka_run_group_tests("backends", list.data(), list.size(), nullptr, nullptr);
+}
