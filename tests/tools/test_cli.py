@@ -1,0 +1,236 @@
+"""Arguments, units, answers, exit codes and messages of `roughcontact`."""
+import json
+import os
+import pty
+import re
+import subprocess
+
+import harness
+from harness import CommandTest, gsf, np, paraboloid, rough, without_gnuplot
+
+STEP_FIELDS = """status displacement load mean_pressure area_fraction contacts candidates stiffness kkt_primal kkt_dual
+    kkt_complementarity kkt_control iterations applications seconds setup_seconds solver backend""".split()
+INPUT_FIELDS = "file nx ny hx hy modulus boundary control targets options library_version".split()
+
+
+class Answers(CommandTest):
+    def steps(self, *arguments, **settings):
+        self.solve(*arguments, "--out", "out", "--quiet", env=without_gnuplot(), **settings)
+        return json.loads((self.folder / "out/summary.json").read_text())["steps"]
+
+    def test_sphere_is_hertz(self):
+        radius, modulus, approach = 1e-3, 70e9, 2.56e-7  # contact radius of 16 cells
+        (step,) = self.steps(self.npy(paraboloid(radius=radius)), "--pitch", 1e-6, "--modulus", modulus, "--displacement", approach)
+        self.assertEqual(step["status"], "RC_OK")
+        self.assertAlmostEqual(step["load"] / (4 / 3 * modulus * radius**0.5 * approach**1.5), 1, delta=0.01)
+        self.assertAlmostEqual(step["stiffness"] / (2 * modulus * (radius * approach) ** 0.5), 1, delta=0.03)
+        self.assertAlmostEqual(step["area_fraction"] * 48**2 / (np.pi * 16**2), 1, delta=0.03)
+        pressure = np.load(self.folder / "out/pressure-1.npy")
+        self.assertAlmostEqual(pressure.max() / (2 * modulus / np.pi * (approach / radius) ** 0.5), 1, delta=0.01)
+        self.assertAlmostEqual(pressure.sum() * 1e-12 / step["load"], 1, delta=1e-12)
+
+    def test_gap_is_complementary_to_pressure(self):
+        self.steps(self.npy(rough()), "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--displacement", 1.5e-7)
+        pressure, gap = (np.load(self.folder / ("out/%s-1.npy" % name)) for name in ("pressure", "gap"))
+        self.assertGreaterEqual(pressure.min(), 0)
+        self.assertGreater(gap.min(), -1e-7 * 1.5e-7)
+        self.assertLess(np.abs(gap[pressure > 0.01 * pressure.max()]).max(), 1e-7 * 1.5e-7)
+
+    def test_load_fed_back_recovers_the_displacement(self):
+        surface = self.npy(rough())
+        common = [surface, "--pitch", "1e-6,2e-6", "--modulus", "1e9"]
+        pressed = self.steps(*common, "--displacement", "1e-7:3e-7:3")
+        loads = ",".join(repr(step["load"]) for step in pressed)
+        for there, back in zip(pressed, self.steps(*common, "--load", loads)):
+            self.assertAlmostEqual(back["displacement"] / there["displacement"], 1, delta=1e-7)
+
+    def test_pressure_is_load_over_the_whole_surface(self):
+        surface = self.npy(rough())
+        (step,) = self.steps(surface, "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--pressure", 1e6)
+        self.assertAlmostEqual(step["load"], 1e6 * 40 * 56 * 2e-12, delta=1e-9 * step["load"])
+        self.assertAlmostEqual(step["mean_pressure"], 1e6, delta=1e-3)
+
+    def test_unit_scales_every_length(self):
+        z = rough()
+        (metres,) = self.steps(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--displacement", 1.5e-7)
+        for unit, factor in (("um", 1e6), ("nm", 1e9), ("mm", 1e3), ("pm", 1e12), ("\u00b5m", 1e6)):
+            (step,) = self.steps(self.npy(z * factor), "--unit", unit, "--pitch", "%r,%r" % (1e-6 * factor, 2e-6 * factor),
+                                 "--modulus", 1e9, "--displacement", 1.5e-7 * factor)
+            self.assertAlmostEqual(step["load"] / metres["load"], 1, delta=1e-7)
+            self.assertAlmostEqual(step["displacement"] / 1.5e-7, 1, delta=1e-12)
+
+    def test_young_and_poisson_make_the_modulus(self):
+        surface = self.npy(paraboloid(24))
+        for nu in (-0.5, 0, 0.5):
+            self.steps(surface, "--pitch", 1e-6, "--E", 210e9, "--nu", nu, "--displacement", 1e-8)
+            given = json.loads((self.folder / "out/summary.json").read_text())["input"]
+            self.assertAlmostEqual(given["modulus"] / (210e9 / (1 - nu**2)), 1, delta=1e-14)
+
+    def test_targets(self):
+        surface = self.npy(paraboloid(24))
+        for text, values in (("2", [2]), ("1,3,2", [1, 3, 2]), ("1:3:5", [1, 1.5, 2, 2.5, 3]), ("4:2:2", [4, 2]), ("3:9:1", [3]), ("0", [0])):
+            steps = self.steps(surface, "--pitch", 1, "--unit", "um", "--modulus", 1e9, "--displacement", text)
+            np.testing.assert_allclose([step["displacement"] for step in steps], np.array(values) * 1e-6, rtol=1e-14)
+
+    def test_summary_names_input_and_results(self):
+        surface = self.file("s.gsf", gsf(rough(), 1e-6, 2e-6, "XYUnits = m\nZUnits = m\n"))
+        self.steps(surface, "--modulus", 1e9, "--load", "1e-5,2e-5", "--solver", "polonsky-keer", "--set", "max_iter=500", "--tol", "1e-7")
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        given = summary["input"]
+        self.assertTrue(set(INPUT_FIELDS) <= set(given))
+        self.assertEqual((given["file"], given["nx"], given["ny"], given["control"], given["boundary"]), ("s.gsf", 56, 40, "load", "free"))
+        np.testing.assert_allclose((given["hx"], given["hy"]), (1e-6, 2e-6), rtol=1e-15)
+        self.assertEqual(given["targets"], [1e-5, 2e-5])
+        self.assertEqual(given["options"], {"stiffness": "1", "solver": "polonsky-keer", "tol": "1e-7", "max_iter": "500"})
+        self.assertEqual(summary["units"]["length"], "m")
+        for step in summary["steps"]:
+            self.assertTrue(set(STEP_FIELDS) <= set(step))
+            self.assertEqual(step["solver"], "polonsky-keer")
+            self.assertLessEqual(max(step[name] for name in STEP_FIELDS if name.startswith("kkt_")), 1e-7)
+
+    def test_full_periodic_contact_has_no_finite_stiffness(self):
+        x = np.arange(32) / 32
+        surface = self.npy(1e-9 * np.cos(2 * np.pi * x)[None, :] * np.ones((8, 1)))
+        (step,) = self.steps(surface, "--pitch", 1e-6, "--modulus", 1e9, "--boundary", "periodic", "--pressure", 1e6)
+        self.assertEqual((step["status"], step["area_fraction"], step["stiffness"]), ("RC_OK", 1, None))
+
+
+class Output(CommandTest):
+    def hertz(self, *arguments, **settings):
+        return self.solve(self.npy(paraboloid(24)), "--pitch", "1e-6", "--modulus", "1e9", *arguments, **settings)
+
+    def test_table_has_a_row_a_step(self):
+        done = self.hertz("--displacement", "1e-8,2e-8")
+        lines = done.stdout.splitlines()
+        self.assertEqual(len(lines), 4)
+        self.assertRegex(lines[0], r"surface.npy, 24 x 24 .*1e-06 m x 1e-06 m.*1e\+09")
+        for word in ("displacement", "load", "mean pressure", "area", "stiffness", "residual", "iterations", "seconds", "status"):
+            self.assertIn(word, lines[1])
+        for number, line in enumerate(lines[2:], 1):
+            self.assertRegex(line, r"^ +%d .* RC_OK$" % number)
+        self.assertEqual(done.stderr.count("\n"), 2)
+
+    def test_quiet_prints_nothing(self):
+        done = self.hertz("--displacement", "1e-8", "--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_nothing_is_written_without_out(self):
+        self.hertz("--displacement", "1e-8")
+        self.assertEqual(self.names(), ["surface.npy"])
+
+    def test_pitch_of_the_file_gives_way_with_a_note(self):
+        surface = self.file("s.gsf", gsf(paraboloid(24), 1e-6, 1e-6))
+        done = self.solve(surface, "--pitch", "3e-6", "--modulus", "1e9", "--displacement", "1e-8", "--quiet")
+        self.assertRegex(done.stderr, r"^roughcontact: note: --pitch .*1e-06.*\n$")
+
+    def test_uncertified_step_is_written_and_marked(self):
+        done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--solver", "polonsky-keer",
+                          "--set", "max_iter=1", "--out", "out", code=2, env=without_gnuplot())
+        self.assertIn("RC_STOP_MAX_ITER", done.stdout)
+        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "summary.json"])
+        steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
+        self.assertEqual([step["status"] for step in steps], ["RC_STOP_MAX_ITER"] * 2)
+
+    def test_progress_bar_on_a_terminal(self):
+        here, terminal = pty.openpty()
+        surface = self.npy(rough(128, 128))
+        done = subprocess.run([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "2e-7"],
+                                      cwd=self.folder, stdout=subprocess.PIPE, stderr=terminal, text=True, timeout=120)
+        os.close(terminal)
+        shown = os.read(here, 1 << 16).decode()
+        os.close(here)
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(shown, r"\rstep 1/1 \[[#.]+\] iteration \d+  residual \S+  \d+\.\d s")
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+        self.assertNotIn("\r", done.stdout)
+
+    def test_lists(self):
+        for command, words in (("backends", ["dense", "built-in"]), ("solvers", ["polonsky-keer", "nnls"]),
+                               ("kernels", ["love", "galerkin", "spectral"]), ("options", ["tol", "1e-8", "real", "max_iter"])):
+            done = self.run_command(command)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for word in words:
+                self.assertIn(word, done.stdout)
+        self.assertRegex(self.run_command("--version").stdout, r"^roughcontact \d+\.\d+\.\d+ ")
+        self.assertIn("--displacement", self.run_command("solve", "--help").stdout)
+
+
+class WrongInput(CommandTest):
+    GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--displacement": "1e-8"}
+
+    # What replaces or joins the good arguments (None: left out), and the words of the message.
+    TABLE = [
+        ({"--modulus": "-5"}, ["--modulus", "-5", "positive"]),
+        ({"--modulus": "0"}, ["--modulus", "positive"]),
+        ({"--modulus": "nan"}, ["--modulus", "finite"]),
+        ({"--modulus": "1e9x"}, ["--modulus", "1e9x", "not a number"]),
+        ({"--modulus": None}, ["--modulus", "--E"]),
+        ({"--E": "1e9"}, ["--modulus", "--E", "not both"]),
+        ({"--modulus": None, "--E": "1e9"}, ["--nu is missing"]),
+        ({"--modulus": None, "--nu": "0.3"}, ["--E is missing"]),
+        ({"--modulus": None, "--E": "-1", "--nu": "0.3"}, ["--E", "positive"]),
+        ({"--modulus": None, "--E": "1e9", "--nu": "0.51"}, ["--nu", "0.51", "(-1, 0.5]"]),
+        ({"--modulus": None, "--E": "1e9", "--nu": "-1"}, ["--nu", "(-1, 0.5]"]),
+        ({"--displacement": None}, ["--displacement", "--load", "--pressure"]),
+        ({"--load": "1"}, ["only one", "--displacement", "--load"]),
+        ({"--displacement": "-1e-9"}, ["--displacement", "-1e-9", "negative"]),
+        ({"--displacement": "nan"}, ["--displacement", "nan"]),
+        ({"--displacement": "1,,2"}, ["--displacement", "not a number"]),
+        ({"--displacement": "1:2"}, ["--displacement", "a:b:n"]),
+        ({"--displacement": "1:2:0"}, ["--displacement", "whole number"]),
+        ({"--displacement": "1:2:2.5"}, ["--displacement", "whole number"]),
+        ({"--displacement": "1:2:99999999999"}, ["--displacement", "whole number"]),
+        ({"--pitch": None}, ["surface.npy", "pitch"]),
+        ({"--pitch": "0"}, ["--pitch", "positive"]),
+        ({"--pitch": "1,-1"}, ["--pitch", "-1", "positive"]),
+        ({"--pitch": "1,2,3"}, ["--pitch", "HX,HY"]),
+        ({"--unit": "inch"}, ["--unit", "inch", "nm"]),
+        ({"--boundary": "frei"}, ["--boundary", "frei", "periodic"]),
+        ({"--solver": "polonsky"}, ["polonsky"]),
+        ({"--backend": "fftt"}, ["fftt"]),
+        ({"--kernel": "lov"}, ["lov"]),
+        ({"--tol": "0"}, ["tol"]),
+        ({"--tol": "small"}, ["tol", "small"]),
+        ({"--threads": "0"}, ["threads"]),
+        ({"--set": "toll=1e-8"}, ["toll", "tol"]),
+        ({"--set": "tol"}, ["--set", "key=value"]),
+        ({"--set": "max_iter=-1"}, ["max_iter"]),
+        ({"--nonsense": "1"}, ["--nonsense"]),
+        ({"--boundary": "periodic", "--displacement": "1"}, []),  # beyond the mean plane
+        ({"--boundary": "periodic", "--kernel": "love"}, []),
+    ]
+
+    def test_table(self):
+        self.npy(paraboloid(24))
+        for changes, says in self.TABLE:
+            with self.subTest(changes):
+                chosen = {name: value for name, value in {**self.GOOD, **changes}.items() if value is not None}
+                arguments = [word for pair in chosen.items() for word in pair]
+                self.assert_fails("solve", "surface.npy", *arguments, "--out", "out/deep", says=says)
+
+    def test_usage(self):
+        for arguments, says in (([], "no command"), (["nonsense"], "nonsense"), (["solve"], "SURFACE"), (["solve", "a", "b"], "b"),
+                                (["solve", "s.npy", "--modulus"], "--modulus"), (["solve", "s.npy", "--tol", "1", "--tol", "2"], "--tol")):
+            with self.subTest(arguments):
+                self.assert_fails(*arguments, says=says)
+
+    def test_out_is_a_file(self):
+        self.npy(paraboloid(24))
+        self.file("taken", "text")
+        for out in ("taken", "taken/deeper"):
+            self.assert_fails("solve", "surface.npy", *[w for pair in self.GOOD.items() for w in pair], "--out", out, says="--out")
+
+    def test_message_stays_one_line(self):
+        self.assert_fails("solve", "no\nsuch\x1b[31mfile.npy", "--modulus", "1", "--load", "1", says="no?such?[31mfile.npy")
+
+    def test_failure_in_the_middle_keeps_earlier_steps(self):
+        surface = self.npy(rough())
+        done = self.solve(surface, "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--displacement", "1e-7,1", "--out", "out", code=1)
+        self.assertIn("step 2", done.stderr)
+        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "summary.json"])
+        self.assertEqual(len(json.loads((self.folder / "out/summary.json").read_text())["steps"]), 1)
+        self.assertTrue(re.match(r"roughcontact: step 1/2: RC_OK.*\nroughcontact: step 2: .*\n$", done.stderr), done.stderr)
+
+
+if __name__ == "__main__":
+    harness.main()

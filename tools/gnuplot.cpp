@@ -1,0 +1,72 @@
+#include "gnuplot.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+#include "text.h"
+
+extern char** environ;
+
+namespace cli {
+
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+// The first line that gnuplot wrote which is not the echo of a command or the mark under its fault.
+std::string complaint(std::FILE* output) {
+  std::rewind(output);
+  char line[512];
+  while (std::fgets(line, sizeof line, output)) {
+    const auto text = trimmed(line);
+    if (text.size() > 1 && !text.starts_with("gnuplot>")) return std::string(text);
+  }
+  return "no message";
+}
+
+// A group of its own keeps Ctrl-C from killing the drawing of a step that is already solved.
+pid_t spawn(int script, int picture, int complaints, int& error) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, script, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, picture, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, complaints, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+
+  char name[] = "gnuplot", defaults[] = "-d";  // -d: without the user's start-up files
+  char* arguments[] = {name, defaults, nullptr};
+  pid_t child = -1;
+  error = posix_spawnp(&child, name, &actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return child;
+}
+
+}  // namespace
+
+Gnuplot run_gnuplot(std::FILE* script, std::FILE* picture) {
+  const File complaints{std::tmpfile(), std::fclose};
+  std::fflush(script);
+  std::rewind(script);
+  if (!complaints || std::ferror(script)) return {false, false, std::strerror(errno)};
+
+  int error = 0;
+  const pid_t child = spawn(fileno(script), fileno(picture), fileno(complaints.get()), error);
+  if (error != 0) return {false, error == ENOENT, std::strerror(error)};
+
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return {false, false, std::strerror(errno)};
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {true, false, ""};
+  return {false, false, complaint(complaints.get())};
+}
+
+}  // namespace cli

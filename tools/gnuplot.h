@@ -1,0 +1,19 @@
+// gnuplot as a child process.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace cli {
+
+struct Gnuplot {
+  bool drawn = false;
+  bool missing = false;  // there is no gnuplot on the search path
+  std::string message;   // why it failed
+};
+
+// Runs gnuplot on a script (with its inline data) from the script's beginning; what it draws without `set output` goes to the
+// picture.
+Gnuplot run_gnuplot(std::FILE* script, std::FILE* picture);
+
+}  // namespace cli

@@ -1,0 +1,41 @@
+#include "library.h"
+
+#include "error.h"
+#include "text.h"
+
+namespace cli {
+
+Context::Context() {
+  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+  config.log = log;
+  config.log_user = this;
+  rc_context* context = nullptr;
+  check(rc_context_create(&config, &context), "");
+  handle_.reset(context);
+}
+
+void Context::report_warnings() {
+  for (const auto& warning : warnings_) report(warning);
+  warnings_.clear();
+}
+
+void Context::log(int32_t level, const char* message, void* user) {
+  if (level >= RC_LOG_WARNING) static_cast<Context*>(user)->warnings_.emplace_back(message);
+}
+
+void check(rc_status status, std::string_view subject) {
+  if (status >= 0) return;
+  std::string message = last_message();
+  if (message.empty()) message = rc_status_text(status);
+  throw Error(subject.empty() ? message : std::string(subject) + ": " + message);
+}
+
+std::string last_message() {
+  const std::string_view message = rc_last_error();
+  if (!message.starts_with("rc_")) return std::string(message);
+  const auto colon = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz_");
+  if (colon == std::string_view::npos || message[colon] != ':') return std::string(message);
+  return std::string(trimmed(message.substr(colon + 1)));
+}
+
+}  // namespace cli

@@ -1,0 +1,41 @@
+// Ownership and error text for the C interface.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+template <auto destroy> struct Destroy {
+  void operator()(auto* handle) const { destroy(handle); }
+};
+using Options = std::unique_ptr<rc_options, Destroy<rc_options_destroy>>;
+using Contact = std::unique_ptr<rc_contact, Destroy<rc_contact_destroy>>;
+
+// A registry whose warnings (a plugin that was refused, say) are kept until they are asked for.
+class Context {
+ public:
+  Context();
+  rc_context* get() const { return handle_.get(); }
+
+  // Reports the warnings so far to standard error and forgets them.
+  void report_warnings();
+
+ private:
+  static void log(int32_t level, const char* message, void* user);
+
+  std::vector<std::string> warnings_;
+  std::unique_ptr<rc_context, Destroy<rc_context_destroy>> handle_;
+};
+
+// Throws an Error with the library's own text if the call failed; `subject` ("--tol", "step 3") opens the message.
+void check(rc_status status, std::string_view subject);
+
+// The calling thread's last message, without the name of the C function, which means nothing on a command line.
+std::string last_message();
+
+}  // namespace cli

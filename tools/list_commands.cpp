@@ -1,0 +1,78 @@
+#include "list_commands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "library.h"
+#include "text.h"
+
+namespace cli {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Columns as wide as their widest entry; a column without entries is left out.
+void print_rows(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    const bool used = std::any_of(rows.begin() + 1, rows.end(), [&](const Row& row) { return !row[c].empty(); });
+    for (const Row& row : rows) widths[c] = std::max(widths[c], used ? row[c].size() : 0);
+  }
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      if (widths[c] > 0) line += row[c] + std::string(widths[c] - row[c].size() + 2, ' ');
+    }
+    std::printf("%s\n", line.substr(0, line.find_last_not_of(' ') + 1).c_str());
+  }
+}
+
+using Count = int64_t (*)(rc_context*);
+using Describe = rc_status (*)(rc_context*, int64_t, rc_component*);
+
+void list_components(Count count, Describe describe) {
+  Context context;
+  std::vector<Row> rows{{"name", "summary", "license", "origin"}};
+  for (int64_t i = 0, n = count(context.get()); i < n; ++i) {
+    rc_component component{};
+    component.struct_size = sizeof component;
+    check(describe(context.get(), i, &component), "");
+    rows.push_back({component.name, component.summary, component.license, component.origin});
+  }
+  context.report_warnings();
+  print_rows(rows);
+}
+
+std::string type_name(int32_t type) {
+  if (type == RC_TYPE_INT) return "int";
+  return type == RC_TYPE_REAL ? "real" : "text";
+}
+
+std::string allowed_values(const rc_option_spec& option) {
+  if (option.type == RC_TYPE_TEXT) return option.choices ? option.choices : "";
+  return format("%g .. %g", option.minimum, option.maximum);
+}
+
+}  // namespace
+
+void list_backends() { list_components(rc_backend_count, rc_backend_describe); }
+void list_solvers() { list_components(rc_solver_count, rc_solver_describe); }
+void list_kernels() { list_components(rc_kernel_count, rc_kernel_describe); }
+
+void list_options() {
+  Context context;
+  std::vector<Row> rows{{"key", "type", "default", "allowed", "meaning"}};
+  for (int64_t i = 0, n = rc_options_count(context.get()); i < n; ++i) {
+    rc_option_spec option{};
+    option.struct_size = sizeof option;
+    check(rc_options_describe(context.get(), i, &option), "");
+    rows.push_back({option.key, type_name(option.type), option.default_value, allowed_values(option), option.help});
+  }
+  context.report_warnings();
+  print_rows(rows);
+}
+
+}  // namespace cli

@@ -1,0 +1,34 @@
+// The folder of --out. A file in it is either whole or not there: it is written under a temporary name in the same folder and
+// then renamed, and the temporary one goes whenever writing fails.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+class OutputFolder {
+ public:
+  // Creates the folder where it is missing; throws if it cannot be written to.
+  explicit OutputFolder(const std::filesystem::path& path);
+  // Removes the folders created if nothing was put into them.
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  // `fill` writes the contents; if it throws or returns false, the file is not made.
+  void write(const std::string& name, const std::function<bool(std::FILE*)>& fill);
+
+  // The whole contents of a file in the folder; "" if there is none.
+  std::string read(const std::string& name) const;
+  void remove(const std::string& name);
+
+ private:
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> created_;
+};
+
+}  // namespace cli

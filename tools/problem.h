@@ -1,0 +1,46 @@
+// What `roughcontact solve` was asked for: the arguments as given, and the checked problem in metres that they describe.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace cli {
+
+struct SolveArguments {
+  std::string surface;
+  std::optional<std::string> pitch, unit;
+  std::optional<std::string> young, poisson, modulus;
+  std::optional<std::string> displacement, load, pressure;
+  std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
+  std::vector<std::string> set;  // key=value
+  std::optional<std::string> out;
+  bool quiet = false;
+};
+
+struct Problem {
+  std::string file;
+  Surface surface;
+  rc_system system;
+  std::string control;                                       // "displacement", "load" or "pressure"
+  std::vector<double> targets;                               // of the control, a length in metres
+  std::string note;                                          // what the user should know about the choices made; "" if nothing
+  std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
+
+  // The control and target that the library knows: a mean pressure is a load.
+  int32_t step_control() const;
+  double step_target(std::size_t step) const;
+};
+
+// Throws an Error at the first argument that is wrong; the surface is read last.
+Problem make_problem(const SolveArguments& arguments);
+
+// The highest point touches first: gap = max(z) - z.
+std::vector<double> gap_below_highest_point(const Surface& surface);
+
+}  // namespace cli

@@ -1,0 +1,22 @@
+// One finished step of the sequence.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <algorithm>
+#include <string>
+
+namespace cli {
+
+struct StepRecord {
+  int number;  // 1, 2, ...
+  rc_result result;
+  std::string message;  // why the step is not certified; "" if it is
+
+  double area_fraction() const { return static_cast<double>(result.contacts) / static_cast<double>(result.points); }
+  double worst_residual() const {
+    return std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control});
+  }
+};
+
+}  // namespace cli

@@ -1,0 +1,109 @@
+// A matrix of numbers, one row a line, separated by semicolons, commas or white space. Lines that begin with '#' are comments, of
+// which those of a Gwyddion export are understood: "# Width: 10.00 um", "# Height: 10.00 um" (of the whole field) and "# Value
+// units: m".
+#include "text.h"
+
+#include <string>
+
+#include "error.h"
+#include "numbers.h"
+#include "surface/readers.h"
+
+namespace cli {
+
+namespace {
+
+struct Comments {
+  std::optional<double> width, height;  // metres
+  std::string_view value_units;
+};
+
+// "10.00 um" in metres.
+double length(std::string_view key, std::string_view text, double unit) {
+  const auto gap = text.find_first_of(" \t");
+  const double value = finite_number(key, text.substr(0, gap));
+  const auto name = gap == std::string_view::npos ? std::string_view{} : trimmed(text.substr(gap));
+  const double metres = value * file_unit(key, name, unit);
+  if (!(metres > 0)) throw Error(std::string(key) + " " + in_quotes(text) + " is not a positive length");
+  return metres;
+}
+
+void read_comment(std::string_view line, double unit, Comments& comments) {
+  const auto colon = line.find(':');
+  if (colon == std::string_view::npos) return;
+  const auto key = trimmed(line.substr(0, colon)), value = trimmed(line.substr(colon + 1));
+  if (key == "Width") comments.width = length(key, value, unit);
+  if (key == "Height") comments.height = length(key, value, unit);
+  if (key == "Value units") comments.value_units = value;
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+  constexpr std::string_view space = " \t\r\f\v";
+  std::vector<std::string_view> found;
+  for (auto first = line.find_first_not_of(space); first != std::string_view::npos;) {
+    const auto end = std::min(line.find_first_of(space, first), line.size());
+    found.push_back(line.substr(first, end - first));
+    first = line.find_first_not_of(space, end);
+  }
+  return found;
+}
+
+// One separator a line: "1,5 2,5" with decimal commas then fails as a number instead of being read as three.
+std::vector<std::string_view> fields(std::string_view line) {
+  for (const char separator : {';', ','}) {
+    if (line.find(separator) == std::string_view::npos) continue;
+    auto parts = split(line, separator);
+    if (trimmed(parts.back()).empty()) parts.pop_back();  // a separator may end the line
+    return parts;
+  }
+  return words(line);
+}
+
+std::size_t append_row(std::string_view line, std::int64_t row, std::vector<double>& heights) {
+  std::size_t column = 0;
+  for (const auto field : fields(line)) {
+    ++column;
+    const auto value = to_number(field);
+    if (!value) {
+      throw Error("row " + std::to_string(row) + ", column " + std::to_string(column) + ": " + in_quotes(trimmed(field)) +
+                  " is not a number (the decimal mark is a point)");
+    }
+    heights.push_back(*value);
+  }
+  return column;
+}
+
+}  // namespace
+
+Surface read_text(std::string_view file, double unit) {
+  if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);  // byte order mark
+
+  Surface surface;
+  Comments comments;
+  while (!file.empty()) {
+    const auto end = std::min(file.find('\n'), file.size());
+    const auto line = trimmed(file.substr(0, end));
+    file.remove_prefix(std::min(end + 1, file.size()));
+    if (line.empty()) continue;
+    if (line.starts_with('#')) {
+      read_comment(line.substr(1), unit, comments);
+      continue;
+    }
+    ++surface.ny;
+    const auto columns = static_cast<std::int64_t>(append_row(line, surface.ny, surface.heights));
+    if (surface.ny == 1) surface.nx = columns;
+    if (columns != surface.nx || columns == 0) {
+      throw Error("row " + std::to_string(surface.ny) + " has " + std::to_string(columns) + " values, expected " +
+                  std::to_string(std::max<std::int64_t>(surface.nx, 1)) + " as in row 1");
+    }
+  }
+  if (surface.ny == 0) throw Error("the file has no numbers");
+
+  const double vertical = file_unit("Value units", comments.value_units, unit);
+  for (double& z : surface.heights) z *= vertical;
+  if (comments.width) surface.hx = *comments.width / static_cast<double>(surface.nx);
+  if (comments.height) surface.hy = *comments.height / static_cast<double>(surface.ny);
+  return surface;
+}
+
+}  // namespace cli
