@@ -59,8 +59,9 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
       answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), answer.p, d);
       answer.approach = d;
     } else {
-      double first = last_.same_gap ? (last_.approach - lowest) / height : 1;
-      if (system_.periodic() && !last_.same_gap) first = (surface_.mean() - lowest) / height;
+      const bool known = last_.same_gap && last_.load > 0;
+      double first = known ? (last_.approach - lowest) / height : 1;
+      if (system_.periodic() && !known) first = (surface_.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, monitor);
     }
     answer.datum_shift = shift * height;
@@ -113,7 +114,7 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     for (const double value : rate) slope += value;
     double next = d + (load - sum) / slope;
     if (next == d) return RC_OK;  // as near as double precision comes; the certificate decides
-    if (!(next > low && next < high)) next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : 2 * d;
+    if (!(next > low && next < high)) next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : std::max(2 * d, 1.0);
     for (std::size_t i = 0; i < contact.size(); ++i) {
       double& p = answer.p[static_cast<std::size_t>(contact[i])];
       p = std::max(0.0, p + (next - d) * rate[i]);

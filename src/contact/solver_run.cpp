@@ -1,5 +1,7 @@
 #include "contact/solver_run.h"
 
+#include <new>
+
 #include "core/error.h"
 
 namespace rc {
@@ -16,7 +18,13 @@ const BoundProblem& bound(const rc_problem* problem) { return *static_cast<const
 rc_status apply(const rc_problem* problem, const double* x, double* y) { return bound(problem).op->apply(x, y); }
 
 rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
-  return bound(problem).op->subset({a, static_cast<std::size_t>(na)}, b, x);
+  // The solver may be C: no exception passes through it.
+  try {
+    return bound(problem).op->subset({a, static_cast<std::size_t>(na)}, b, x);
+  } catch (const std::bad_alloc&) {
+    set_message("out of memory for a system on a subset");
+    return RC_ERR_MEMORY;
+  }
 }
 
 rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {

@@ -52,7 +52,8 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
   const std::string* nearest = nullptr;
   size_t least = std::max<size_t>(2, word.size() / 2) + 1;
   for (const std::string& candidate : candidates) {
-    const size_t distance = edit_distance(word, candidate);
+    const bool abbreviated = word.size() >= 3 && std::string_view(candidate).starts_with(word);
+    const size_t distance = abbreviated ? 1 : edit_distance(word, candidate);
     if (distance < least) {
       least = distance;
       nearest = &candidate;

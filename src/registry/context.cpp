@@ -64,7 +64,7 @@ const Component<Vtable>* Context::find(const std::deque<Component<Vtable>>& comp
 
 template <class Vtable>
 void Context::add_component(std::deque<Component<Vtable>>& components, const Vtable* vtable, const std::string& origin) {
-  if (!vtable) fail(RC_ERR_PLUGIN, "plugin ", origin, ": a component is null");
+  if (!vtable) fail(RC_ERR_PLUGIN, "a component is null");
   const Vtable copy = zero_filled(*vtable);
   if (!copy.name || !is_component_name(copy.name))
     fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "", "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
@@ -91,13 +91,19 @@ void Context::add(const rc_plugin& plugin, const std::string& origin) {
     fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, "): a list of components is null");
   // All or nothing.
   const std::size_t backends = backends_.size(), solvers = solvers_.size(), options = schema_.size();
-  try {
-    for (std::int64_t i = 0; i < plugin.n_backends; ++i) add_component(backends_, plugin.backends[i], origin);
-    for (std::int64_t i = 0; i < plugin.n_solvers; ++i) add_component(solvers_, plugin.solvers[i], origin);
-  } catch (...) {
+  const auto undo = [&] {
     while (backends_.size() > backends) backends_.pop_back();
     while (solvers_.size() > solvers) solvers_.pop_back();
     schema_.shrink(options);
+  };
+  try {
+    for (std::int64_t i = 0; i < plugin.n_backends; ++i) add_component(backends_, plugin.backends[i], origin);
+    for (std::int64_t i = 0; i < plugin.n_solvers; ++i) add_component(solvers_, plugin.solvers[i], origin);
+  } catch (const Error& error) {
+    undo();
+    fail(error.code(), "plugin \"", plugin.name, "\" (", origin, "): ", error.what());
+  } catch (...) {
+    undo();
     throw;
   }
 }

@@ -1,16 +1,19 @@
 #include "registry/loader.h"
 
+#include <dirent.h>
 #include <dlfcn.h>
+#include <elf.h>
 #include <fcntl.h>
+#include <link.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
+#include <memory>
 
 #include "core/error.h"
 #include "registry/context.h"
@@ -26,11 +29,12 @@ constexpr std::string_view prefix = "rcb_", suffix = ".so";
 std::string installed_directory() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<void*>(&is_component_name), &info) != 0 && info.dli_fname) {
-    const std::filesystem::path file(info.dli_fname);
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(file, error);
-    if (!error && file.filename().native().starts_with("libroughcontact.so"))
-      return (absolute.parent_path() / RC_PLUGIN_SUBDIRECTORY).native();
+    const std::string_view file = info.dli_fname;
+    const std::size_t name = file.rfind('/') + 1;  // 0 if there is no directory
+    char current[PATH_MAX] = "";
+    const bool absolute = file.starts_with('/');
+    if (file.substr(name).starts_with("libroughcontact.so") && (absolute || getcwd(current, sizeof current)))
+      return join(current, absolute ? "" : "/", file.substr(0, name), RC_PLUGIN_SUBDIRECTORY);
   }
   return RC_INSTALLED_PLUGIN_DIRECTORY;
 }
@@ -44,11 +48,32 @@ void append(std::vector<std::string>& directories, std::string_view path, const 
   }
 }
 
+// Not std::filesystem, whose iterators end the program when memory runs out.
+struct Close {
+  void operator()(DIR* directory) const { closedir(directory); }
+};
+
 // Code that others can write to is not loaded.
 void check_owner(const struct stat& info, const std::string& path) {
   if (info.st_mode & S_IWOTH) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is world-writable; chmod o-w it");
   if (info.st_uid != 0 && info.st_uid != geteuid())
     fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is owned by user ", info.st_uid, ", neither root nor the current user ", geteuid());
+}
+
+// The system's loader maps what the file header promises; touching a part that is missing would kill the process.
+void check_complete(int file, std::int64_t size, const std::string& path) {
+  ElfW(Ehdr) header{};
+  if (pread(file, &header, sizeof header, 0) != static_cast<ssize_t>(sizeof header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 ||
+      header.e_phentsize != sizeof(ElfW(Phdr)))
+    fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a shared object of this machine");
+  for (int i = 0; i < header.e_phnum; ++i) {
+    ElfW(Phdr) segment{};
+    const auto at = static_cast<off_t>(header.e_phoff + static_cast<std::size_t>(i) * sizeof segment);
+    const bool known = pread(file, &segment, sizeof segment, at) == static_cast<ssize_t>(sizeof segment);
+    const auto available = static_cast<std::uint64_t>(size);
+    if (!known || segment.p_offset > available || (segment.p_type != PT_GNU_STACK && segment.p_filesz > available - segment.p_offset))
+      fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is incomplete, it has only ", size, " bytes; copy it again");
+  }
 }
 
 }  // namespace
@@ -71,8 +96,7 @@ std::vector<std::string> plugin_directories(const ContextConfig& config, const C
 std::string find_plugin(const std::vector<std::string>& directories, std::string_view name) {
   for (const std::string& directory : directories) {
     const std::string path = join(directory, "/", prefix, name, suffix);
-    std::error_code error;
-    if (std::filesystem::exists(path, error)) return path;
+    if (access(path.c_str(), F_OK) == 0) return path;
   }
   return {};
 }
@@ -80,12 +104,13 @@ std::string find_plugin(const std::vector<std::string>& directories, std::string
 std::vector<std::string> plugin_names(const std::vector<std::string>& directories) {
   std::vector<std::string> names;
   for (const std::string& directory : directories) {
-    std::error_code error;
-    for (std::filesystem::directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
-      const std::string file = it->path().filename().native();
+    const std::unique_ptr<DIR, Close> entries(opendir(directory.c_str()));
+    if (!entries) continue;
+    while (const dirent* entry = readdir(entries.get())) {
+      const std::string_view file = entry->d_name;
       if (!file.starts_with(prefix) || !file.ends_with(suffix) || file.size() <= prefix.size() + suffix.size()) continue;
-      const std::string name = file.substr(prefix.size(), file.size() - prefix.size() - suffix.size());
-      if (is_component_name(name)) names.push_back(name);
+      const std::string_view name = file.substr(prefix.size(), file.size() - prefix.size() - suffix.size());
+      if (is_component_name(name)) names.emplace_back(name);
     }
   }
   std::sort(names.begin(), names.end());
@@ -98,12 +123,16 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
   const std::string directory = path.substr(0, path.rfind('/'));
   if (stat(directory.c_str(), &info) != 0) fail(RC_ERR_PLUGIN, "plugin directory ", directory, ": ", std::strerror(errno));
   check_owner(info, directory);
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe of that name must not block
-  if (file < 0) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be opened: ", std::strerror(errno));
-  const int known = fstat(file, &info);
-  close(file);
-  if (known != 0 || !S_ISREG(info.st_mode)) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a regular file");
+  const struct File {
+    int number;
+    ~File() {
+      if (number >= 0) close(number);
+    }
+  } file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};  // a pipe of that name must not block
+  if (file.number < 0) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be opened: ", std::strerror(errno));
+  if (fstat(file.number, &info) != 0 || !S_ISREG(info.st_mode)) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a regular file");
   check_owner(info, path);
+  check_complete(file.number, info.st_size, path);
 
   void* const code = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (!code) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be loaded: ", dlerror());
