@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Checks every #include against the layers: each folder may include only what stands beside it here."""
+import pathlib
+import re
+import sys
+
+PUBLIC = {'roughcontact/roughcontact.h', 'roughcontact/plugin.h'}
+LAYERS = {  # folder under src: folders it may include
+    'core': {'core'},
+    'kernel': {'kernel'},
+    'registry': {'registry', 'core', 'kernel'},
+    'operator': {'operator', 'registry', 'core'},
+    'solvers': {'solvers', 'operator', 'core'},
+    'contact': {'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'abi': {'abi', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+}
+OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
+    'backends': {'roughcontact/plugin.h'},
+    'bindings': {'roughcontact/roughcontact.h'},
+    'tools': {'roughcontact/roughcontact.h'},
+    'examples': {'roughcontact/roughcontact.h'},
+}
+EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
+
+
+def allowed(root, file, include, quoted):
+    top, folder, *_ = file.parts
+    if include in PUBLIC:
+        return include in OUTSIDE.get(top, PUBLIC)
+    if (root / file.parent / include).resolve().is_relative_to((root / top / folder).resolve()) and (root / file.parent / include).exists():
+        return True  # a file of its own
+    if top == 'src':
+        layer = include.split('/')[0]
+        return layer in LAYERS[folder] if layer in LAYERS else not quoted
+    if top == 'backends':  # a dependency, never another folder of this tree
+        return not quoted and not include.startswith(('rc', '..')) and not (root / 'src' / include).exists()
+    return not include.startswith('..') and not (root / 'src' / include).exists()
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
+    edges, forbidden = 0, []
+    for top in ['src', *OUTSIDE]:
+        for path in sorted((root / top).rglob('*')):
+            if not re.search(r'\.(c|cpp|h|hpp|def|in)$', path.name):
+                continue
+            file = path.relative_to(root)
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+                if not match:
+                    continue
+                edges += 1
+                if not allowed(root, file, match[2], match[1] == '"') and (str(file), match[2]) not in EXCEPTIONS:
+                    forbidden.append(f'{file}:{number}: must not include {match[2]}')
+    print('\n'.join(forbidden) or f'{edges} includes follow the layers')
+    return 1 if forbidden or not edges else 0
+
+
+sys.exit(main())

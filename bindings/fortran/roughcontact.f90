@@ -1,0 +1,293 @@
+! roughcontact for Fortran: the C interface of <roughcontact/roughcontact.h>, name for name; units, rules and errors are
+! described there. Compile this file with your program: module files are not portable between compilers.
+!
+! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Arrays inside structs are c_loc(x)
+! of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the library's order. Callbacks are
+! c_funloc(f) of bind(c) procedures. Names and keys are passed as rc_to_c('fft').
+module roughcontact
+  use, intrinsic :: iso_c_binding
+  implicit none
+  private :: from_array, from_pointer
+
+  integer(c_int32_t), parameter :: RC_VERSION_MAJOR = 0, RC_VERSION_MINOR = 1, RC_VERSION_PATCH = 0, RC_ABI = 0
+  integer, parameter :: rc_status = c_int32_t  ! the kind of a status
+
+  integer(rc_status), parameter :: RC_OK = 0, RC_STOP_MAX_ITER = 1, RC_STOP_TIME = 2, RC_STOP_CANCELLED = 3, &
+    RC_STOP_STALLED = 4, RC_STOP_UNCERTIFIED = 5, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, RC_ERR_OPTION = -3, &
+    RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, RC_ERR_MEMORY = -8, &
+    RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, RC_ERR_INTERNAL = -99
+
+  integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
+  integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
+  integer(c_int32_t), parameter :: RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2
+  integer(c_int32_t), parameter :: RC_LOG_INFO = 1, RC_LOG_WARNING = 2
+  integer(c_int32_t), parameter :: RC_CONTEXT_NO_PLUGINS = 1, RC_CONTEXT_NO_ENVIRONMENT = 2
+  integer(c_int32_t), parameter :: RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3
+
+  character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', &
+    RC_OPT_TOL = 'tol', RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', &
+    RC_OPT_STIFFNESS = 'stiffness', RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend'
+
+  type, bind(c) :: rc_system
+    integer(c_size_t) :: struct_size = 88
+    integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = RC_BOUNDARY_FREE
+    integer(c_int64_t) :: nx = 1, ny = 1
+    real(c_double) :: hx = 1, hy = 1, modulus = 1
+    type(c_ptr) :: dense = c_null_ptr
+    integer(c_int64_t) :: dense_ld = 0
+    type(c_funptr) :: apply = c_null_funptr  ! integer(c_int32_t) function apply(x, y, n, user) bind(c)
+    type(c_ptr) :: user = c_null_ptr
+  end type
+
+  type, bind(c) :: rc_step
+    integer(c_size_t) :: struct_size = 48
+    integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
+    real(c_double) :: target = 0
+    type(c_ptr) :: gap = c_null_ptr, p0 = c_null_ptr
+    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+  end type
+
+  type, bind(c) :: rc_result
+    integer(c_size_t) :: struct_size = 432
+    type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr
+    integer(rc_status) :: status = 0
+    integer(c_int32_t) :: reserved = 0
+    integer(c_int64_t) :: iterations = 0, applications = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
+    real(c_double) :: load = 0, displacement = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0
+    real(c_double) :: kkt_primal = 0, kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0
+    real(c_double) :: seconds = 0, setup_seconds = 0
+    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char
+    character(kind=c_char) :: note(160) = c_null_char
+  end type
+
+  type, bind(c) :: rc_progress
+    integer(c_size_t) :: struct_size = 40
+    integer(c_int64_t) :: iteration = 0, applications = 0
+    real(c_double) :: kkt = 0, seconds = 0
+  end type
+
+  type, bind(c) :: rc_context_config
+    integer(c_size_t) :: struct_size = 40
+    integer(c_int32_t) :: flags = 0, reserved = 0
+    type(c_ptr) :: plugin_path = c_null_ptr
+    type(c_funptr) :: log = c_null_funptr  ! subroutine log(level, message, user) bind(c)
+    type(c_ptr) :: log_user = c_null_ptr
+  end type
+
+  type, bind(c) :: rc_component
+    integer(c_size_t) :: struct_size = 40
+    type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, license = c_null_ptr, origin = c_null_ptr  ! rc_from_c reads them
+  end type
+
+  type, bind(c) :: rc_option_spec
+    integer(c_size_t) :: struct_size = 64
+    type(c_ptr) :: key = c_null_ptr, default_value = c_null_ptr, choices = c_null_ptr, help = c_null_ptr
+    integer(c_int32_t) :: type = 0, fixed = 0
+    real(c_double) :: minimum = 0, maximum = 0
+  end type
+
+  interface
+    subroutine rc_version(major, minor, patch, abi) bind(c); import
+      integer(c_int32_t), intent(out), optional :: major, minor, patch, abi
+    end subroutine
+    type(c_ptr) function rc_status_name(status) bind(c); import
+      integer(rc_status), value :: status
+    end function
+    type(c_ptr) function rc_status_text(status) bind(c); import
+      integer(rc_status), value :: status
+    end function
+    type(c_ptr) function rc_last_error() bind(c); import
+    end function
+    subroutine rc_system_init(system) bind(c); import
+      type(rc_system), intent(out) :: system
+    end subroutine
+    subroutine rc_step_init(step) bind(c); import
+      type(rc_step), intent(out) :: step
+    end subroutine
+    subroutine rc_result_init(result) bind(c); import
+      type(rc_result), intent(out) :: result
+    end subroutine
+    subroutine rc_context_config_init(config) bind(c); import
+      type(rc_context_config), intent(out) :: config
+    end subroutine
+
+    integer(rc_status) function rc_context_create(config, out) bind(c); import
+      type(rc_context_config), intent(in), optional :: config
+      type(c_ptr), intent(out) :: out
+    end function
+    subroutine rc_context_destroy(context) bind(c); import
+      type(c_ptr), value :: context
+    end subroutine
+    integer(c_int64_t) function rc_backend_count(context) bind(c); import
+      type(c_ptr), value :: context
+    end function
+    integer(rc_status) function rc_backend_describe(context, i, out) bind(c); import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: i
+      type(rc_component), intent(inout) :: out
+    end function
+    integer(c_int64_t) function rc_solver_count(context) bind(c); import
+      type(c_ptr), value :: context
+    end function
+    integer(rc_status) function rc_solver_describe(context, i, out) bind(c); import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: i
+      type(rc_component), intent(inout) :: out
+    end function
+    integer(c_int64_t) function rc_kernel_count(context) bind(c); import
+      type(c_ptr), value :: context
+    end function
+    integer(rc_status) function rc_kernel_describe(context, i, out) bind(c); import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: i
+      type(rc_component), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_pair_supported(context, solver, backend, system, control, options) bind(c); import
+      type(c_ptr), value :: context, options
+      character(kind=c_char), intent(in) :: solver(*), backend(*)
+      type(rc_system), intent(in) :: system
+      integer(c_int32_t), value :: control
+    end function
+    integer(rc_status) function rc_kernel_coefficients(kernel, hx, hy, nx, ny, out) bind(c); import
+      character(kind=c_char), intent(in) :: kernel(*)
+      real(c_double), value :: hx, hy
+      integer(c_int64_t), value :: nx, ny
+      real(c_double), intent(out) :: out(nx, ny)
+    end function
+
+    integer(rc_status) function rc_options_create(context, out) bind(c); import
+      type(c_ptr), value :: context
+      type(c_ptr), intent(out) :: out
+    end function
+    subroutine rc_options_destroy(options) bind(c); import
+      type(c_ptr), value :: options
+    end subroutine
+    integer(rc_status) function rc_options_set_int(options, key, value) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*)
+      integer(c_int64_t), value :: value
+    end function
+    integer(rc_status) function rc_options_set_real(options, key, value) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*)
+      real(c_double), value :: value
+    end function
+    integer(rc_status) function rc_options_set_text(options, key, value) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*), value(*)
+    end function
+    integer(rc_status) function rc_options_parse(options, key, text) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*), text(*)
+    end function
+    integer(rc_status) function rc_options_get_int(options, key, out) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*)
+      integer(c_int64_t), intent(out) :: out
+    end function
+    integer(rc_status) function rc_options_get_real(options, key, out) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*)
+      real(c_double), intent(out) :: out
+    end function
+    integer(rc_status) function rc_options_get_text(options, key, out) bind(c); import
+      type(c_ptr), value :: options
+      character(kind=c_char), intent(in) :: key(*)
+      type(c_ptr), intent(out) :: out
+    end function
+    integer(c_int64_t) function rc_options_count(context) bind(c); import
+      type(c_ptr), value :: context
+    end function
+    integer(rc_status) function rc_options_describe(context, i, out) bind(c); import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: i
+      type(rc_option_spec), intent(inout) :: out
+    end function
+
+    integer(rc_status) function rc_contact_create(system, options, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(c_ptr), value :: options
+      type(c_ptr), intent(out) :: out
+    end function
+    integer(rc_status) function rc_contact_set_options(contact, options) bind(c); import
+      type(c_ptr), value :: contact, options
+    end function
+    integer(rc_status) function rc_contact_on_progress(contact, fn, user, every) bind(c); import
+      type(c_ptr), value :: contact, user
+      type(c_funptr), value :: fn  ! integer(c_int32_t) function fn(progress, user) bind(c)
+      integer(c_int64_t), value :: every
+    end function
+    integer(rc_status) function rc_contact_solve(contact, step, result) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_step), intent(in) :: step
+      type(rc_result), intent(inout) :: result
+    end function
+    integer(rc_status) function rc_contact_certify(contact, step, result) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_step), intent(in) :: step
+      type(rc_result), intent(inout) :: result
+    end function
+    integer(rc_status) function rc_contact_reset(contact) bind(c); import
+      type(c_ptr), value :: contact
+    end function
+    subroutine rc_contact_cancel(contact) bind(c); import
+      type(c_ptr), value :: contact
+    end subroutine
+    subroutine rc_contact_destroy(contact) bind(c); import
+      type(c_ptr), value :: contact
+    end subroutine
+    integer(rc_status) function rc_solve(system, step, options, result) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(rc_step), intent(in) :: step
+      type(c_ptr), value :: options
+      type(rc_result), intent(inout) :: result
+    end function
+  end interface
+
+  ! A Fortran string from a C one: a char array of a struct, or a pointer such as rc_status_text(status).
+  interface rc_from_c
+    procedure from_array, from_pointer
+  end interface
+
+contains
+
+  ! The string as C wants it: trailing blanks off, a NUL at the end.
+  pure function rc_to_c(string) result(c)
+    character(*), intent(in) :: string
+    character(len_trim(string) + 1, kind=c_char) :: c
+    c = trim(string)//c_null_char
+  end function
+
+  ! The text of the calling thread's last failure.
+  function rc_error_message() result(text)
+    character(:), allocatable :: text
+    text = from_pointer(rc_last_error())
+  end function
+
+  pure function from_array(c) result(text)
+    character(kind=c_char), intent(in) :: c(:)
+    character(:), allocatable :: text
+    integer :: i, n
+    n = findloc(c, c_null_char, dim=1) - 1
+    if (n < 0) n = size(c)
+    allocate (character(n) :: text)
+    do i = 1, n
+      text(i:i) = c(i)
+    end do
+  end function
+
+  function from_pointer(c) result(text)
+    type(c_ptr), intent(in) :: c
+    character(:), allocatable :: text
+    character(kind=c_char), pointer :: chars(:)
+    interface
+      pure integer(c_size_t) function strlen(string) bind(c); import
+        type(c_ptr), value :: string
+      end function
+    end interface
+    text = ''
+    if (.not. c_associated(c)) return
+    call c_f_pointer(c, chars, [strlen(c)])
+    text = from_array(chars)
+  end function
+end module

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# ./run.sh [SURFACE] [OPTIONS of roughcontact solve]
+# Installs what is missing, builds, and presses SURFACE against a flat. Without SURFACE a rough one is generated; without OPTIONS
+# it is loaded in three steps, E* = 100 GPa, heights and pitch in micrometres (pitch 1) where the file does not say.
+set -euo pipefail
+root=$(cd "$(dirname "$0")" && pwd)
+"$root/scripts/bootstrap.sh"
+
+mkdir -p "$root/build"
+log=$root/build/build.log
+echo "building in $root/build"
+{ cmake -S "$root" --preset release && cmake --build "$root/build" -j "$(nproc)" --target roughcontact_command rcb_fft; } >"$log" 2>&1 ||
+  { tail -30 "$log"; echo "the build failed: $log"; exit 1; }
+
+surface=
+if [ $# -gt 0 ] && [[ $1 != -* ]]; then surface=$1; shift; fi
+options=("$@")
+if [ $# = 0 ]; then
+  options=(--modulus 1e11 --pressure '5e7,5e8,2e9')
+  [[ $surface == *.gsf ]] || options+=(--unit um --pitch 1)
+fi
+if [ -z "$surface" ]; then
+  surface=$root/build/demo/surface.npy
+  mkdir -p "$root/build/demo"
+  python3 "$root/scripts/make_surface.py" "$surface"
+fi
+out=$root/build/demo/out
+for ((i = 0; i < ${#options[@]} - 1; ++i)); do
+  [ "${options[i]}" != --out ] || out=${options[i + 1]}
+done
+[[ " ${options[*]} " == *" --out "* ]] || options+=(--out "$out")
+
+status=0
+"$root/build/bin/roughcontact" solve "$surface" "${options[@]}" || status=$?
+for picture in "$out"/contact-*.png; do
+  [ ! -e "$picture" ] || [ $status = 1 ] || echo "picture: $picture"
+done
+exit $status

@@ -1,0 +1,227 @@
+/* The binary interface, written out: every constant, struct size and member offset on a 64-bit (LP64) platform. Nothing
+ * here may change while RC_ABI and RC_PLUGIN_ABI_MAJOR stay as they are; members may only be added at the end of a sized
+ * struct, with a new line here. Compiles as C99, C11 and C++17. */
+#include <roughcontact/plugin.h>
+
+/* An array of negative size where the condition does not hold: the one assertion that all three languages have. */
+#define VALUE(name, value) typedef char value_of_##name[(name) == (value) ? 1 : -1]
+#define SIZE(type, bytes) typedef char size_of_##type[sizeof(type) == (bytes) ? 1 : -1]
+#define AT(type, member, offset) typedef char type##_at_##member[offsetof(type, member) == (offset) ? 1 : -1]
+
+VALUE(RC_OK, 0);
+VALUE(RC_STOP_MAX_ITER, 1);
+VALUE(RC_STOP_TIME, 2);
+VALUE(RC_STOP_CANCELLED, 3);
+VALUE(RC_STOP_STALLED, 4);
+VALUE(RC_STOP_UNCERTIFIED, 5);
+VALUE(RC_ERR_ARGUMENT, -1);
+VALUE(RC_ERR_SHAPE, -2);
+VALUE(RC_ERR_OPTION, -3);
+VALUE(RC_ERR_NO_BACKEND, -4);
+VALUE(RC_ERR_NO_SOLVER, -5);
+VALUE(RC_ERR_INCOMPATIBLE, -6);
+VALUE(RC_ERR_PLUGIN, -7);
+VALUE(RC_ERR_MEMORY, -8);
+VALUE(RC_ERR_INFEASIBLE, -9);
+VALUE(RC_ERR_NUMERIC, -10);
+VALUE(RC_ERR_EXTERNAL, -11);
+VALUE(RC_ERR_BUSY, -12);
+VALUE(RC_ERR_INTERNAL, -99);
+
+VALUE(RC_OPERATOR_HALFSPACE, 1);
+VALUE(RC_OPERATOR_DENSE, 2);
+VALUE(RC_OPERATOR_CALLBACK, 3);
+
+VALUE(RC_BOUNDARY_FREE, 1);
+VALUE(RC_BOUNDARY_PERIODIC, 2);
+
+VALUE(RC_CONTROL_DISPLACEMENT, 1);
+VALUE(RC_CONTROL_LOAD, 2);
+
+VALUE(RC_LOG_INFO, 1);
+VALUE(RC_LOG_WARNING, 2);
+
+VALUE(RC_CONTEXT_NO_PLUGINS, 1);
+VALUE(RC_CONTEXT_NO_ENVIRONMENT, 2);
+
+VALUE(RC_TYPE_INT, 1);
+VALUE(RC_TYPE_REAL, 2);
+VALUE(RC_TYPE_TEXT, 3);
+
+VALUE(RC_ABI, 0);
+
+SIZE(rc_system, 88);
+AT(rc_system, struct_size, 0);
+AT(rc_system, op, 8);
+AT(rc_system, boundary, 12);
+AT(rc_system, nx, 16);
+AT(rc_system, ny, 24);
+AT(rc_system, hx, 32);
+AT(rc_system, hy, 40);
+AT(rc_system, modulus, 48);
+AT(rc_system, dense, 56);
+AT(rc_system, dense_ld, 64);
+AT(rc_system, apply, 72);
+AT(rc_system, user, 80);
+
+SIZE(rc_step, 48);
+AT(rc_step, struct_size, 0);
+AT(rc_step, control, 8);
+AT(rc_step, warm_start, 12);
+AT(rc_step, target, 16);
+AT(rc_step, gap, 24);
+AT(rc_step, p0, 32);
+AT(rc_step, mask, 40);
+
+SIZE(rc_result, 432);
+AT(rc_result, struct_size, 0);
+AT(rc_result, p, 8);
+AT(rc_result, gap, 16);
+AT(rc_result, status, 24);
+AT(rc_result, reserved, 28);
+AT(rc_result, iterations, 32);
+AT(rc_result, applications, 40);
+AT(rc_result, points, 48);
+AT(rc_result, candidates, 56);
+AT(rc_result, modelled, 64);
+AT(rc_result, contacts, 72);
+AT(rc_result, load, 80);
+AT(rc_result, displacement, 88);
+AT(rc_result, mean_pressure, 96);
+AT(rc_result, contact_area, 104);
+AT(rc_result, energy, 112);
+AT(rc_result, stiffness, 120);
+AT(rc_result, kkt_primal, 128);
+AT(rc_result, kkt_dual, 136);
+AT(rc_result, kkt_complementarity, 144);
+AT(rc_result, kkt_control, 152);
+AT(rc_result, seconds, 160);
+AT(rc_result, setup_seconds, 168);
+AT(rc_result, solver, 176);
+AT(rc_result, backend, 208);
+AT(rc_result, kernel, 240);
+AT(rc_result, note, 272);
+
+SIZE(rc_progress, 40);
+AT(rc_progress, struct_size, 0);
+AT(rc_progress, iteration, 8);
+AT(rc_progress, applications, 16);
+AT(rc_progress, kkt, 24);
+AT(rc_progress, seconds, 32);
+
+SIZE(rc_context_config, 40);
+AT(rc_context_config, struct_size, 0);
+AT(rc_context_config, flags, 8);
+AT(rc_context_config, reserved, 12);
+AT(rc_context_config, plugin_path, 16);
+AT(rc_context_config, log, 24);
+AT(rc_context_config, log_user, 32);
+
+SIZE(rc_component, 40);
+AT(rc_component, struct_size, 0);
+AT(rc_component, name, 8);
+AT(rc_component, summary, 16);
+AT(rc_component, license, 24);
+AT(rc_component, origin, 32);
+
+SIZE(rc_option_spec, 64);
+AT(rc_option_spec, struct_size, 0);
+AT(rc_option_spec, key, 8);
+AT(rc_option_spec, default_value, 16);
+AT(rc_option_spec, choices, 24);
+AT(rc_option_spec, help, 32);
+AT(rc_option_spec, type, 40);
+AT(rc_option_spec, fixed, 44);
+AT(rc_option_spec, minimum, 48);
+AT(rc_option_spec, maximum, 56);
+
+VALUE(RC_PLUGIN_ABI_MAJOR, 1);
+VALUE(RC_PLUGIN_ABI_MINOR, 0);
+
+VALUE(RC_CAP_FREE, 1);
+VALUE(RC_CAP_PERIODIC, 2);
+VALUE(RC_CAP_DENSE_INPUT, 4);
+VALUE(RC_CAP_CALLBACK, 8);
+VALUE(RC_CAP_SUBSET, 16);
+VALUE(RC_CAP_THREAD_INVARIANT, 32);
+
+SIZE(rc_host, 88);
+AT(rc_host, struct_size, 0);
+AT(rc_host, abi_major, 8);
+AT(rc_host, abi_minor, 12);
+AT(rc_host, fail, 16);
+AT(rc_host, log, 24);
+AT(rc_host, lock, 32);
+AT(rc_host, unlock, 40);
+AT(rc_host, option_int, 48);
+AT(rc_host, option_real, 56);
+AT(rc_host, option_text, 64);
+AT(rc_host, coefficients, 72);
+AT(rc_host, symbol, 80);
+
+SIZE(rc_operator_spec, 32);
+AT(rc_operator_spec, struct_size, 0);
+AT(rc_operator_spec, system, 8);
+AT(rc_operator_spec, kernel, 16);
+AT(rc_operator_spec, options, 24);
+
+SIZE(rc_domain, 32);
+AT(rc_domain, struct_size, 0);
+AT(rc_domain, n, 8);
+AT(rc_domain, index, 16);
+AT(rc_domain, zero_mode, 24);
+
+SIZE(rc_backend, 112);
+AT(rc_backend, struct_size, 0);
+AT(rc_backend, name, 8);
+AT(rc_backend, summary, 16);
+AT(rc_backend, license, 24);
+AT(rc_backend, caps, 32);
+AT(rc_backend, n_options, 40);
+AT(rc_backend, options, 48);
+AT(rc_backend, create, 56);
+AT(rc_backend, destroy, 64);
+AT(rc_backend, bind, 72);
+AT(rc_backend, apply, 80);
+AT(rc_backend, field, 88);
+AT(rc_backend, modelled, 96);
+AT(rc_backend, subset, 104);
+
+SIZE(rc_problem, 72);
+AT(rc_problem, struct_size, 0);
+AT(rc_problem, n, 8);
+AT(rc_problem, control, 16);
+AT(rc_problem, reserved, 20);
+AT(rc_problem, u, 24);
+AT(rc_problem, load, 32);
+AT(rc_problem, tol, 40);
+AT(rc_problem, apply, 48);
+AT(rc_problem, subset, 56);
+AT(rc_problem, poll, 64);
+
+SIZE(rc_solver, 72);
+AT(rc_solver, struct_size, 0);
+AT(rc_solver, name, 8);
+AT(rc_solver, summary, 16);
+AT(rc_solver, license, 24);
+AT(rc_solver, needs, 32);
+AT(rc_solver, controls, 40);
+AT(rc_solver, reserved, 44);
+AT(rc_solver, n_options, 48);
+AT(rc_solver, options, 56);
+AT(rc_solver, solve, 64);
+
+SIZE(rc_plugin, 64);
+AT(rc_plugin, struct_size, 0);
+AT(rc_plugin, abi_major, 8);
+AT(rc_plugin, abi_minor, 12);
+AT(rc_plugin, name, 16);
+AT(rc_plugin, version, 24);
+AT(rc_plugin, n_backends, 32);
+AT(rc_plugin, n_solvers, 40);
+AT(rc_plugin, backends, 48);
+AT(rc_plugin, solvers, 56);
+
+SIZE(rc_status, 4);
+
+int main(void) { return 0; }

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# headers.sh INCLUDE_DIR: each public header compiles alone, without a warning and without a hole in any struct, in every
+# language and compiler at hand; so does golden.c.
+set -euo pipefail
+include=$1
+here=$(cd "$(dirname "$0")" && pwd)
+warnings=(-Wall -Wextra -pedantic -Wpadded -Wshadow -Werror -fsyntax-only "-I$include")
+tried=0
+for compiler in gcc clang; do
+  command -v $compiler >/dev/null || { echo "$compiler: not installed, left out"; continue; }
+  for mode in "c c99" "c c11" "c++ c++17"; do
+    read -r language standard <<<"$mode"
+    for header in roughcontact plugin; do
+      echo "#include <roughcontact/$header.h>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
+    done
+    $compiler "${warnings[@]}" -x "$language" -std="$standard" "$here/golden.c"
+    echo "$compiler $standard: ok"
+    tried=$((tried + 1))
+  done
+done
+[ $tried -gt 0 ]

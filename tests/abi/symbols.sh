@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# symbols.sh INCLUDE_DIR LIBRARY: the library exports what the headers declare and symbols.txt lists, nothing else, and its
+# SONAME carries the ABI number.
+set -euo pipefail
+include=$1 library=$2
+golden=$(dirname "$0")/symbols.txt
+declared() {  # functions marked RC_API; lines of macros left out
+  cat "$include"/roughcontact/{roughcontact,plugin}.h | grep '^RC_API ' | sed -E 's/^RC_API [^(]*\b(rc_[a-z_]+)\(.*/\1/' | LC_ALL=C sort
+}
+exported() { nm -D --defined-only "$library" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | LC_ALL=C sort; }
+diff -u "$golden" <(declared) || { echo "symbols.txt and the headers differ"; exit 1; }
+diff -u "$golden" <(exported) || { echo "symbols.txt and the exports of $library differ"; exit 1; }
+abi=$(sed -nE 's/^#define RC_ABI ([0-9]+).*/\1/p' "$include/roughcontact/roughcontact.h")
+readelf -d "$library" | grep -F "SONAME" | grep -F "[libroughcontact.so.$abi]"
+echo "$(wc -l <"$golden") symbols"

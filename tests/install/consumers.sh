@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# consumers.sh SOURCE BUILD CC CXX FC BACKEND...: installs to a scratch prefix and uses it from there as strangers would, in C, C++,
+# Fortran (FC "" leaves it out) and CMake, shared and static, on every backend; then moves the prefix and does it again.
+set -euo pipefail
+source=$1 build=$2 cc=$3 cxx=$4 fc=$5
+shift 5
+backends=("$@")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+[ -n "$fc" ] || echo "no Fortran compiler: its consumers are left out"
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+clean() { env -i PATH="$PATH" PKG_CONFIG_PATH="$pc" "$@"; }
+pkg() { clean pkg-config "$@"; }
+
+# expect NAME PROGRAM...: the program solves on every backend and finds Hertz's load within 3 %, and refuses an unknown name.
+expect() {
+  local name=$1 line backend
+  shift
+  for backend in "${backends[@]}"; do
+    line=$(clean "$@" "$backend") || fail "$name on $backend"
+    echo "$name: $line"
+    [[ $line == *" on $backend: load "*RC_OK* ]] || fail "$name did not certify on $backend"
+    awk '{ for (i = 1; i < NF; ++i) if ($i == "load") exit !(($(i + 1) / 30.6667 - 1) ^ 2 < 0.03 ^ 2) }' <<<"$line" || fail "$name: load"
+  done
+  line=$(clean "$@" no-such-backend 2>&1) && fail "$name accepted an unknown backend"
+  [[ $line == *RC_ERR_NO_BACKEND* ]] || fail "$name: unknown backend gave: $line"
+}
+
+build_and_run() {  # build_and_run PREFIX KIND...
+  local prefix=$1 kind flags libs rpath run
+  shift
+  pc=$(dirname "$(find "$prefix" -name roughcontact.pc)")
+  pkg --validate roughcontact roughcontact-fortran
+  [[ $(pkg --variable=libdir roughcontact) -ef $pc/.. ]] || fail "libdir is not where the library is"
+  rpath=-Wl,-rpath,$(pkg --variable=libdir roughcontact)
+  out=$(mktemp -d "$scratch/out.XXXX")
+  for kind in "$@"; do
+    read -ra flags <<<"$(pkg --cflags roughcontact)"
+    if [ "$kind" = shared ]; then
+      read -ra libs <<<"$(pkg --libs roughcontact) $rpath"
+      run=(env)
+    else
+      read -ra libs <<<"$(pkg --variable=static_libs roughcontact)"
+      run=(env RC_PLUGIN_PATH="$(pkg --variable=plugindir roughcontact)")
+    fi
+    clean "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/examples/press_sphere.c" -o "$out/c" "${libs[@]}"
+    expect "C $kind" "${run[@]}" "$out/c"
+    clean "$cxx" -std=c++17 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/tests/install/consumer.cpp" -o "$out/c++" "${libs[@]}"
+    expect "C++ $kind" "${run[@]}" "$out/c++"
+    if [ -n "$fc" ]; then
+      clean "$fc" -J "$out" "$(pkg --variable=fortran_source roughcontact-fortran)" "$source/examples/press_sphere.f90" -o "$out/f" "${libs[@]}"
+      expect "Fortran $kind" "${run[@]}" "$out/f"
+    fi
+    [ "$kind" = shared ] || ! readelf -d "$out/c" | grep -q 'NEEDED.*roughcontact' || fail "the static consumer needs the shared library"
+  done
+
+  clean cmake -S "$source/tests/install/cmake" -B "$out/cmake" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$source/examples" \
+    -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" >"$out/log" 2>&1 || { cat "$out/log"; fail "find_package"; }
+  clean cmake --build "$out/cmake" >"$out/log" 2>&1 || { cat "$out/log"; fail "the CMake consumer does not build"; }
+  expect "CMake shared" "$out/cmake/shared"
+  expect "CMake static" env RC_PLUGIN_PATH="$(pkg --variable=plugindir roughcontact)" "$out/cmake/static"
+}
+
+cmake --install "$build" --prefix "$scratch/first" >/dev/null
+build_and_run "$scratch/first" shared static
+libdir=$(pkg --variable=libdir roughcontact)
+"$source/tests/abi/symbols.sh" "$(pkg --variable=includedir roughcontact)" "$libdir/libroughcontact.so"
+
+echo "the same after moving the prefix"
+mkdir "$scratch/elsewhere"
+mv "$scratch/first" "$scratch/elsewhere/second"
+build_and_run "$scratch/elsewhere/second" shared
+echo "all consumers work"
