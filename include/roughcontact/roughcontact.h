@@ -103,7 +103,8 @@ typedef struct rc_system {
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                   */
   int32_t control;     /* RC_CONTROL_*                                                                      */
-  int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold              */
+  int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold (factors that a
+                          backend keeps still serve: equal to round-off, after rc_contact_reset bitwise)    */
   double target;       /* DISPLACEMENT: approach d [length]; LOAD: normal force W [force], >= 0             */
   const double *gap;   /* [n] undeformed gap h [length]; NULL: as in the previous step                      */
   const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none   */
@@ -286,7 +287,7 @@ RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_r
 /** Certifies the pressures the caller puts in result->p (required, [n]) for this step: nothing is solved. In
  *  load control the approach is the one that fits them best. RC_OK or RC_STOP_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Forgets gap, mask and last pressures; keeps plans and tables. Errors: BUSY. */
+/** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */
 RC_API void rc_contact_cancel(rc_contact *contact);

@@ -33,6 +33,8 @@ void Contact::set_options(const rc_options& options) {
 void Contact::reset() {
   surface_.clear();
   last_ = {};
+  // A factor remembers the order in which points came, so an answer after a reset would differ from a first one by round-off.
+  std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
 }
 
 // The surface as this step describes it; nothing where it is that of the step before.

@@ -68,7 +68,7 @@ class Contact {
 
   Answer at_displacement(const rc_step& step, Monitor& monitor);
   Answer at_load(const rc_step& step, Monitor& monitor);
-  double approach_estimate(double load) const;
+  double approach_estimate(double load, bool warm) const;
   rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor) const;
 
   std::vector<double> over_all_points(const Answer& answer) const;
@@ -76,6 +76,7 @@ class Contact {
   rc_status certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
                              rc_result& result) const;
   void hand_over(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
+  double fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const;
   void name_components(const Answer& answer, rc_result& result) const;
   double stiffness(const Answer& answer) const;
   std::int64_t applications() const;

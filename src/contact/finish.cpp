@@ -71,9 +71,9 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
   std::vector<double>& gap = product;
   Certificate certificate = certify(surface_, approach, p, product, gap);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
-  if (std::isnan(certificate.dual))
-    fail(RC_ERR_NUMERIC, "pressures or gaps are not finite: the operator returned values that are not finite, or the input is beyond ",
-         "double precision");
+  if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(work * area))
+    fail(RC_ERR_NUMERIC, "the answer is not finite: the operator returned values that are not finite, or the units are such that ",
+         "pressures, load or energy exceed double precision");
 
   result.reserved = 0;
   result.points = system_.points();
@@ -108,7 +108,8 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
     Operator& op = certifier.empty() ? *answer.op : bound_operator(options_.context->backend(certifier), answer.op->trial());
     op.field(answer.p, product);
     for (double& value : product) value = value * answer.length_unit - answer.datum_shift;
-    approach = answer.approach;
+    const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK;
+    approach = stopped ? fitting_approach(p, product) : answer.approach;
     result.modelled = answer.op->modelled();
   } else if (step.control == RC_CONTROL_LOAD) {
     approach = surface_.included_points() > 0 ? surface_.lowest() : 0;
@@ -125,6 +126,18 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
   hand_over(std::move(p), product, result);
   return result.status;
+}
+
+// The approach at which the mean of the gap, weighted by the pressures, vanishes.
+double Contact::fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const {
+  if (surface_.included_points() == 0) return 0;
+  double sum = 0, moment = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p[i] == 0) continue;
+    sum += p[i];
+    moment += p[i] * (product[i] + (surface_.gap()[i] - surface_.lowest()));
+  }
+  return sum > 0 ? surface_.lowest() + moment / sum : surface_.lowest();
 }
 
 rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
@@ -154,14 +167,7 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   }
   double approach = step.target;
   if (step.control == RC_CONTROL_LOAD) {
-    // The approach at which the mean of the gap, weighted by the pressures, vanishes.
-    double sum = 0, moment = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p[i] == 0) continue;
-      sum += p[i];
-      moment += p[i] * (product[i] + (surface_.gap()[i] - surface_.lowest()));
-    }
-    approach = surface_.included_points() == 0 ? 0 : sum > 0 ? surface_.lowest() + moment / sum : surface_.lowest();
+    approach = fitting_approach(p, product);
   }
   name_components(answer, result);
   copy_text(result.solver, "none");

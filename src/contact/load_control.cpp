@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "contact/contact.h"
 #include "core/error.h"
@@ -23,17 +24,18 @@ constexpr double margin = 1.05;
 // of a flat punch of that area. It is near the truth for one asperity and larger for many (1.0 to 1.6 times on measured surfaces);
 // where it is too small the trial set grows. Between two loads on the same surface the approach grows at most in proportion,
 // because the load is a convex function of the approach.
-double Contact::approach_estimate(double load) const {
+double Contact::approach_estimate(double load, bool warm) const {
   const rc_system& s = system_.given;
   double height = margin * surface_.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
-  if (last_.same_gap && last_.load > 0)
+  if (warm)
     height = std::min(height, growth * (last_.approach - surface_.lowest()) * std::max(1.0, load / last_.load));
   return height;
 }
 
 Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
   const double lowest = surface_.lowest(), load = step.target / system_.cell_area();
-  double height = system_.halfspace() ? approach_estimate(step.target) : surface_.highest() - lowest;
+  const bool warm = step.warm_start != 0 && last_.same_gap && last_.load > 0;
+  double height = system_.halfspace() ? approach_estimate(step.target, warm) : surface_.highest() - lowest;
   if (!(height > 0)) height = load * system_.length_per_pressure;
   rc_step from = step;
   std::vector<double> start_pressures;
@@ -59,15 +61,17 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
       answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), answer.p, d);
       answer.approach = d;
     } else {
-      const bool known = last_.same_gap && last_.load > 0;
-      double first = known ? (last_.approach - lowest) / height : 1;
-      if (system_.periodic() && !known) first = (surface_.mean() - lowest) / height;
+      double first = warm ? (last_.approach - lowest) / height : 1;
+      if (system_.periodic() && !warm) first = (surface_.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, monitor);
     }
-    answer.datum_shift = shift * height;
+    // A stopped solve may not carry the load yet.
+    const double sum = answer.status == RC_OK ? wanted : std::accumulate(answer.p.begin(), answer.p.end(), 0.0);
+    answer.datum_shift = trial.zero_mode * sum / static_cast<double>(system_.points()) * height;
     answer.approach = lowest + answer.approach * height;
     const bool covered = trial.n == surface_.included_points() || answer.approach <= limit;
-    if (covered || answer.status != RC_OK || round == most_rounds) return answer;
+    const bool finite = std::isfinite(answer.approach);  // else the certificate reports it
+    if (covered || !finite || answer.status != RC_OK || round == most_rounds) return answer;
     height = growth * (answer.approach - lowest);
     start_pressures = over_all_points(answer);
     from.p0 = start_pressures.data();

@@ -18,7 +18,19 @@ void set_message(const char* where, const char* text) {
 }
 void clear_message() { message[0] = '\0'; }
 
+bool is_status(rc_status status) {
+  switch (status) {
+#define RC_STATUS(name, value, text) case name:
+#include "core/status.def"
+#undef RC_STATUS
+    return true;
+    default:
+      return false;
+  }
+}
+
 void raise_if_failed(rc_status status, const char* what) {
+  if (!is_status(status)) throw Error(RC_ERR_INTERNAL, join(what, " returned ", status, ", which is not a status"));
   if (status >= 0) return;
   if (message[0] != '\0') throw Error(status, message);
   throw Error(status, join(what, " failed with ", rc_status_name(status)));

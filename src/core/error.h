@@ -33,6 +33,9 @@ void set_message(const char* text);
 void set_message(const char* where, const char* text);  // "where: text"; text may be last_message()
 void clear_message();
 
+// Whether the number is one of RC_OK, RC_STOP_*, RC_ERR_*.
+bool is_status(rc_status status);
+
 // What a component reported through rc_host::fail, as an exception. `what` names the operation for components that said nothing.
 void raise_if_failed(rc_status status, const char* what);
 

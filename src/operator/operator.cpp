@@ -18,6 +18,7 @@ Operator::~Operator() {
 
 void Operator::bind(const TrialSet& trial) {
   if (bound_ && trial == trial_) return;
+  if (trial.n < 1) fail(RC_ERR_INTERNAL, "the trial set is empty");  // backends would take it for the whole grid
   bound_ = false;
   TrialSet copy = trial;
   const rc_domain domain{sizeof(rc_domain), copy.n, copy.index.empty() ? nullptr : copy.index.data(), copy.zero_mode};

@@ -1,0 +1,46 @@
+// Tests whose names are made at run time, on cmocka. A body fails or skips by an exception, so that nothing it owns is leaked.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pairs {
+
+using Field = std::vector<double>;
+
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+struct Skipped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Test {
+  std::string name;
+  std::function<void()> body;
+};
+
+/** The number of failed tests. An argument is a pattern of names (* and ?). */
+int run_group(const char* group, const std::vector<Test>& tests, int argc, char** argv);
+
+/** RC_TEST_QUICK=1 asks for the reduced set, for slow builds. */
+bool quick();
+
+std::string text(double value);
+
+void check(bool condition, const std::string& what);
+void check_equal(std::int64_t value, std::int64_t expected, const std::string& what);
+/** |value - expected| <= tolerance; fails on NaN. */
+void check_near(double value, double expected, double tolerance, const std::string& what);
+/** Every |a_i - b_i| <= tolerance * max|b|. */
+void check_near(const Field& a, const Field& b, double tolerance, const std::string& what);
+/** The same bits. */
+void check_same(const Field& a, const Field& b, const std::string& what);
+
+double largest(const Field& values);
+double sum(const Field& values);
+
+}  // namespace pairs

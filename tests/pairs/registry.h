@@ -1,0 +1,32 @@
+// The pairs that the registry offers, and how their tests are named: solver*backend/boundary/control/...
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "contact.h"
+
+namespace pairs {
+
+std::vector<std::string> solver_names();
+std::vector<std::string> backend_names();
+std::vector<std::string> kernel_names();
+/** Every solver with every backend. */
+std::vector<Pair> all_pairs();
+
+inline constexpr std::int32_t controls[] = {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD};
+
+/** Why this pair cannot run, "" if it can. */
+std::string obstacle(const Pair& pair, const rc_system& system, std::int32_t control);
+
+/** "free", "periodic", "matrix" (the caller's dense one) or "product" (the caller's). */
+std::string kind_of(const rc_system& system);
+/** "nnls*fft/free/load" */
+std::string group_name(const Pair& pair, const rc_system& system, std::int32_t control);
+
+/** One test per pair that supports this kind of half-space grid in displacement and in load control. */
+void add_for_pairs(std::vector<Test>& tests, const std::string& name, std::int32_t boundary,
+                   const std::function<void(const Pair&)>& body);
+
+}  // namespace pairs

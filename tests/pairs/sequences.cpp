@@ -1,0 +1,157 @@
+// Loading sequences: warm and cold starts, explicit starts, steps without a gap, from displacement to load and back.
+#include <cmath>
+
+#include "invariance_tests.h"
+#include "registry.h"
+#include "surfaces.h"
+
+namespace pairs {
+
+namespace {
+
+Problem problem_of(std::int32_t boundary) {
+  Problem problem = rough_problem(28, 22, boundary, 0.5, 0.75);
+  problem.target *= 1.4;
+  return problem;
+}
+
+// Up in ten steps and down again.
+Field up_and_down(double top) {
+  Field targets;
+  for (int k = 1; k <= 10; ++k) targets.push_back(top * k / 10);
+  for (int k = 10; k >= 1; --k) targets.push_back(top * (k - 0.3) / 10);
+  return targets;
+}
+
+void warm_equals_cold(std::int32_t boundary, const Pair& pair) {
+  const Problem problem = problem_of(boundary);
+  const double load = solved(problem, pair).result.load;
+  for (const std::int32_t control : controls) {
+    const Contact warm(problem, pair), cold(problem, pair);
+    std::int64_t warm_applications = 0, cold_applications = 0;
+    rc_step step = problem.step();
+    step.control = control;
+    for (const double target : up_and_down(control == RC_CONTROL_LOAD ? load : problem.target)) {
+      step.target = target;
+      step.warm_start = 1;
+      const Answer from_last = warm.solve(step);
+      step.warm_start = 0;
+      const Answer fresh = cold.solve(step);
+      check_status(from_last, RC_OK, "warm");
+      check_status(fresh, RC_OK, "cold");
+      check_near(from_last.p, fresh.p, 1e-9, "p");
+      check_near(from_last.result.displacement, fresh.result.displacement, 1e-10 * problem.target, "approach");
+      warm_applications += from_last.result.applications;
+      cold_applications += fresh.result.applications;
+    }
+    check(warm_applications < cold_applications, std::string(control == RC_CONTROL_LOAD ? "load: " : "displacement: ") +
+                                                     std::to_string(warm_applications) + " products warm, " +
+                                                     std::to_string(cold_applications) + " cold");
+  }
+}
+
+void round_trip(std::int32_t boundary, const Pair& pair) {
+  const Problem problem = problem_of(boundary);
+  const Answer there = solved(problem, pair);
+  const Answer back = solved(at_load(problem, there.result.load), pair);
+  check_near(back.result.displacement, problem.target, 1e-9 * problem.target, "approach");
+  check_near(back.p, there.p, 1e-9, "p at the load");
+  Problem again = problem;
+  again.target = back.result.displacement;
+  const Answer last = solved(again, pair);
+  check_near(last.p, there.p, 1e-9, "p at the approach of the load");
+  check_near(last.result.load, there.result.load, 1e-9 * there.result.load, "load");
+}
+
+void explicit_start(std::int32_t boundary, const Pair& pair) {
+  const Problem problem = problem_of(boundary);
+  const double load = solved(problem, pair).result.load;
+  for (const Problem& each : {problem, at_load(problem, load)}) {
+    const Answer cold = solved(each, pair);
+    Field alternating(each.points());
+    for (std::size_t i = 0; i < alternating.size(); ++i) alternating[i] = i % 2 == 0 ? -1 : 0.5 * largest(cold.p);
+    for (const Field& start :
+         {cold.p, alternating, Field(each.points(), 0.0), Field(each.points(), -3.0), Field(each.points(), 1e3)}) {
+      rc_step step = each.step();
+      step.p0 = start.data();
+      const Answer answer = Contact(each, pair).solve(step);
+      check_status(answer, RC_OK);
+      check_near(answer.p, cold.p, 1e-9, "p");
+    }
+    rc_step step = each.step();
+    step.p0 = cold.p.data();
+    const Answer from_solution = Contact(each, pair).solve(step);
+    if (each.control == RC_CONTROL_DISPLACEMENT)
+      check(from_solution.result.applications < cold.result.applications, "a start at the solution saves nothing");
+  }
+}
+
+void gap_and_mask_are_kept(std::int32_t boundary, const Pair& pair) {
+  Problem problem = problem_of(boundary);
+  problem.mask.assign(problem.points(), 1);
+  for (std::size_t i = 0; i < problem.points(); i += 7) problem.mask[i] = 0;
+  const Contact contact(problem, pair);
+  check_status(contact.solve(problem), RC_OK);
+
+  rc_step step = problem.step();
+  step.warm_start = 0;
+  step.target *= 0.9;
+  Problem lower = problem;
+  lower.target = step.target;
+  step.gap = nullptr;
+  step.mask = nullptr;
+  check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with gap and mask of the step before");
+
+  lower.mask.assign(lower.points(), 1);
+  for (std::size_t i = 3; i < lower.points(); i += 5) lower.mask[i] = 0;
+  step.mask = lower.mask.data();
+  check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with the gap of the step before and another mask");
+
+  lower.mask.clear();
+  step.mask = nullptr;
+  step.gap = lower.gap.data();
+  check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with a gap and no mask");
+}
+
+void nothing_touches(std::int32_t boundary, const Pair& pair) {
+  const Problem problem = problem_of(boundary);
+  const Contact contact(problem, pair);
+  const Answer loaded = contact.solve(problem);
+  check_status(loaded, RC_OK);
+  rc_step step = problem.step();
+  for (const double target : {0.0, -1.0}) {
+    step.target = target;
+    const Answer answer = contact.solve(step);
+    check_status(answer, RC_OK);
+    check_near(answer.p, Field(problem.points(), 0.0), 0, "p");
+    check_near(answer.gap[5], problem.gap[5] - target, 1e-15, "gap");
+    check_equal(answer.result.candidates, boundary == RC_BOUNDARY_PERIODIC ? answer.result.points : 0, "candidates");
+  }
+  step.control = RC_CONTROL_LOAD;
+  step.target = 0;
+  const Answer unloaded = contact.solve(step);
+  check_status(unloaded, RC_OK);
+  check_near(unloaded.result.displacement, problem.lowest_gap(), 0, "approach of no load");
+  step.target = 1e-3 * loaded.result.load;
+  check_status(contact.solve(step), RC_OK, "a light load after none");
+  check_status(contact.solve(problem), RC_OK, "the step after");
+}
+
+}  // namespace
+
+std::vector<Test> sequence_tests() {
+  std::vector<Test> tests;
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    const auto add = [&](const char* name, void (*body)(std::int32_t, const Pair&)) {
+      add_for_pairs(tests, name, boundary, [=](const Pair& pair) { body(boundary, pair); });
+    };
+    add("warm_steps_up_and_down_equal_cold_ones_and_cost_less", warm_equals_cold);
+    add("from_displacement_to_load_and_back", round_trip);
+    add("explicit_start_leads_to_the_same_answer", explicit_start);
+    add("step_without_gap_keeps_gap_and_mask", gap_and_mask_are_kept);
+    add("nothing_touches_below_the_lowest_gap_or_without_load", nothing_touches);
+  }
+  return tests;
+}
+
+}  // namespace pairs
