@@ -17,6 +17,7 @@ struct Failure {
 // fail(RC_ERR_NUMERIC, "pivot ", k, " is ", value); the same text in every locale.
 template <class... Parts> [[noreturn]] void fail(rc_status code, const Parts&... parts) {
   std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // else the text would end silently where memory ran out
   out.imbue(std::locale::classic());
   out << "dense: ";
   (out << ... << parts);

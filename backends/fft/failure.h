@@ -18,6 +18,7 @@ struct Failure {
 template <class... Parts>
 [[noreturn]] void fail(rc_status code, const Parts&... parts) {
   std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // else the text would end silently where memory ran out
   out.imbue(std::locale::classic());
   out << "fft: ";
   (out << ... << parts);

@@ -140,7 +140,8 @@ typedef struct rc_plugin {
 /** The one symbol a plugin file exports. *out points to static data. May refuse with host->fail. */
 typedef rc_status (*rc_plugin_query_fn)(const rc_host *, const rc_plugin **out);
 
-/** Adds a plugin that is linked into the host program. Errors: ARGUMENT, PLUGIN. */
+/** Adds a plugin that is linked into the host program: all of it or, on failure, nothing. What it points to must
+ *  live as long as the process. Errors: ARGUMENT, PLUGIN. */
 RC_API rc_status rc_context_register(rc_context *context, const rc_plugin *plugin);
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@
  *
  * Sized structs: set struct_size to sizeof(the struct) (the RC_..._INIT macros and rc_..._init functions do).
  * A smaller struct from an older header is accepted, a larger one from a newer header if the part unknown to
- * the library is all zero; else RC_ERR_ARGUMENT.
+ * the library is all zero; else RC_ERR_ARGUMENT. This holds for structs that are written, too.
  */
 #ifndef ROUGHCONTACT_H
 #define ROUGHCONTACT_H
@@ -232,7 +232,8 @@ RC_API void rc_context_config_init(rc_context_config *config);
 /** @defgroup context Context: the registry  @{ */
 /** A registry of its own. config may be NULL. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */
 RC_API rc_status rc_context_create(const rc_context_config *config, rc_context **out);
-/** NULL is allowed. Contacts and options made from it keep what they need. */
+/** NULL is allowed. Contacts and options made from it keep what they need, and may call its log until they are
+ *  destroyed. */
 RC_API void rc_context_destroy(rc_context *context);
 /** Components by number 0 .. count-1, sorted by name. A NULL context is the default one. The first call loads
  *  every plugin of the search path; files that are refused are reported to the context's log. */
@@ -248,7 +249,7 @@ RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, cons
                                    int32_t control, const rc_options *options);
 /** Influence coefficients of a kernel: out[iy*nx + ix] = E* times the deflection [length] at offset
  *  (ix*hx, iy*hy) from a cell under unit pressure. Free boundaries; relative error <= 1e-12.
- *  Errors: ARGUMENT, SHAPE, INCOMPATIBLE (hx != hy where the kernel needs square cells). */
+ *  Errors: ARGUMENT, SHAPE, OPTION (unknown kernel), INCOMPATIBLE (hx != hy where the kernel needs square cells). */
 RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);
 /** @} */
 
@@ -272,9 +273,9 @@ RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_s
 /** @} */
 
 /** @defgroup contact Contact: one system, many steps  @{ */
-/** Checks the system and builds what an explicitly named backend needs; "auto" decides at the first step.
- *  options may be NULL (defaults, default context); they are copied. Errors: ARGUMENT, SHAPE, INCOMPATIBLE,
- *  NO_BACKEND, NO_SOLVER, PLUGIN, MEMORY, NUMERIC, EXTERNAL. */
+/** Checks the system, the options and the names in them; a caller's matrix is read and a caller's product is tried
+ *  once. Operators are built by the steps that need them. options may be NULL (defaults, default context); they are
+ *  copied. Errors: ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, NO_BACKEND, NO_SOLVER, PLUGIN, MEMORY, NUMERIC, EXTERNAL. */
 RC_API rc_status rc_contact_create(const rc_system *system, const rc_options *options, rc_contact **out);
 /** Changes what may change (not keys marked fixed whose value differs: OPTION). Errors: OPTION, BUSY. */
 RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *options);

@@ -70,6 +70,7 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
       }
     }
     if (missing && reasons.empty()) throw *missing;
+    if (missing) reasons.push_back(missing->what());
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
   }
   const rc_backend *direct = nullptr, *matrix_free = nullptr;

@@ -30,6 +30,9 @@ void Context::log(std::int32_t level, const std::string& message) const {
 
 namespace {
 
+// Of rc_plugin when it was first released; a literal, so that it does not follow today's size.
+constexpr std::size_t first_plugin_size = 64;
+
 // The members that the component's header knew, the rest null.
 template <class Vtable>
 Vtable zero_filled(const Vtable& vtable) {
@@ -82,8 +85,8 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
 
 void Context::add(const rc_plugin& plugin, const std::string& origin) {
   const std::lock_guard lock(mutex_);
-  if (plugin.struct_size < sizeof(rc_plugin) || !plugin.name)
-    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", plugin.struct_size, " is smaller than ", sizeof(rc_plugin), ", or it has no name");
+  if (plugin.struct_size < first_plugin_size || !plugin.name)
+    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", plugin.struct_size, " is smaller than ", first_plugin_size, ", or it has no name");
   if (plugin.abi_major != RC_PLUGIN_ABI_MAJOR)
     fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, ") has plugin ABI ", plugin.abi_major, ", this library has ",
          RC_PLUGIN_ABI_MAJOR, "; rebuild it against the installed headers");

@@ -1,0 +1,44 @@
+// The table of bad input: one list for the test that runs it and for the document that prints it.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace errors {
+
+// What a call returned, with the calling thread's message at that moment.
+struct Outcome {
+  Outcome(rc_status given) : status(given), message(rc_last_error()) {}
+  rc_status status;
+  std::string message;
+};
+
+struct Case {
+  const char* input;
+  rc_status status;
+  std::vector<const char*> says;  // parts of the message, in this order
+  std::function<Outcome()> call;
+  const char* plugin = nullptr;  // a backend that must be there as a plugin, else the case is skipped
+};
+
+struct Section {
+  const char* title;
+  std::vector<Case> cases;
+};
+
+Section null_pointers();
+Section struct_sizes();
+Section shapes();
+Section values();
+Section dense_matrices();
+Section callbacks();
+Section steps();
+Section options();
+Section names();
+Section plugins();
+Section order_of_calls();
+
+}  // namespace errors

@@ -1,0 +1,68 @@
+#include "faults/failing_new.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local std::int64_t remaining = 0;
+thread_local bool failed = false, every_later = false;
+
+constexpr std::size_t absurd = std::size_t{1} << 42;
+
+bool fails_now() {
+  if (failed && every_later) return true;
+  if (remaining <= 0 || --remaining > 0) return false;
+  failed = true;
+  return true;
+}
+
+void* allocated(std::size_t bytes) { return bytes > absurd || fails_now() ? nullptr : std::malloc(bytes ? bytes : 1); }
+
+void* allocated(std::size_t bytes, std::align_val_t align) {
+  const auto unit = static_cast<std::size_t>(align);
+  return bytes > absurd || fails_now() ? nullptr : std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
+}
+
+void* checked(void* memory) {
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+namespace faults {
+
+void fail_allocation(std::int64_t countdown, bool forever) {
+  failed = false;
+  every_later = forever;
+  remaining = countdown;
+}
+
+bool allocation_failed() { return failed; }
+
+}  // namespace faults
+
+void* operator new(std::size_t bytes) { return checked(allocated(bytes)); }
+void* operator new[](std::size_t bytes) { return checked(allocated(bytes)); }
+void* operator new(std::size_t bytes, std::align_val_t align) { return checked(allocated(bytes, align)); }
+void* operator new[](std::size_t bytes, std::align_val_t align) { return checked(allocated(bytes, align)); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return allocated(bytes); }
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept { return allocated(bytes); }
+void* operator new(std::size_t bytes, std::align_val_t align, const std::nothrow_t&) noexcept { return allocated(bytes, align); }
+void* operator new[](std::size_t bytes, std::align_val_t align, const std::nothrow_t&) noexcept {
+  return allocated(bytes, align);
+}
+
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept { std::free(memory); }

@@ -1,0 +1,66 @@
+/* One source for every plugin of the loader's test: complete, unless a definition spoils it. */
+#include "toy_backend.h"
+
+#ifndef FIXTURE_INSIDE
+#define FIXTURE_INSIDE FIXTURE
+#endif
+#ifndef FIXTURE_MAJOR
+#define FIXTURE_MAJOR RC_PLUGIN_ABI_MAJOR
+#endif
+#ifndef FIXTURE_MINOR
+#define FIXTURE_MINOR RC_PLUGIN_ABI_MINOR
+#endif
+#ifndef FIXTURE_BACKEND_SIZE
+#define FIXTURE_BACKEND_SIZE sizeof(rc_backend)
+#endif
+#ifndef FIXTURE_PLUGIN_SIZE
+#define FIXTURE_PLUGIN_SIZE sizeof(rc_plugin)
+#endif
+#ifndef FIXTURE_CAPS
+#define FIXTURE_CAPS 0
+#endif
+#ifndef FIXTURE_APPLY
+#define FIXTURE_APPLY toy_apply
+#endif
+#ifndef FIXTURE_SUBSET
+#define FIXTURE_SUBSET NULL
+#endif
+#ifndef FIXTURE_LICENSE
+#define FIXTURE_LICENSE "BSD-3-Clause"
+#endif
+#ifndef FIXTURE_BACKENDS
+#define FIXTURE_BACKENDS backends
+#endif
+#ifndef FIXTURE_KEY
+#define FIXTURE_KEY FIXTURE ".order"
+#endif
+#ifndef FIXTURE_DEFAULT
+#define FIXTURE_DEFAULT "rows"
+#endif
+#ifndef FIXTURE_SECOND
+#define FIXTURE_SECOND "second-of-" FIXTURE
+#endif
+#ifndef FIXTURE_ANSWER
+#define FIXTURE_ANSWER ((void)host, *out = &plugin, RC_OK)
+#endif
+
+static const rc_option_spec order = {
+    sizeof(rc_option_spec), FIXTURE_KEY, FIXTURE_DEFAULT, "rows|columns", "order of the sum", RC_TYPE_TEXT, 0, 0.0, 0.0};
+static const rc_option_spec* const options[] = {&order};
+
+#define BACKEND(name, n_options, list)                                                                                      \
+  {                                                                                                                         \
+    FIXTURE_BACKEND_SIZE, name, "naive products", FIXTURE_LICENSE, RC_CAP_FREE | RC_CAP_PERIODIC | FIXTURE_CAPS, n_options, \
+        list, toy_create, toy_destroy, toy_bind, FIXTURE_APPLY, toy_field, toy_modelled, FIXTURE_SUBSET                     \
+  }
+static const rc_backend first = BACKEND(FIXTURE, 1, options), second = BACKEND(FIXTURE_SECOND, 0, NULL);
+static const rc_backend* const backends[] = {&first, &second};
+static const rc_plugin plugin = {FIXTURE_PLUGIN_SIZE, FIXTURE_MAJOR, FIXTURE_MINOR, FIXTURE_INSIDE, "1.0", 2, 0,
+                                 FIXTURE_BACKENDS,    NULL};
+
+#ifdef FIXTURE_NO_SYMBOL
+RC_API const rc_plugin* rc_plugin_by_another_name(void);
+const rc_plugin* rc_plugin_by_another_name(void) { return &plugin; }
+#else
+RC_PLUGIN_ENTRY(linked, host, out) { return FIXTURE_ANSWER; }
+#endif

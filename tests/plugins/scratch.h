@@ -1,0 +1,63 @@
+// Directories with plugins to load, and contexts that look into them.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <string>
+#include <vector>
+
+#include "errors/cmocka.hpp"
+
+extern "C" rc_status rc_builtin_linked(const rc_host* host, const rc_plugin** out);
+
+namespace plugins {
+
+// A new directory of one's own, removed at the end.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::string file(const std::string& name) const { return path_ + "/rcb_" + name + ".so"; }
+  // Copies fixtures into it; returns the last one's path.
+  std::string put(const std::vector<std::string>& fixtures) const;
+  std::string put_as(const std::string& fixture, const std::string& file) const;
+
+ private:
+  std::string path_;
+};
+
+// A context with its log.
+class Registry {
+ public:
+  explicit Registry(const std::string& plugin_path, std::uint32_t flags = RC_CONTEXT_NO_ENVIRONMENT);
+  ~Registry();
+  Registry(const Registry&) = delete;
+  Registry& operator=(const Registry&) = delete;
+
+  rc_context* get() const { return context_; }
+  // Creates a contact for a small grid with this backend; the message is rc_last_error().
+  rc_status names(const std::string& backend) const;
+  // Solves the small grid and returns the load, 0 if it is not certified.
+  double load(const std::string& solver, const std::string& backend, std::int32_t boundary = RC_BOUNDARY_FREE,
+              std::int32_t control = RC_CONTROL_DISPLACEMENT) const;
+  std::string origin(const std::string& backend) const;  // "" if it is not listed
+  bool lists(const std::string& backend) const { return !origin(backend).empty(); }
+  const std::string& log() const { return log_; }
+  const rc_result& result() const { return result_; }
+
+ private:
+  rc_context* context_ = nullptr;
+  std::string log_;
+  mutable rc_result result_{};
+};
+
+void assert_message_has(const std::string& part);
+void assert_has(const std::string& text, const std::string& part);
+
+extern const std::vector<CMUnitTest> good_tests, refused_tests, place_tests, registration_tests;
+
+}  // namespace plugins
