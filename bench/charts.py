@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""charts.py RESULTS IMAGES: draws speed-accuracy.png and scaling.png into the folder IMAGES from accuracy.json and scaling.json in
+the folder RESULTS, with gnuplot."""
+import math
+import os
+import subprocess
+import sys
+
+from results import groups, load, scene_title, solved, total_seconds
+
+# Colour, dash and marker each tell the lines apart; the colours differ in lightness and for the colour-blind (Okabe & Ito).
+STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc rgb "#0072B2" dt (4,3) pt 5',
+          'lc rgb "#E69F00" dt (12,4,2,4) pt 13', 'lc rgb "#009E73" dt (2,3) pt 11', 'lc rgb "#CC79A7" dt (8,8) pt 15']
+OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
+BAND = '#D9D9D9'
+PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
+
+HEAD = '''set terminal pngcairo size {width},{height} font "DejaVu Sans,11" linewidth 1.2
+set output "{file}"
+set encoding utf8
+set multiplot
+set logscale xy
+set format "10^{{%T}}"
+set grid lc rgb "#E6E6E6" lt 1
+set border lc rgb "#555555"
+set tics scale 0.6
+set key off
+'''
+
+
+def style(number):
+    return f'linespoints lw 1.6 ps 0.9 {STYLES[number % len(STYLES)]}'
+
+
+class Panels:
+    """Panels on a grid above one legend, in pixels."""
+
+    def __init__(self, width, height, columns, rows, legend):
+        self.size = width, height
+        self.columns, self.rows, self.legend = columns, rows, legend
+        self.script, self.blocks = [], 0
+
+    def block(self, points):
+        name = f'$data{self.blocks}'
+        self.blocks += 1
+        lines = ''.join(f'{x!r} {y!r}\n' for x, y in points)
+        self.script.append(f'{name} << EOD\n{lines}EOD\n')
+        return name
+
+    def panel(self, column, row, title, settings, curves):
+        width, height = self.size
+        w, h = width / self.columns, (height - self.legend) / self.rows
+        left, right = column * w + 68, (column + 1) * w - 18
+        top, bottom = height - row * h - 30, height - (row + 1) * h + 50
+        self.script.append(f'set lmargin at screen {left / width}\nset rmargin at screen {right / width}\n'
+                           f'set tmargin at screen {top / height}\nset bmargin at screen {bottom / height}\n'
+                           f'set title "{title}" offset 0,-0.6\n{settings}\nplot {", ".join(curves)}\n')
+
+    def draw(self, file, entries, columns):
+        width, height = self.size
+        self.script.append(f'''reset
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set tmargin at screen {self.legend / height}
+set bmargin at screen 0
+unset border
+unset tics
+set xrange [0:1]
+set yrange [0:1]
+set key at screen 0.5,{(self.legend - 6) / height} center top horizontal maxcols {columns} samplen 4 spacing 1.3 Left reverse
+plot {", ".join(f'NaN with {look} title "{name}"' for name, look in entries)}
+unset multiplot
+''')
+        script = HEAD.format(width=width, height=height, file=file) + ''.join(self.script)
+        subprocess.run(['gnuplot', '-d'], input=script.encode(), check=True)
+
+
+def decades(values):
+    """The range of powers of ten around positive values."""
+    exponents = [float(f'{value:e}'.split('e')[1]) for value in values if value > 0]
+    return 10 ** min(exponents), 10 ** (max(exponents) + 1)
+
+
+def speed_accuracy(results, file):
+    document = load(results, 'accuracy')
+    scenes = groups(solved(document['rows']), 'scene', 'n')
+    pairs = list(groups(document['rows'], 'solver', 'backend'))
+    drawing = Panels(800, 60 + 270 * len(scenes), 2, len(scenes), 60)
+    for row, ((scene, n), rows) in enumerate(scenes.items()):
+        lowest, highest = decades([total_seconds(r) for r in rows])
+        grid = next(r for r in document['discretisation'] if r['scene'] == scene and r['n'] == n)
+        for column, (key, label) in enumerate([('load_error', 'load'), ('pressure_error', 'pressure (L2)')]):
+            curves = []
+            for (solver, backend), line in groups(rows, 'solver', 'backend').items():
+                points = [(total_seconds(r), max(r[key], 1e-16)) for r in line]
+                curves.append(f'{drawing.block(points)} with {style(pairs.index((solver, backend)))}')
+            # An analytic truth shows the grid's error, never less.
+            floor, step = (1e-14, 100) if min(r[key] for r in rows) < 0.5 * grid[key] else (grid[key] / 100, 10)
+            settings = (f'set xrange [{lowest}:{highest}]\nset yrange [{floor}:1]\nset ytics 1e-16,{step},1\n'
+                        f'set xlabel "set-up and solve [s]" offset 0,0.4\nset ylabel "relative error" offset 1.2,0\n'
+                        f'set object 1 rectangle from graph 0,0 to graph 1,first {grid[key]!r} '
+                        f'fc rgb "{BAND}" fs solid noborder behind\n'
+                        f'set label 1 "below the grid\'s own error" at graph 0.03,0.07 tc rgb "#444444"')
+            drawing.panel(column, row, f'{scene_title(scene, n)}: {label}', settings, curves)
+    drawing.draw(file, [(f'{solver}, {backend}', style(i)) for i, (solver, backend) in enumerate(pairs)], 4)
+
+
+def scaling(results, file):
+    document = load(results, 'scaling')
+    rows = solved(document['solves'])
+    areas = list(groups(rows, 'area_wanted'))
+    hollow = 'points ps 1.5 lw 1.4 lc rgb "#555555"'
+    drawing = Panels(800, 464, 2, 1, 80)
+
+    def curves(value):
+        result = []
+        for (area, control), line in groups(rows, 'area_wanted', 'control').items():
+            points = drawing.block([(r['n'] ** 2, value(r)) for r in line])
+            number = areas.index((area,))
+            look = style(number) if control == 'displacement' else f'{hollow} pt {OPEN_MARKERS[number % len(OPEN_MARKERS)]}'
+            result.append(f'{points} with {look}')
+        return result
+
+    sides = sorted({r['n'] for r in rows})
+    tics = ', '.join(f'"{n}²" {n * n}' for n in sides)
+    settings = f'set xrange [{sides[0] ** 2 / 1.6}:{sides[-1] ** 2 * 1.6}]\nset xtics ({tics})\nset xlabel "points" offset 0,0.4\n'
+    lowest, highest = decades([total_seconds(r) for r in rows])
+    slope = 0.25 * min(total_seconds(r) for r in rows if r['n'] == sides[-1]) / sides[-1] ** 2
+    drawing.panel(0, 0, f'time to certified 10^{{{math.log10(rows[0]["tol"]):.0f}}}',
+                  settings + f'set yrange [{lowest}:{highest}]\nset ylabel "set-up and solve [s]" offset 1.2,0',
+                  curves(total_seconds) + [f'{slope!r}*x with lines {PROPORTIONAL}'])
+    drawing.panel(1, 0, 'products with H', settings + 'set format y "%g"\nset yrange [20:1000]\n'
+                  'set ytics (20,50,100,200,500,1000)\nset ylabel "products" offset 1,0', curves(lambda r: r['products']))
+    entries = [(f'{100 * area:g} % contact', style(number)) for number, (area,) in enumerate(areas)]
+    entries += [('load control (hollow)', hollow + ' pt 6'), ('proportional to points', f'lines {PROPORTIONAL}')]
+    drawing.draw(file, entries, 3)
+
+
+def main():
+    results, images = sys.argv[1:]
+    os.makedirs(images, exist_ok=True)
+    speed_accuracy(results, os.path.join(images, 'speed-accuracy.png'))
+    scaling(results, os.path.join(images, 'scaling.png'))
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,76 @@
+// roughcontact-bench: time, memory and accuracy of the library, through its public interface alone.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "accuracy.h"
+#include "provenance.h"
+#include "scaling.h"
+
+namespace {
+
+void write(const std::string& file, const bench::Json& document) {
+  if (file.empty()) return;
+  std::ofstream out(file);
+  out << document.dump(1) << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + file);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app{"Benchmarks of the roughcontact library"};
+  app.require_subcommand(1);
+  std::string file;
+  const auto available = static_cast<std::int64_t>(std::max(1U, std::thread::hardware_concurrency()));
+
+  bench::ScalingRequest scaling;
+  scaling.threads = available;
+  bool quick = false;
+  CLI::App* const scale = app.add_subcommand("scaling", "time, products and memory against grid size and contact area");
+  CLI::Option* const sizes =
+      scale->add_option("--sizes", scaling.sizes, "points per side")->delimiter(',')->check(CLI::Range(16, 16384));
+  std::vector<double> percent{1, 10, 40};
+  scale->add_option("--areas", percent, "contact areas in percent of the grid")->delimiter(',')->check(CLI::Range(0.001, 90.0));
+  scale->add_option("--seed", scaling.seed, "of the surface");
+  scale->add_option("--tol", scaling.tol, "certified tolerance");
+  scale->add_option("--solver", scaling.solver, "solver by name, or auto");
+  scale->add_option("--backend", scaling.backend, "backend by name, or auto");
+  scale->add_option("--threads", scaling.threads, "threads; products are timed with 1 as well")->check(CLI::Range(1, 1024));
+  scale->add_option("--budget", scaling.budget, "seconds for repeats of each solve");
+  scale->add_option("--planning-limit", scaling.planning_limit, "seconds for FFTW_MEASURE of the padded transform");
+  scale->add_flag("--quick", quick, "up to 512^2, few repeats");
+
+  bench::AccuracyRequest accuracy;
+  accuracy.threads = available;
+  CLI::App* const accurate = app.add_subcommand("accuracy", "speed against accuracy of every solver on every backend");
+  accurate->add_option("--scenes", accuracy.scenes, "hertz, self-affine-N")->delimiter(',');
+  accurate->add_option("--digits", accuracy.digits, "tolerances 10^-digits")->delimiter(',')->check(CLI::Range(1, 15));
+  accurate->add_option("--threads", accuracy.threads, "threads")->check(CLI::Range(1, 1024));
+  accurate->add_option("--budget", accuracy.budget, "seconds for repeats of each solve");
+  accurate->add_option("--time-limit", accuracy.time_limit, "seconds for one solve; 0: none");
+  for (CLI::App* const command : {scale, accurate}) command->add_option("--json", file, "also write the results to this file");
+  CLI11_PARSE(app, argc, argv);
+
+  if (scale->parsed()) {
+    scaling.areas.clear();
+    for (const double value : percent) scaling.areas.push_back(value / 100);
+    if (quick) {
+      if (sizes->empty()) scaling.sizes = {128, 256, 512};
+      scaling.budget = 0.2;
+      scaling.planning_limit = 1;
+    }
+    bench::Json document = {{"benchmark", "scaling"}, {"provenance", bench::provenance(scaling.threads)}};
+    document.update(bench::run_scaling(scaling));
+    write(file, document);
+  } else {
+    bench::Json document = {{"benchmark", "accuracy"}, {"provenance", bench::provenance(accuracy.threads)}};
+    document.update(bench::run_accuracy(accuracy));
+    write(file, document);
+  }
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "roughcontact-bench: %s\n", error.what());
+  return 1;
+}

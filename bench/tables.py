@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""tables.py RESULTS DOCUMENT: writes the tables of the JSON files in the folder RESULTS between the markers of DOCUMENT."""
+import math
+import re
+import sys
+
+from results import groups, load, scene_title, solved, total_seconds
+
+
+def table(titles, rows):
+    lines = ['| ' + ' | '.join(titles) + ' |', '|' + '---|' * len(titles)]
+    return '\n'.join(lines + ['| ' + ' | '.join(row) + ' |' for row in rows])
+
+
+def seconds(value):
+    return f'{value:.2g}' if value < 10 else f'{value:.0f}'
+
+
+def error(value):
+    return '0' if value == 0 else f'{value:.0e}'
+
+
+def digits(tol):
+    return -round(math.log10(tol))
+
+
+def worst_residual(row):
+    return max(row[key] for key in row if key.startswith('kkt_'))
+
+
+def provenance(document):
+    known = document['provenance']
+    return (f'{known["cpu"]}, {known["threads"]} threads; {known["compiler"]}, {known["flags"]}; {known["fftw"]}; roughcontact '
+            f'{known["version"]} ({known["commit"]}); {known["date"][:10]}; load average at the start '
+            f'{known["load_average_at_start"]:.1f}.')
+
+
+def product_table(document):
+    rows = []
+    for row in document['products']:
+        times = [row[key] for key in ('estimate_best', 'measure_best', 'padded_estimate_best', 'padded_measure_best')]
+        rows.append([f'{row["n"]}²', str(row['threads'])] + [f'{1000 * t:.3g}' for t in times] +
+                    [f'{row["ratio_estimate"]:.2f}', f'{row["ratio_measure"]:.2f}', error(row['difference'])])
+    return table(['grid', 'threads', 'fft [ms]', 'fft, measured plan', 'padded [ms]', 'padded, measured plan', 'ratio',
+                  'ratio, measured plans', 'difference'], rows)
+
+
+def solve_table(document):
+    rows = []
+    for row in document['solves']:
+        product = row['product_seconds_best']
+        rows.append([f'{row["n"]}²', f'{100 * row["area_found"]:.2f}', row['control'], f'{row["solver"]}, {row["backend"]}'] +
+                    [seconds(row[key]) for key in ('setup_seconds', 'solve_seconds', 'cpu_seconds')] +
+                    [str(row['iterations']), str(row['products']), f'{1000 * product:.3g}', f'{row["bytes_per_point"]:.0f}',
+                     str(row['candidates']), str(row['modelled']), str(row['contacts']), error(worst_residual(row))])
+    return table(['grid', 'contact [%]', 'control', 'solver, backend', 'set-up [s]', 'solve [s]', 'CPU [s]', 'iterations', 'products',
+                  'product [ms]', 'bytes/point', 'candidates', 'modelled', 'contacts', 'worst residual'], rows)
+
+
+def accuracy_table(document):
+    rows = []
+    for (scene, n, solver, backend), line in groups(solved(document['rows']), 'scene', 'n', 'solver', 'backend').items():
+        for row in line:
+            if digits(row['tol']) % 2 == 0:
+                rows.append([scene_title(scene, n), f'{solver}, {backend}', error(row['tol']), seconds(total_seconds(row)),
+                             str(row['products']), error(row['load_error']), error(row['area_error']), error(row['pressure_error']),
+                             error(worst_residual(row))])
+    return table(['scene', 'solver, backend', 'tol', 'time [s]', 'products', 'load error', 'area error', 'pressure error',
+                  'worst residual'], rows)
+
+
+def grid_table(document):
+    rows = [[scene_title(row['scene'], row['n']), row['against'], error(row['load_error']), error(row['area_error']),
+             error(row['pressure_error'])] for row in document['discretisation']]
+    return table(['scene', 'against', 'load error', 'area error', 'pressure error'], rows)
+
+
+def main():
+    results, file = sys.argv[1:]
+    scaling, accuracy = load(results, 'scaling'), load(results, 'accuracy')
+    sections = {'provenance': provenance(scaling), 'products': product_table(scaling), 'solves': solve_table(scaling),
+                'accuracy': accuracy_table(accuracy), 'discretisation': grid_table(accuracy)}
+    with open(file, encoding='utf-8') as source:
+        text = source.read()
+    for name, body in sections.items():
+        pattern = re.compile(f'(<!-- begin {name} -->\n).*?(<!-- end {name} -->)', re.DOTALL)
+        text, count = pattern.subn(lambda match: match[1] + body + '\n' + match[2], text)
+        if count != 1:
+            sys.exit(f'{file}: no markers "begin {name}" and "end {name}"')
+    with open(file, 'w', encoding='utf-8') as out:
+        out.write(text)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""test_quick.py BENCH: the smallest run of each benchmark gives JSON in which every answer is certified. Times decide nothing."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+
+def run(*arguments):
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, 'out.json')
+        subprocess.run([sys.argv[1], *arguments, '--json', file], check=True, stdout=subprocess.DEVNULL)
+        with open(file) as text:
+            document = json.load(text)
+    for key in ('date', 'commit', 'compiler', 'flags', 'fftw', 'cpu', 'threads'):
+        assert document['provenance'][key], key
+    return document
+
+
+def check_certified(row, tol):
+    assert row.get('status') == 'RC_OK', row
+    assert all(row[key] <= tol for key in ('kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control')), row
+
+
+scaling = run('scaling', '--quick', '--sizes', '128')
+assert len(scaling['solves']) == 6 and scaling['products']
+for row in scaling['solves']:
+    check_certified(row, row['tol'])
+    assert abs(row['area_found'] / row['area_wanted'] - 1) < 0.1, row
+    assert row['bytes_per_point'] > 0 and row['product_seconds_best'] > 0
+for row in scaling['products']:
+    assert row['difference'] < 1e-12, row
+
+accuracy = run('accuracy', '--scenes', 'hertz', '--digits', '2,5,8', '--budget', '0')
+assert len(accuracy['rows']) % 3 == 0 and accuracy['rows']
+for row in accuracy['rows']:
+    check_certified(row, row['tol'])
+    assert row['load_error'] < max(0.01, 10 * row['tol']), row
