@@ -55,10 +55,10 @@ if [ "$quick" != --quick ]; then
   if build clang; then run_tests clang -LE slow; fi
 
   stage "address and undefined behaviour sanitizers"
-  if build asan; then run_tests asan -LE slow; fi
+  if build asan; then RC_TEST_QUICK=1 run_tests asan -LE slow; fi
 
   stage "thread sanitizer, tests with threads"
-  if build tsan; then run_tests tsan -R 'threads|seam'; fi
+  if build tsan; then RC_TEST_QUICK=1 run_tests tsan -R 'threads|seam'; fi
 fi
 
 echo
