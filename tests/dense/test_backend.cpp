@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cmocka.hpp"
+#include "support/cmocka.hpp"
 #include "stub_host.h"
 
 namespace {

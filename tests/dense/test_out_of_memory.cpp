@@ -1,34 +1,10 @@
 // Every allocation of the backend fails in turn: the call must report it, and the operator must go on working.
-#include <cstdlib>
-#include <new>
 #include <numeric>
 #include <vector>
 
-#include "cmocka.hpp"
 #include "stub_host.h"
-
-namespace {
-
-long allocations_left = -1;  // until one fails; negative: none does
-
-void* allocate(std::size_t size) {
-  if (allocations_left == 0) {
-    allocations_left = -1;
-    throw std::bad_alloc();
-  }
-  if (allocations_left > 0) --allocations_left;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "support/cmocka.hpp"
+#include "support/failing_new.h"
 
 namespace {
 
@@ -71,11 +47,11 @@ void every_failed_allocation_is_reported(void**) {
   long reported = 0;
   for (long k = 0;; ++k) {
     void* self = nullptr;
-    allocations_left = k;
+    support::fail_allocation(k + 1);
     rc_status status = stub::backend().create(&stub::host(), &spec, &self);
     if (status == RC_OK) status = walk(self);
-    const bool failed = allocations_left < 0;
-    allocations_left = -1;
+    const bool failed = support::allocation_failed();
+    support::fail_allocation(0);
     assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
     reported += failed;
     if (self) {

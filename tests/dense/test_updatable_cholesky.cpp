@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "cmocka.hpp"
+#include "support/cmocka.hpp"
 #include "symmetric_matrix.h"
 #include "updatable_cholesky.h"
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "errors/cmocka.hpp"
+#include "support/cmocka.hpp"
 
 namespace errors {
 

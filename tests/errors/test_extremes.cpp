@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "errors/cmocka.hpp"
+#include "support/cmocka.hpp"
 
 namespace {
 

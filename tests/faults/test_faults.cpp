@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "errors/cmocka.hpp"
-#include "faults/failing_new.h"
+#include "support/cmocka.hpp"
+#include "support/failing_new.h"
 
 namespace {
 
@@ -161,10 +161,10 @@ void lives_through_every_failed_allocation(void** state) {
     std::int64_t k = 1;
     for (; reached; k += stride()) {
       Life life(job, context);
-      faults::fail_allocation(k, forever);
+      support::fail_allocation(k, forever);
       const rc_status status = life.live();
-      reached = faults::allocation_failed();
-      faults::fail_allocation(0);
+      reached = support::allocation_failed();
+      support::fail_allocation(0);
       assert_memory(status, k);
       if (status != RC_OK) assert_true(life.wrote_nothing());
       assert_int_equal(life.live(), RC_OK);
@@ -187,11 +187,11 @@ void a_context_survives_every_failed_allocation(void**) {
       rc_context_config config = RC_CONTEXT_CONFIG_INIT;
       config.plugin_path = RC_PLUGINS;
       rc_context* context = nullptr;
-      faults::fail_allocation(k, forever);
+      support::fail_allocation(k, forever);
       const rc_status status = rc_context_create(&config, &context);
       if (status == RC_OK) rc_solver_count(context);
-      reached = faults::allocation_failed();
-      faults::fail_allocation(0);
+      reached = support::allocation_failed();
+      support::fail_allocation(0);
       assert_memory(status, k);
       if (status == RC_OK) {
         assert_int_equal(rc_backend_count(context), backends);
@@ -206,10 +206,10 @@ void a_context_survives_every_failed_allocation(void**) {
 
 // Messages are made without memory.
 void a_message_needs_no_memory(void**) {
-  faults::fail_allocation(1, true);
+  support::fail_allocation(1, true);
   rc_context* context = nullptr;
   const rc_status status = rc_context_create(nullptr, &context);
-  const std::string message = (faults::fail_allocation(0), rc_last_error());
+  const std::string message = (support::fail_allocation(0), rc_last_error());
   assert_int_equal(status, RC_ERR_MEMORY);
   assert_string_equal(message.c_str(), "rc_context_create: out of memory");
 }

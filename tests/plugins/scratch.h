@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "errors/cmocka.hpp"
+#include "support/cmocka.hpp"
 
 extern "C" rc_status rc_builtin_linked(const rc_host* host, const rc_plugin** out);
 

@@ -1,6 +1,6 @@
 #include "assertions.h"
 #include "cases.h"
-#include "failing_new.h"
+#include "support/failing_new.h"
 #include "fixtures.h"
 
 namespace seam {
@@ -20,10 +20,10 @@ void any_allocation_may_fail(const rc_backend& backend) {
       bool failed = true;
       for (std::int64_t k = 1; failed; ++k) {
         assert_true(k < 1000);
-        fail_allocation(k);
+        support::fail_allocation(k);
         const rc_status status = status_of_products(backend, host, spec, domain, x.data(), y.data());
-        failed = allocation_failed();
-        fail_allocation(0);
+        failed = support::allocation_failed();
+        support::fail_allocation(0);
         assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
         if (failed) assert_true(HostStub::message().find(backend.name) == 0);
       }

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "errors/cmocka.hpp"
+#include "support/cmocka.hpp"
 
 namespace threads {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <thread>
 
-#include "errors/cmocka.hpp"
+#include "support/cmocka.hpp"
 #include "threads/crowd.h"
 #include "threads/jobs.h"
 

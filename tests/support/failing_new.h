@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
-namespace faults {
+namespace support {
 
 // The `countdown`-th allocation of this thread from now on fails, and with `forever` all that follow; 0: none.
 void fail_allocation(std::int64_t countdown, bool forever = false);
 // Whether it has come to that.
 bool allocation_failed();
 
-}  // namespace faults
+}  // namespace support

@@ -1,4 +1,4 @@
-#include "faults/failing_new.h"
+#include "support/failing_new.h"
 
 #include <cstdlib>
 #include <new>
@@ -31,7 +31,7 @@ void* checked(void* memory) {
 
 }  // namespace
 
-namespace faults {
+namespace support {
 
 void fail_allocation(std::int64_t countdown, bool forever) {
   failed = false;
@@ -41,7 +41,7 @@ void fail_allocation(std::int64_t countdown, bool forever) {
 
 bool allocation_failed() { return failed; }
 
-}  // namespace faults
+}  // namespace support
 
 void* operator new(std::size_t bytes) { return checked(allocated(bytes)); }
 void* operator new[](std::size_t bytes) { return checked(allocated(bytes)); }
