@@ -92,11 +92,11 @@ def speed_accuracy(results, file):
         for column, (key, label) in enumerate([('load_error', 'load'), ('pressure_error', 'pressure (L2)')]):
             curves = []
             for (solver, backend), line in groups(rows, 'solver', 'backend').items():
-                points = [(total_seconds(r), max(r[key], 1e-16)) for r in line]
+                points = [(total_seconds(r), max(r[key], 1e-15)) for r in line]
                 curves.append(f'{drawing.block(points)} with {style(pairs.index((solver, backend)))}')
             # An analytic truth shows the grid's error, never less.
-            floor, step = (1e-14, 100) if min(r[key] for r in rows) < 0.5 * grid[key] else (grid[key] / 100, 10)
-            settings = (f'set xrange [{lowest}:{highest}]\nset yrange [{floor}:1]\nset ytics 1e-16,{step},1\n'
+            floor, step = (1e-15, 1000) if min(r[key] for r in rows) < 0.5 * grid[key] else (grid[key] / 100, 10)
+            settings = (f'set xrange [{lowest}:{highest}]\nset yrange [{floor}:1]\nset ytics 1e-15,{step},1\n'
                         f'set xlabel "set-up and solve [s]" offset 0,0.4\nset ylabel "relative error" offset 1.2,0\n'
                         f'set object 1 rectangle from graph 0,0 to graph 1,first {grid[key]!r} '
                         f'fc rgb "{BAND}" fs solid noborder behind\n'

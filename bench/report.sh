@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# report.sh BUILD: runs both benchmarks of a finished build and renews bench/results, docs/images and the tables of docs/benchmarks.md.
+# report.sh BUILD: runs both benchmarks of a finished build and renews bench/results, docs/images and the tables of
+# docs/benchmarks.md.
 set -euo pipefail
 build=$(cd "${1:?usage: report.sh BUILD}" && pwd)
 cd "$(dirname "$0")/.."

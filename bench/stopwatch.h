@@ -30,4 +30,9 @@ template <class Call> CallTimes time_calls(double budget, const Call& call) {
   return {seconds.front(), seconds[seconds.size() / 2], static_cast<std::int64_t>(seconds.size())};
 }
 
+// The better of two series.
+inline void keep_best(CallTimes& best, const CallTimes& other) {
+  if (best.count == 0 || other.best < best.best) best = other;
+}
+
 }  // namespace bench

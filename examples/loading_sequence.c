@@ -21,7 +21,7 @@ int main(void) {
   rc_result_init(&result);
   result.p = pressure;
 
-  rc_contact *contact = NULL;
+  rc_contact* contact = NULL;
   rc_status status = rc_contact_create(&system, NULL, &contact);
   if (status == RC_OK) puts("  load [N]  approach [m]  area [%]  max p [Pa]  products with H");
   for (int k = 1; status == RC_OK && k <= 10; ++k) {
@@ -31,8 +31,8 @@ int main(void) {
     if (status != RC_OK) break;
     double largest = 0;
     for (int i = 0; i < N * N; ++i) largest = fmax(largest, pressure[i]);
-    printf("%10.4f  %12.4e  %8.2f  %10.3e  %15lld\n", result.load, result.displacement,
-           100.0 * (double)result.contacts / (N * N), largest, (long long)result.applications);
+    printf("%10.4f  %12.4e  %8.2f  %10.3e  %15lld\n", result.load, result.displacement, 100.0 * (double)result.contacts / (N * N),
+           largest, (long long)result.applications);
   }
   if (status != RC_OK) fprintf(stderr, "%s: %s\n", rc_status_name(status), rc_last_error());
   rc_contact_destroy(contact);

@@ -5,7 +5,7 @@
 
 enum { N = 64 };
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   static double gap[N * N];
   const double h = 4e-6, radius = 10e-3;
   for (int i = 0; i < N * N; ++i) {
@@ -23,7 +23,7 @@ int main(int argc, char **argv) {
   rc_result result;
   rc_result_init(&result);
 
-  rc_options *options = NULL;
+  rc_options* options = NULL;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, argc > 1 ? argv[1] : "auto");
   if (status == RC_OK) status = rc_solve(&system, &step, options, &result);

@@ -23,7 +23,8 @@ rc_status multiply(const Callback& self, const double* x, double* y) {
   if (self.system->apply(x, y, self.points(), self.system->user) != 0)
     return self.host->fail(self.host, RC_ERR_EXTERNAL, "callback: the caller's apply function reported failure");
   if (!std::all_of(y, y + self.points(), [](double value) { return std::isfinite(value); }))
-    return self.host->fail(self.host, RC_ERR_NUMERIC, "callback: the caller's apply function returned a value that is not finite");
+    return self.host->fail(self.host, RC_ERR_NUMERIC,
+                           "callback: the caller's apply function returned a value that is not finite");
   return RC_OK;
 }
 

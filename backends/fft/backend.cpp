@@ -1,7 +1,6 @@
 // Products with H by fast Fourier transforms on the bounding box of the points that may carry pressure.
-#include <roughcontact/plugin.h>
-
 #include <fftw3.h>
+#include <roughcontact/plugin.h>
 
 #include <cstring>
 #include <exception>
@@ -17,8 +16,7 @@ namespace rc_fft {
 namespace {
 
 // No exception leaves the backend. The message of a failed allocation is itself free of allocations.
-template <class Action>
-rc_status guard(const rc_host* host, Action action) {
+template <class Action> rc_status guard(const rc_host* host, Action action) {
   const char* const no_memory = "fft: out of memory; use a coarser grid or a smaller domain";
   try {
     action();
@@ -76,24 +74,22 @@ const rc_option_spec planning = {
     0.0,
     0.0};
 const rc_option_spec* const options[] = {&planning};
-const rc_backend backend = {
-    sizeof(rc_backend),
-    "fft",
-    "fast Fourier transforms (FFTW) on the box of the points that may carry pressure",
-    "GPL-2.0-or-later",
-    RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT,
-    1,
-    options,
-    create,
-    destroy,
-    bind,
-    apply,
-    field,
-    modelled,
-    nullptr};
+const rc_backend backend = {sizeof(rc_backend),
+                            "fft",
+                            "fast Fourier transforms (FFTW) on the box of the points that may carry pressure",
+                            "GPL-2.0-or-later",
+                            RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT,
+                            1,
+                            options,
+                            create,
+                            destroy,
+                            bind,
+                            apply,
+                            field,
+                            modelled,
+                            nullptr};
 const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "fft", "0.1.0", 1, 0, backends, nullptr};
+const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "fft", "0.1.0", 1, 0, backends, nullptr};
 
 }  // namespace
 

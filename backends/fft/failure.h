@@ -15,8 +15,7 @@ struct Failure {
 };
 
 // fail(RC_ERR_MEMORY, "cannot allocate ", n, " bytes"); the same text in every locale.
-template <class... Parts>
-[[noreturn]] void fail(rc_status code, const Parts&... parts) {
+template <class... Parts> [[noreturn]] void fail(rc_status code, const Parts&... parts) {
   std::ostringstream out;
   out.exceptions(std::ios::badbit);  // else the text would end silently where memory ran out
   out.imbue(std::locale::classic());

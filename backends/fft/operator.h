@@ -34,9 +34,9 @@ class Operator {
   Workers workers_;
   Workspace workspace_;
 
-  Box box_;        // that the domain's products are made on
-  Points points_;  // of the domain, in the box
-  Points whole_;   // all points of the grid
+  Box box_;                                  // that the domain's products are made on
+  Points points_;                            // of the domain, in the box
+  Points whole_;                             // all points of the grid
   std::optional<Transform> transform_;       // covers the box
   std::optional<Transform> grid_transform_;  // covers the grid, where the other does not
 };

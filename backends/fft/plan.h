@@ -1,9 +1,9 @@
 // FFTW plans. FFTW's planner is global to the process: plans are made and destroyed under the host's "fftw" lock.
 #pragma once
 
-#include "buffer.h"
-
 #include <fftw3.h>
+
+#include "buffer.h"
 
 namespace rc_fft {
 
@@ -27,8 +27,8 @@ class Plans {
   void destroy();
 
   const rc_host* host_;
-  fftw_plan forward_x_ = nullptr;   // real to complex, keeps its input
-  fftw_plan backward_x_ = nullptr;  // complex to real, destroys its input
+  fftw_plan forward_x_ = nullptr;                         // real to complex, keeps its input
+  fftw_plan backward_x_ = nullptr;                        // complex to real, destroys its input
   fftw_plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
 };
 

@@ -7,8 +7,7 @@ namespace rc_fft {
 namespace {
 
 // visit(entry, column, row) for the entries in order; divides only where a row begins.
-template <class Visit>
-void for_each_point(const rc_domain& domain, std::int64_t nx, const Visit& visit) {
+template <class Visit> void for_each_point(const rc_domain& domain, std::int64_t nx, const Visit& visit) {
   std::int64_t row = 0, row_start = 0;
   for (std::int64_t i = 0; i < domain.n; ++i) {
     if (domain.index[i] >= row_start + nx) {

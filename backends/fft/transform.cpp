@@ -14,8 +14,7 @@ constexpr double least_parallel = 16384;
 constexpr std::int64_t rows_per_item = 8;
 
 // A constant count for whole blocks lets the compiler unroll.
-template <class Copy>
-void with_width(std::int64_t width, const Copy& copy) {
+template <class Copy> void with_width(std::int64_t width, const Copy& copy) {
   if (width == columns_per_block)
     copy(std::integral_constant<std::int64_t, columns_per_block>{});
   else

@@ -22,8 +22,7 @@ class Workers {
   std::int64_t threads() const { return static_cast<std::int64_t>(helpers_.size()) + 1; }
 
   // task(item, thread) for 0 <= item < items, on this thread alone if not `parallel`. task must not throw.
-  template <class Task>
-  void for_each(std::int64_t items, bool parallel, const Task& task) {
+  template <class Task> void for_each(std::int64_t items, bool parallel, const Task& task) {
     if (!parallel || items < 2 || helpers_.empty()) {
       for (std::int64_t item = 0; item < items; ++item) task(item, 0);
       return;

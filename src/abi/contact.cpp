@@ -10,8 +10,7 @@ using namespace rc;
 rc_options options_or_defaults(const rc_options* options) { return options ? *options : rc_options{Context::standard(), {}}; }
 
 // One thread at a time: a second one is told so instead of racing.
-template <class Body>
-rc_status exclusively(const char* where, rc_contact* contact, const Body& body) {
+template <class Body> rc_status exclusively(const char* where, rc_contact* contact, const Body& body) {
   return guard(where, [&] {
     if (!contact) fail(RC_ERR_ARGUMENT, "contact is null");
     Contact& c = contact->contact;
@@ -24,8 +23,7 @@ rc_status exclusively(const char* where, rc_contact* contact, const Body& body) 
   });
 }
 
-template <class Body>
-rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
+template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
   const rc_step today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
   rc_result defaults{};
   rc_result_init(&defaults);

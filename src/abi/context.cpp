@@ -19,8 +19,7 @@ void check_index(std::int64_t i, std::size_t count) {
   if (i < 0 || i >= static_cast<std::int64_t>(count)) fail(RC_ERR_ARGUMENT, "i = ", i, " is outside 0 .. ", count, " - 1");
 }
 
-template <class List>
-std::int64_t count_of(const char* where, const List& list) {
+template <class List> std::int64_t count_of(const char* where, const List& list) {
   std::int64_t count = 0;
   guard(where, [&] {
     count = static_cast<std::int64_t>(list().size());
@@ -29,8 +28,7 @@ std::int64_t count_of(const char* where, const List& list) {
   return count;
 }
 
-template <class List>
-rc_status describe(const char* where, const List& list, std::int64_t i, rc_component* out) {
+template <class List> rc_status describe(const char* where, const List& list, std::int64_t i, rc_component* out) {
   return guard(where, [&] {
     check_size(out, "rc_component");
     const auto all = list();
@@ -75,13 +73,15 @@ int64_t rc_backend_count(rc_context* context) {
   return count_of("rc_backend_count", [&] { return context_of(context)->backends(); });
 }
 rc_status rc_backend_describe(rc_context* context, int64_t i, rc_component* out) {
-  return describe("rc_backend_describe", [&] { return context_of(context)->backends(); }, i, out);
+  return describe(
+      "rc_backend_describe", [&] { return context_of(context)->backends(); }, i, out);
 }
 int64_t rc_solver_count(rc_context* context) {
   return count_of("rc_solver_count", [&] { return context_of(context)->solvers(); });
 }
 rc_status rc_solver_describe(rc_context* context, int64_t i, rc_component* out) {
-  return describe("rc_solver_describe", [&] { return context_of(context)->solvers(); }, i, out);
+  return describe(
+      "rc_solver_describe", [&] { return context_of(context)->solvers(); }, i, out);
 }
 int64_t rc_kernel_count(rc_context*) { return static_cast<int64_t>(kernel::all().size()); }
 rc_status rc_kernel_describe(rc_context*, int64_t i, rc_component* out) {
@@ -94,14 +94,14 @@ rc_status rc_kernel_describe(rc_context*, int64_t i, rc_component* out) {
   });
 }
 
-rc_status rc_pair_supported(rc_context* context, const char* solver, const char* backend, const rc_system* system, int32_t control,
-                            const rc_options* options) {
+rc_status rc_pair_supported(rc_context* context, const char* solver, const char* backend, const rc_system* system,
+                            int32_t control, const rc_options* options) {
   return guard("rc_pair_supported", [&] {
     if (!solver || !backend) fail(RC_ERR_ARGUMENT, "solver or backend is null");
-    if (control != RC_CONTROL_DISPLACEMENT && control != RC_CONTROL_LOAD) fail(RC_ERR_ARGUMENT, "control = ", control, " is neither 1 nor 2");
+    if (control != RC_CONTROL_DISPLACEMENT && control != RC_CONTROL_LOAD)
+      fail(RC_ERR_ARGUMENT, "control = ", control, " is neither 1 nor 2");
     const rc_options given = options ? *options : rc_options{context_of(context), {}};
-    const System checked =
-        checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given.text(RC_OPT_KERNEL), false);
+    const System checked = checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given.text(RC_OPT_KERNEL), false);
     Context& registry = *context_of(context);
     const std::string reason =
         obstacle(registry.solver(solver), registry.backend(backend), checked, control, given.integer(RC_OPT_ALLOW_FALLBACK) != 0);

@@ -3,8 +3,7 @@
 
 namespace {
 
-template <class Number>
-void give(Number* to, Number value) {
+template <class Number> void give(Number* to, Number value) {
   if (to) *to = value;
 }
 

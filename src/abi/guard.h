@@ -9,8 +9,7 @@
 
 namespace rc {
 
-template <class Body>
-rc_status guard(const char* where, const Body& body) {
+template <class Body> rc_status guard(const char* where, const Body& body) {
   clear_message();
   // Free of allocations: it may be the allocation that failed.
   const auto failed = [&](rc_status code, const char* what) {

@@ -7,8 +7,7 @@ namespace {
 
 using namespace rc;
 
-template <class Body>
-rc_status with_spec(const char* where, const rc_options* options, const char* key, const Body& body) {
+template <class Body> rc_status with_spec(const char* where, const rc_options* options, const char* key, const Body& body) {
   return guard(where, [&] {
     if (!options || !key) fail(RC_ERR_ARGUMENT, options ? "key" : "options", " is null");
     body(options->context->option(key));
@@ -16,8 +15,7 @@ rc_status with_spec(const char* where, const rc_options* options, const char* ke
   });
 }
 
-template <class Type>
-rc_status get(const char* where, const rc_options* options, const char* key, Type* out) {
+template <class Type> rc_status get(const char* where, const rc_options* options, const char* key, Type* out) {
   return with_spec(where, options, key, [&](const OptionSpec& spec) {
     if (!out) fail(RC_ERR_ARGUMENT, "out is null");
     const Type* value = std::get_if<Type>(&options->values.get(spec));

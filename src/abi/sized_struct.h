@@ -9,31 +9,25 @@
 namespace rc {
 
 // Sizes when the structs were first released. Literals: they must not follow today's sizeof.
-template <class Struct>
-inline constexpr std::size_t first_size = 0;
-template <>
-inline constexpr std::size_t first_size<rc_system> = 88;
-template <>
-inline constexpr std::size_t first_size<rc_step> = 48;
-template <>
-inline constexpr std::size_t first_size<rc_result> = 432;
-template <>
-inline constexpr std::size_t first_size<rc_context_config> = 40;
-template <>
-inline constexpr std::size_t first_size<rc_component> = 40;
-template <>
-inline constexpr std::size_t first_size<rc_option_spec> = 64;
+template <class Struct> inline constexpr std::size_t first_size = 0;
+template <> inline constexpr std::size_t first_size<rc_system> = 88;
+template <> inline constexpr std::size_t first_size<rc_step> = 48;
+template <> inline constexpr std::size_t first_size<rc_result> = 432;
+template <> inline constexpr std::size_t first_size<rc_context_config> = 40;
+template <> inline constexpr std::size_t first_size<rc_component> = 40;
+template <> inline constexpr std::size_t first_size<rc_option_spec> = 64;
 
-template <class Struct>
-void check_size(const Struct* from, const char* name) {
+template <class Struct> void check_size(const Struct* from, const char* name) {
   if (!from) fail(RC_ERR_ARGUMENT, name, " is null");
   const std::size_t size = from->struct_size;
   if (size < first_size<Struct>)
-    fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, " is smaller than ", first_size<Struct>, "; set it to sizeof(", name, ")");
+    fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, " is smaller than ", first_size<Struct>, "; set it to sizeof(", name,
+         ")");
   const auto* bytes = reinterpret_cast<const unsigned char*>(from);
   // A size beyond any plausible growth is an uninitialised field, and must not be read through.
   if (size > sizeof(Struct) + 4096)
-    fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, " is larger than ", sizeof(Struct) + 4096, "; set it to sizeof(", name, ")");
+    fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, " is larger than ", sizeof(Struct) + 4096, "; set it to sizeof(", name,
+         ")");
   for (std::size_t i = sizeof(Struct); i < size; ++i)
     if (bytes[i] != 0)
       fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, ": bytes beyond the ", sizeof(Struct),
@@ -41,8 +35,7 @@ void check_size(const Struct* from, const char* name) {
 }
 
 // Members that an older caller does not know keep the values of `defaults`.
-template <class Struct>
-Struct read(const Struct* from, const char* name, const Struct& defaults) {
+template <class Struct> Struct read(const Struct* from, const char* name, const Struct& defaults) {
   check_size(from, name);
   Struct copy = defaults;
   std::memcpy(&copy, from, std::min(from->struct_size, sizeof(Struct)));
@@ -51,8 +44,7 @@ Struct read(const Struct* from, const char* name, const Struct& defaults) {
 }
 
 // Writes as much as the caller knows; its struct_size stays.
-template <class Struct>
-void write(Struct* to, const Struct& value) {
+template <class Struct> void write(Struct* to, const Struct& value) {
   const std::size_t size = to->struct_size;
   std::memcpy(to, &value, std::min(size, sizeof(Struct)));
   to->struct_size = size;

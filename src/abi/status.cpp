@@ -2,9 +2,9 @@
 
 extern "C" const char* rc_status_name(rc_status status) {
   switch (status) {
-#define RC_STATUS(name, value, text)                           \
+#define RC_STATUS(name, value, text)                                    \
   static_assert(name == value, "status.def disagrees with the header"); \
-  case name:                                                   \
+  case name:                                                            \
     return #name;
 #include "core/status.def"
 #undef RC_STATUS

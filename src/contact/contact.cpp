@@ -16,7 +16,8 @@ Contact::Contact(const rc_system& system, const rc_options& options)
 void Contact::check_names(const rc_options& options) const {
   const std::string& solver = options.text(RC_OPT_SOLVER);
   if (solver != "auto") options.context->solver(solver);
-  if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty()) options.context->backend(certifier);
+  if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty())
+    options.context->backend(certifier);
   if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system_, RC_CONTROL_DISPLACEMENT, {});
 }
 
@@ -42,8 +43,8 @@ std::optional<SurfaceState> Contact::given_surface(const rc_step& step) const {
   const auto n = static_cast<std::size_t>(system_.points());
   if (!step.gap && surface_.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");
   if (!step.gap && !step.mask) return std::nullopt;
-  const std::vector<double> gap = step.gap ? std::vector<double>(step.gap, step.gap + n)
-                                           : std::vector<double>(surface_.gap().begin(), surface_.gap().end());
+  const std::vector<double> gap =
+      step.gap ? std::vector<double>(step.gap, step.gap + n) : std::vector<double>(surface_.gap().begin(), surface_.gap().end());
   SurfaceState fresh;
   fresh.set(gap, {step.mask, step.mask ? n : 0});
   return fresh;
@@ -54,7 +55,8 @@ void Contact::check_target(const rc_step& step, const SurfaceState& surface) con
     fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.control, " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
   if (!std::isfinite(step.target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", step.target, " is not finite");
   if (step.control == RC_CONTROL_LOAD && step.target < 0)
-    fail(RC_ERR_INFEASIBLE, "load = ", step.target, " is negative; a contact without adhesion cannot pull, the smallest load is 0");
+    fail(RC_ERR_INFEASIBLE, "load = ", step.target,
+         " is negative; a contact without adhesion cannot pull, the smallest load is 0");
   if (step.control == RC_CONTROL_LOAD && step.target > 0 && surface.included_points() == 0)
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " but every point is excluded by the mask");
   if (step.control == RC_CONTROL_DISPLACEMENT && system_.periodic() && surface.whole() && step.target > surface.lowest() &&
@@ -108,7 +110,8 @@ rc_status Contact::solve(const rc_step& step, rc_result& result) {
 TrialSet Contact::trial_below(double limit) const { return system_.positive ? surface_.below(limit) : surface_.all(); }
 
 Choice Contact::choose_for(const TrialSet& trial, std::int32_t control) const {
-  const Counts counts{trial.n, box_points(trial, system_.given.nx, system_.given.ny), system_.points(), options_.real(RC_OPT_TOL)};
+  const Counts counts{trial.n, box_points(trial, system_.given.nx, system_.given.ny), system_.points(),
+                      options_.real(RC_OPT_TOL)};
   return choose(options_, system_, control, counts);
 }
 
@@ -116,7 +119,8 @@ Operator& Contact::bound_operator(const rc_backend& backend, const TrialSet& tri
   const auto begun = Clock::now();
   auto it = operators_.find(backend.name);
   if (it == operators_.end()) {
-    auto made = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_, system_.operator_scale);
+    auto made = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_,
+                                           system_.operator_scale);
     it = operators_.emplace(backend.name, std::move(made)).first;
   }
   it->second->bind(trial);
@@ -140,7 +144,8 @@ std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, d
   std::vector<double> p(static_cast<std::size_t>(trial.n), 0.0);
   const double* from = step.p0 ? step.p0 : step.warm_start && !last_.p.empty() ? last_.p.data() : nullptr;
   if (from)
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = std::max(0.0, from[trial.point(static_cast<std::int64_t>(i))] / pressure_unit);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = std::max(0.0, from[trial.point(static_cast<std::int64_t>(i))] / pressure_unit);
   return p;
 }
 
@@ -152,7 +157,8 @@ Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
   answer.approach = step.target;
   std::vector<double> u(answer.p.size());
   for (std::size_t i = 0; i < u.size(); ++i)
-    u[i] = (step.target - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
+    u[i] =
+        (step.target - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
   double unused = 0;
   answer.status = run(answer, monitor)(step.control, u, 0, options_.real(RC_OPT_TOL), answer.p, unused);
   return answer;

@@ -88,8 +88,8 @@ class Contact {
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   ProgressCallback progress_;
   std::atomic<bool> busy_{false}, cancelled_{false};
-  double setup_seconds_ = 0;             // of this step
-  std::int64_t applications_before_ = 0; // this step
+  double setup_seconds_ = 0;              // of this step
+  std::int64_t applications_before_ = 0;  // this step
 };
 
 }  // namespace rc

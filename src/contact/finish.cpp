@@ -13,14 +13,12 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-template <std::size_t size>
-void copy_text(char (&to)[size], const char* text) {
-  std::snprintf(to, size, "%s", text);
-}
+template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
 
 std::string explain(rc_status status, const rc_result& result, double tol) {
-  return join(rc_status_text(status), ": kkt_primal ", result.kkt_primal, ", kkt_dual ", result.kkt_dual, ", kkt_complementarity ",
-              result.kkt_complementarity, ", kkt_control ", result.kkt_control, ", tol ", tol, ", after ", result.iterations, " iterations");
+  return join(rc_status_text(status), ": kkt_primal ", result.kkt_primal, ", kkt_dual ", result.kkt_dual,
+              ", kkt_complementarity ", result.kkt_complementarity, ", kkt_control ", result.kkt_control, ", tol ", tol,
+              ", after ", result.iterations, " iterations");
 }
 
 }  // namespace
@@ -32,7 +30,8 @@ void Contact::name_components(const Answer& answer, rc_result& result) const {
   copy_text(result.backend, answer.choice.backend ? answer.choice.backend->name : "none");
   if (!answer.choice.solver || !answer.op || answer.op->has_subset()) return;
   if ((answer.choice.solver->needs & RC_CAP_SUBSET) != 0)
-    copy_text(result.note, join("systems on subsets by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor").c_str());
+    copy_text(result.note,
+              join("systems on subsets by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor").c_str());
 }
 
 // dW/dd = hx hy 1' H_CC^-1 1 on the contact set C.
@@ -56,8 +55,8 @@ double Contact::stiffness(const Answer& answer) const {
   return sum * system_.cell_area() / system_.length_per_pressure;
 }
 
-rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
-                                    rc_result& result) const {
+rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product,
+                                    double approach, rc_result& result) const {
   const std::span<const double> h = surface_.gap();
   double sum = 0, work = 0;
   std::int64_t contacts = 0;
@@ -72,7 +71,8 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
   Certificate certificate = certify(surface_, approach, p, product, gap);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
   if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(work * area))
-    fail(RC_ERR_NUMERIC, "the answer is not finite: the operator returned values that are not finite, or the units are such that ",
+    fail(RC_ERR_NUMERIC,
+         "the answer is not finite: the operator returned values that are not finite, or the units are such that ",
          "pressures, load or energy exceed double precision");
 
   result.reserved = 0;

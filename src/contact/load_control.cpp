@@ -1,5 +1,5 @@
-// Load control: a trial set that surely holds the contact set, and for solvers that only know displacement control an iteration on
-// the approach.
+// Load control: a trial set that surely holds the contact set, and for solvers that only know displacement control an iteration
+// on the approach.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,22 +13,21 @@ namespace rc {
 
 namespace {
 
-constexpr int most_rounds = 8;        // of enlarging the trial set
-constexpr int most_approaches = 80;   // of the iteration on the approach
+constexpr int most_rounds = 8;       // of enlarging the trial set
+constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
 constexpr double margin = 1.05;
 
 }  // namespace
 
-// Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's share
-// of a flat punch of that area. It is near the truth for one asperity and larger for many (1.0 to 1.6 times on measured surfaces);
-// where it is too small the trial set grows. Between two loads on the same surface the approach grows at most in proportion,
-// because the load is a convex function of the approach.
+// Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
+// share of a flat punch of that area. It is near the truth for one asperity and larger for many (1.0 to 1.6 times on measured
+// surfaces); where it is too small the trial set grows. Between two loads on the same surface the approach grows at most in
+// proportion, because the load is a convex function of the approach.
 double Contact::approach_estimate(double load, bool warm) const {
   const rc_system& s = system_.given;
   double height = margin * surface_.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
-  if (warm)
-    height = std::min(height, growth * (last_.approach - surface_.lowest()) * std::max(1.0, load / last_.load));
+  if (warm) height = std::min(height, growth * (last_.approach - surface_.lowest()) * std::max(1.0, load / last_.load));
   return height;
 }
 
@@ -45,9 +44,11 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
     Answer answer = prepare(trial, step.control, height);
     const bool direct = (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     if (system_.periodic() && !direct) {
-      // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full contact.
+      // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
+      // contact.
       const rc_system& unit = system_.unit;
-      trial.zero_mode = std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny)) / std::numbers::pi;
+      trial.zero_mode =
+          std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny)) / std::numbers::pi;
     }
     answer.op = &bound_operator(*answer.choice.backend, trial);
     answer.p = start(from, trial, answer.pressure_unit);
@@ -89,7 +90,8 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
   std::vector<double> height(n), u(n), ones, rate;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < n; ++i)
-    height[i] = (surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] - lowest) / answer.length_unit;
+    height[i] =
+        (surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] - lowest) / answer.length_unit;
 
   double low = 0, high = std::numeric_limits<double>::infinity(), d = first + shift;
   for (int k = 0; k < most_approaches; ++k) {
@@ -118,7 +120,8 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     for (const double value : rate) slope += value;
     double next = d + (load - sum) / slope;
     if (next == d) return RC_OK;  // as near as double precision comes; the certificate decides
-    if (!(next > low && next < high)) next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : std::max(2 * d, 1.0);
+    if (!(next > low && next < high))
+      next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : std::max(2 * d, 1.0);
     for (std::size_t i = 0; i < contact.size(); ++i) {
       double& p = answer.p[static_cast<std::size_t>(contact[i])];
       p = std::max(0.0, p + (next - d) * rate[i]);

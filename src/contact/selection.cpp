@@ -17,7 +17,9 @@ const char* kind_of(const System& system) {
   return system.periodic() ? "periodic boundaries" : "free boundaries";
 }
 
-bool fits(const rc_backend& backend, const System& system) { return (backend.caps & system.needed_caps()) == system.needed_caps(); }
+bool fits(const rc_backend& backend, const System& system) {
+  return (backend.caps & system.needed_caps()) == system.needed_caps();
+}
 bool factors(const rc_backend& backend) { return (backend.caps & RC_CAP_SUBSET) != 0; }
 
 // Operations of a direct solve: assembly, about six factorisations of a third of the candidates, and a certificate that sums over
@@ -33,7 +35,7 @@ double transform_cost(const Counts& c) {
   return 100 * product(static_cast<double>(c.box)) + product(static_cast<double>(c.points));
 }
 
-constexpr double exact_tol = 1e-12;            // below this, iterations come near the limit of double precision
+constexpr double exact_tol = 1e-12;              // below this, iterations come near the limit of double precision
 constexpr std::int64_t exact_candidates = 4096;  // up to which an exact solve is always affordable
 
 // A factoring backend with an exact solver, or iterations on a matrix-free one.
@@ -88,7 +90,8 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
 
 }  // namespace
 
-std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control, bool fallbacks) {
+std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
+                     bool fallbacks) {
   if (!fits(backend, system)) return join("backend \"", backend.name, "\" cannot do ", kind_of(system));
   const bool replaced = !factors(backend);
   if ((solver.needs & RC_CAP_SUBSET) && replaced && !fallbacks)

@@ -24,7 +24,8 @@ struct Choice {
 };
 
 // Why this pair cannot solve this system under this control; "" if it can.
-std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control, bool fallbacks);
+std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
+                     bool fallbacks);
 
 // Throws Error(NO_SOLVER, NO_BACKEND, INCOMPATIBLE, PLUGIN).
 Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts);

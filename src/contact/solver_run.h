@@ -19,7 +19,8 @@ struct SolverRun {
 
   // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
   // p and d: start in, answer out. Throws Error for a status < 0.
-  rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, std::vector<double>& p, double& d) const;
+  rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, std::vector<double>& p,
+                       double& d) const;
 };
 
 }  // namespace rc

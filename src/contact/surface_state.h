@@ -22,9 +22,9 @@ class SurfaceState {
   bool included(std::size_t i) const { return mask_.empty() || mask_[i] != 0; }
   std::int64_t included_points() const { return included_points_; }
   bool whole() const { return mask_.empty() || included_points_ == static_cast<std::int64_t>(gap_.size()); }
-  double lowest() const { return lowest_; }    // smallest gap of the included points
+  double lowest() const { return lowest_; }  // smallest gap of the included points
   double highest() const { return highest_; }
-  double mean() const;                         // of the included points
+  double mean() const;  // of the included points
 
   // Included points with gap < limit.
   TrialSet below(double limit) const;

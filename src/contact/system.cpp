@@ -19,12 +19,13 @@ constexpr double symmetric = 1e-12;  // largest |H_ij - H_ji| relative to the la
 constexpr std::int64_t most_points = std::numeric_limits<std::int64_t>::max() / 1024;
 
 void check_length(double value, const char* name) {
-  if (!(std::isfinite(value) && value > 0)) fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length");
+  if (!(std::isfinite(value) && value > 0))
+    fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length");
 }
 
 std::string resolved_kernel(const rc_system& system, const std::string& option) {
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
-  const std::string name = option == "auto" ? (periodic ? "spectral" : "love") : option;
+  std::string name = option == "auto" ? (periodic ? "spectral" : "love") : option;
   const kernel::Kernel* found = kernel::find(name);
   if (!found) {
     std::vector<std::string> names{"auto"};
@@ -108,13 +109,15 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
   check_length(system.hx, "hx");
   check_length(system.hy, "hy");
   if (!std::isnormal(system.hx * system.hy))
-    fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy, " is beyond double precision; choose other units");
+    fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy,
+         " is beyond double precision; choose other units");
 
   System result{system, system, "", 1, 1, true};
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
       if (system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
-        fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary, " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");
+        fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary,
+             " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");
       if (!(std::isfinite(system.modulus) && system.modulus > 0))
         fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus, " must be positive and finite (contact modulus E*)");
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
@@ -124,7 +127,8 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       result.unit.modulus = 1;
       result.length_per_pressure = cell / system.modulus;
       if (!std::isnormal(result.length_per_pressure))
-        fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus, " is beyond double precision; choose other units");
+        fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus,
+             " is beyond double precision; choose other units");
       result.positive = !result.periodic();
       break;
     }
@@ -133,7 +137,8 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       if (system.dense_ld < result.points())
         fail(RC_ERR_SHAPE, "rc_system.dense_ld = ", system.dense_ld, " must be >= n = ", result.points());
       if (system.dense_ld > most_points / result.points())
-        fail(RC_ERR_SHAPE, "dense matrix: n*dense_ld = ", result.points(), " * ", system.dense_ld, " is more than ", most_points, " entries");
+        fail(RC_ERR_SHAPE, "dense matrix: n*dense_ld = ", result.points(), " * ", system.dense_ld, " is more than ", most_points,
+             " entries");
       if (probe) probe_dense(result);
       break;
     case RC_OPERATOR_CALLBACK:

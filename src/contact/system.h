@@ -8,12 +8,12 @@
 namespace rc {
 
 struct System {
-  rc_system given;        // as the caller described it
-  rc_system unit;         // HALFSPACE: modulus 1 and cells of unit area; else as given
-  std::string kernel;     // resolved name, "" without a half-space
+  rc_system given;                 // as the caller described it
+  rc_system unit;                  // HALFSPACE: modulus 1 and cells of unit area; else as given
+  std::string kernel;              // resolved name, "" without a half-space
   double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
   double operator_scale = 1;       // what products of `unit` must be divided by to be dimensionless
-  bool positive = true;   // H has no negative entries, so points with gap >= d carry no pressure
+  bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
 
   std::int64_t points() const { return given.nx * given.ny; }
   double cell_area() const { return given.hx * given.hy; }

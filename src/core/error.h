@@ -22,10 +22,7 @@ class Error : public std::exception {
 };
 
 // fail(RC_ERR_SHAPE, "nx = ", nx, " must be >= 1")
-template <class... Parts>
-[[noreturn]] void fail(rc_status code, const Parts&... parts) {
-  throw Error(code, join(parts...));
-}
+template <class... Parts> [[noreturn]] void fail(rc_status code, const Parts&... parts) { throw Error(code, join(parts...)); }
 
 // The calling thread's message. Fixed storage, so that it works when memory has run out.
 const char* last_message();

@@ -35,12 +35,12 @@ constexpr std::size_t first_spec_size = 64;
 OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component) {
   const std::string prefix = join(component, ".");
   if (spec.struct_size < first_spec_size || !spec.key || std::strncmp(spec.key, prefix.c_str(), prefix.size()) != 0)
-    fail(RC_ERR_PLUGIN, "component \"", component, "\" declares the option \"", spec.key ? spec.key : "", "\"; its keys must start with \"",
-         prefix, "\"");
+    fail(RC_ERR_PLUGIN, "component \"", component, "\" declares the option \"", spec.key ? spec.key : "",
+         "\"; its keys must start with \"", prefix, "\"");
   if (!spec.default_value || !spec.help || spec.type < RC_TYPE_INT || spec.type > RC_TYPE_TEXT)
     fail(RC_ERR_PLUGIN, "option \"", spec.key, "\" lacks a default, a help text or a type");
-  OptionSpec copy{spec.key, spec.default_value, spec.help, {}, spec.choices ? spec.choices : "", spec.type, spec.fixed != 0,
-                  spec.minimum, spec.maximum};
+  OptionSpec copy{spec.key,  spec.default_value, spec.help,    {},          spec.choices ? spec.choices : "",
+                  spec.type, spec.fixed != 0,    spec.minimum, spec.maximum};
   if (spec.choices) copy.choices = split(spec.choices, '|');
   try {
     parsed_value(copy, copy.default_value);
@@ -68,15 +68,16 @@ OptionValue checked_value(const OptionSpec& spec, const OptionValue& value) {
     return value;
   }
   if (spec.type == RC_TYPE_REAL && !std::holds_alternative<std::string>(value)) {
-    const double real = std::holds_alternative<double>(value) ? std::get<double>(value)
-                                                              : static_cast<double>(std::get<std::int64_t>(value));
+    const double real =
+        std::holds_alternative<double>(value) ? std::get<double>(value) : static_cast<double>(std::get<std::int64_t>(value));
     check_range(spec, real);
     return real;
   }
   if (spec.type == RC_TYPE_TEXT && std::holds_alternative<std::string>(value)) {
     const std::string& text = std::get<std::string>(value);
     if (!spec.choices.empty() && std::find(spec.choices.begin(), spec.choices.end(), text) == spec.choices.end())
-      fail(RC_ERR_OPTION, "option \"", spec.key, "\" = \"", text, "\" is none of ", spec.choices_text, suggestion(text, spec.choices));
+      fail(RC_ERR_OPTION, "option \"", spec.key, "\" = \"", text, "\" is none of ", spec.choices_text,
+           suggestion(text, spec.choices));
     return value;
   }
   fail(RC_ERR_OPTION, "option \"", spec.key, "\" takes ", type_name(spec.type));
@@ -93,7 +94,7 @@ OptionValue parsed_value(const OptionSpec& spec, std::string_view text) {
   fail(RC_ERR_OPTION, "option \"", spec.key, "\" takes ", type_name(spec.type), ", not \"", text, "\"");
 }
 
-void OptionSet::set(const OptionSpec& spec, OptionValue value) { values_[spec.key] = checked_value(spec, value); }
+void OptionSet::set(const OptionSpec& spec, const OptionValue& value) { values_[spec.key] = checked_value(spec, value); }
 
 const OptionValue& OptionSet::get(const OptionSpec& spec) const {
   const auto it = values_.find(spec.key);

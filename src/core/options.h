@@ -51,7 +51,7 @@ OptionValue parsed_value(const OptionSpec& spec, std::string_view text);
 // Values that differ from the defaults.
 class OptionSet {
  public:
-  void set(const OptionSpec& spec, OptionValue value);
+  void set(const OptionSpec& spec, const OptionValue& value);
   // The value, or the default. The reference lives until the key is set again.
   const OptionValue& get(const OptionSpec& spec) const;
   std::int64_t integer(const OptionSpec& spec) const { return std::get<std::int64_t>(get(spec)); }

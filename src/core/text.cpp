@@ -18,8 +18,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 namespace {
 
-template <class Number>
-std::optional<Number> parse(std::string_view text) {
+template <class Number> std::optional<Number> parse(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -11,8 +11,7 @@
 
 namespace rc {
 
-template <class... Parts>
-std::string join(const Parts&... parts) {
+template <class... Parts> std::string join(const Parts&... parts) {
   std::ostringstream out;
   out.exceptions(std::ios::badbit);  // else a text, or a path, would end silently where memory ran out
   out.imbue(std::locale::classic());

@@ -26,8 +26,8 @@ struct TrialSet {
 class Operator {
  public:
   // `options` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
-  Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel, const rc_options& options,
-           double scale);
+  Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
+           const rc_options& options, double scale);
   ~Operator();
   Operator(const Operator&) = delete;
   Operator& operator=(const Operator&) = delete;
@@ -39,8 +39,8 @@ class Operator {
   // Asked before every product; a status other than 0 stops it.
   void watch(std::function<rc_status()> ask) { ask_ = std::move(ask); }
 
-  rc_status apply(const double* x, double* y);                    // y = H[T,T] x
-  void field(std::span<const double> x, std::span<double> y);     // y = H[all,T] x
+  rc_status apply(const double* x, double* y);                 // y = H[T,T] x
+  void field(std::span<const double> x, std::span<double> y);  // y = H[all,T] x
   std::int64_t modelled() { return backend_.modelled(self_); }
 
   // H[a,a] x = b for ascending positions a in the trial set: the backend's factorisation, or conjugate gradients on `apply`.

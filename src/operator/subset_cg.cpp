@@ -9,9 +9,9 @@ namespace rc {
 
 namespace {
 
-constexpr double attained = 1e-15;     // relative residual at which a double precision product has nothing more to give
-constexpr int patience = 40;           // iterations without a new smallest residual
-constexpr double acceptable = 1e-11;   // above this, stopping early is a failure
+constexpr double attained = 1e-15;    // relative residual at which a double precision product has nothing more to give
+constexpr int patience = 40;          // iterations without a new smallest residual
+constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
 
 }  // namespace
 

@@ -34,8 +34,7 @@ namespace {
 constexpr std::size_t first_plugin_size = 64;
 
 // The members that the component's header knew, the rest null.
-template <class Vtable>
-Vtable zero_filled(const Vtable& vtable) {
+template <class Vtable> Vtable zero_filled(const Vtable& vtable) {
   Vtable copy{};
   std::memcpy(&copy, &vtable, std::min(vtable.struct_size, sizeof copy));
   return copy;
@@ -70,7 +69,8 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
   if (!vtable) fail(RC_ERR_PLUGIN, "a component is null");
   const Vtable copy = zero_filled(*vtable);
   if (!copy.name || !is_component_name(copy.name))
-    fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "", "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
+    fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "",
+         "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
   if (!copy.summary || !copy.license) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" lacks a summary or a licence");
   if (find(backends_, copy.name) || find(solvers_, copy.name))
     fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
@@ -86,7 +86,8 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
 void Context::add(const rc_plugin& plugin, const std::string& origin) {
   const std::lock_guard lock(mutex_);
   if (plugin.struct_size < first_plugin_size || !plugin.name)
-    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", plugin.struct_size, " is smaller than ", first_plugin_size, ", or it has no name");
+    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", plugin.struct_size, " is smaller than ", first_plugin_size,
+         ", or it has no name");
   if (plugin.abi_major != RC_PLUGIN_ABI_MAJOR)
     fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, ") has plugin ABI ", plugin.abi_major, ", this library has ",
          RC_PLUGIN_ABI_MAJOR, "; rebuild it against the installed headers");
@@ -142,7 +143,8 @@ void Context::load_all() {
 }
 
 template <class Vtable>
-const Vtable& Context::get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind) {
+const Vtable& Context::get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing,
+                           const char* kind) {
   const std::lock_guard lock(mutex_);
   if (const auto* component = find(components, name)) return component->vtable;
   if (is_component_name(name) && load(std::string(name)))
@@ -163,11 +165,11 @@ const rc_solver& Context::solver(std::string_view name) { return get(solvers_, n
 
 namespace {
 
-template <class Vtable>
-std::vector<const Component<Vtable>*> sorted(const std::deque<Component<Vtable>>& components) {
+template <class Vtable> std::vector<const Component<Vtable>*> sorted(const std::deque<Component<Vtable>>& components) {
   std::vector<const Component<Vtable>*> result;
   for (const auto& component : components) result.push_back(&component);
-  std::sort(result.begin(), result.end(), [](const auto* a, const auto* b) { return std::strcmp(a->vtable.name, b->vtable.name) < 0; });
+  std::sort(result.begin(), result.end(),
+            [](const auto* a, const auto* b) { return std::strcmp(a->vtable.name, b->vtable.name) < 0; });
   return result;
 }
 

@@ -22,8 +22,7 @@ struct Host : rc_host {
   const Context* context;
 };
 
-template <class Vtable>
-struct Component {
+template <class Vtable> struct Component {
   Vtable vtable;  // members that an older plugin lacks are null
   std::string origin;
 };

@@ -16,8 +16,7 @@ namespace rc {
 namespace {
 
 // Components are C: exceptions stay on this side.
-template <class Body>
-rc_status shielded(const Body& body) {
+template <class Body> rc_status shielded(const Body& body) {
   try {
     body();
     return RC_OK;

@@ -57,21 +57,23 @@ struct Close {
 void check_owner(const struct stat& info, const std::string& path) {
   if (info.st_mode & S_IWOTH) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is world-writable; chmod o-w it");
   if (info.st_uid != 0 && info.st_uid != geteuid())
-    fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is owned by user ", info.st_uid, ", neither root nor the current user ", geteuid());
+    fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is owned by user ", info.st_uid, ", neither root nor the current user ",
+         geteuid());
 }
 
 // The system's loader maps what the file header promises; touching a part that is missing would kill the process.
 void check_complete(int file, std::int64_t size, const std::string& path) {
   ElfW(Ehdr) header{};
-  if (pread(file, &header, sizeof header, 0) != static_cast<ssize_t>(sizeof header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 ||
-      header.e_phentsize != sizeof(ElfW(Phdr)))
+  if (pread(file, &header, sizeof header, 0) != static_cast<ssize_t>(sizeof header) ||
+      std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_phentsize != sizeof(ElfW(Phdr)))
     fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a shared object of this machine");
   for (int i = 0; i < header.e_phnum; ++i) {
     ElfW(Phdr) segment{};
     const auto at = static_cast<off_t>(header.e_phoff + static_cast<std::size_t>(i) * sizeof segment);
     const bool known = pread(file, &segment, sizeof segment, at) == static_cast<ssize_t>(sizeof segment);
     const auto available = static_cast<std::uint64_t>(size);
-    if (!known || segment.p_offset > available || (segment.p_type != PT_GNU_STACK && segment.p_filesz > available - segment.p_offset))
+    if (!known || segment.p_offset > available ||
+        (segment.p_type != PT_GNU_STACK && segment.p_filesz > available - segment.p_offset))
       fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is incomplete, it has only ", size, " bytes; copy it again");
   }
 }
@@ -80,8 +82,9 @@ void check_complete(int file, std::int64_t size, const std::string& path) {
 
 bool is_component_name(std::string_view name) {
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
-  return !name.empty() && name.size() <= 31 && letter(name[0]) &&
-         std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; });
+  return !name.empty() && name.size() <= 31 && letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
 }
 
 std::vector<std::string> plugin_directories(const ContextConfig& config, const Context& context) {
@@ -95,7 +98,7 @@ std::vector<std::string> plugin_directories(const ContextConfig& config, const C
 
 std::string find_plugin(const std::vector<std::string>& directories, std::string_view name) {
   for (const std::string& directory : directories) {
-    const std::string path = join(directory, "/", prefix, name, suffix);
+    std::string path = join(directory, "/", prefix, name, suffix);
     if (access(path.c_str(), F_OK) == 0) return path;
   }
   return {};
@@ -119,7 +122,7 @@ std::vector<std::string> plugin_names(const std::vector<std::string>& directorie
 }
 
 const rc_plugin* load_plugin(const std::string& path, const std::string& name, const rc_host& host) {
-  struct stat info{};
+  struct stat info {};
   const std::string directory = path.substr(0, path.rfind('/'));
   if (stat(directory.c_str(), &info) != 0) fail(RC_ERR_PLUGIN, "plugin directory ", directory, ": ", std::strerror(errno));
   check_owner(info, directory);
@@ -130,7 +133,8 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
     }
   } file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};  // a pipe of that name must not block
   if (file.number < 0) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be opened: ", std::strerror(errno));
-  if (fstat(file.number, &info) != 0 || !S_ISREG(info.st_mode)) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a regular file");
+  if (fstat(file.number, &info) != 0 || !S_ISREG(info.st_mode))
+    fail(RC_ERR_PLUGIN, "plugin refused: ", path, " is not a regular file");
   check_owner(info, path);
   check_complete(file.number, info.st_size, path);
 
@@ -141,7 +145,8 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
   const rc_plugin* plugin = nullptr;
   clear_message();
   if (const rc_status status = query(&host, &plugin); status < 0)
-    fail(RC_ERR_PLUGIN, "plugin ", path, " refuses to be used: ", last_message()[0] != '\0' ? last_message() : rc_status_text(status));
+    fail(RC_ERR_PLUGIN, "plugin ", path,
+         " refuses to be used: ", last_message()[0] != '\0' ? last_message() : rc_status_text(status));
   if (!plugin) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " describes nothing");
   if (!plugin->name || name != plugin->name)
     fail(RC_ERR_PLUGIN, "plugin refused: ", path, " calls itself \"", plugin->name ? plugin->name : "", "\", not \"", name, "\"");

@@ -11,8 +11,8 @@ namespace rc {
 
 namespace {
 
-constexpr int block_attempts = 10;          // block exchanges without a smaller number of infeasible points before single pivots
-constexpr std::int64_t start_directly = 64; // up to so many points the first set is {u > 0}; beyond, gradient steps find it
+constexpr int block_attempts = 10;           // block exchanges without a smaller number of infeasible points before single pivots
+constexpr std::int64_t start_directly = 64;  // up to so many points the first set is {u > 0}; beyond, gradient steps find it
 constexpr int gradient_steps = 30;
 
 class Pivoting {
@@ -62,8 +62,8 @@ class Pivoting {
       solution_.resize(contact_.size());
       const rc_status status = problem_.try_subset(contact_, right_, solution_);
       if (status == RC_OK) break;
-      // The mean of a periodic operator is its null space: full contact has no solution in displacement control, so the point with
-      // the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
+      // The mean of a periodic operator is its null space: full contact has no solution in displacement control, so the point
+      // with the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
       if (status != RC_ERR_NUMERIC || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
       in_contact_[static_cast<std::size_t>(std::min_element(u, u + n_) - u)] = false;
     }
@@ -100,12 +100,12 @@ class Pivoting {
   const Problem& problem_;
   const std::size_t n_;
   Vector& p_;
-  Vector w_;                       // H p - u
+  Vector w_;  // H p - u
   std::vector<char> in_contact_;
   Positions contact_;
   Vector right_, solution_;
   double tolerance_ = 0, largest_ = 0, worst_ = 0;
-  int full_sets_ = 0;              // of all points, which could not be solved
+  int full_sets_ = 0;  // of all points, which could not be solved
 };
 
 }  // namespace

@@ -13,15 +13,23 @@ namespace rc {
 
 namespace {
 
-constexpr int refresh_every = 25;       // updates of H p between products that wash out its drift
-constexpr int patience = 300;           // iterations in which the residual must fall by a tenth
-constexpr double round_off = 1e-10;     // a curvature below -round_off sum|q t| is not round-off
+constexpr int refresh_every = 25;    // updates of H p between products that wash out its drift
+constexpr int patience = 300;        // iterations in which the residual must fall by a tenth
+constexpr double round_off = 1e-10;  // a curvature below -round_off sum|q t| is not round-off
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Iteration {
  public:
   Iteration(const Problem& problem, Vector& p, double& d)
-      : problem_(problem), u_(problem.u()), n_(p.size()), p_(p), d_(d), hp_(n_), t_(n_, 0.0), q_(n_), highest_(*std::max_element(u_, u_ + n_)) {
+      : problem_(problem),
+        u_(problem.u()),
+        n_(p.size()),
+        p_(p),
+        d_(d),
+        hp_(n_),
+        t_(n_, 0.0),
+        q_(n_),
+        highest_(*std::max_element(u_, u_ + n_)) {
     for (double& value : p_) value = std::max(value, 0.0);
   }
 
@@ -101,8 +109,8 @@ class Iteration {
     return problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? v[i] : 0.0; }) / count : 0.0;
   }
 
-  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the contact set. Where the set has not changed this is the
-  // ratio of squared norms of the paper; where it has, it still knows which part of t remains.
+  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the contact set. Where the set has not changed this is
+  // the ratio of squared norms of the paper; where it has, it still knows which part of t remains.
   double conjugacy(double count) const {
     const double mean = datum(q_, count);
     const double overlap = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? gap(i) * (q_[i] - mean) : 0.0; });

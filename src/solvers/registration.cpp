@@ -29,7 +29,8 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
     return host->fail(host, RC_ERR_MEMORY, "out of memory in the solver's vectors");
   }
   if (status >= 0)
-    for (std::int64_t i = 0; i < problem->n; ++i) p[i] = std::max(pressure[static_cast<std::size_t>(i)], 0.0);  // a stop may come midway
+    for (std::int64_t i = 0; i < problem->n; ++i)
+      p[i] = std::max(pressure[static_cast<std::size_t>(i)], 0.0);  // a stop may come midway
   return status;
 }
 

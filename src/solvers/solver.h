@@ -49,8 +49,7 @@ class Problem {
 };
 
 // One declaration per line of solvers.def: improves p (and, in load control, d) until problem.tol() is met.
-#define RC_SOLVER(function, name, summary, needs, controls) \
-  rc_status function(const Problem& problem, Vector& p, double& d);
+#define RC_SOLVER(function, name, summary, needs, controls) rc_status function(const Problem& problem, Vector& p, double& d);
 #include "solvers/solvers.def"
 #undef RC_SOLVER
 

@@ -5,8 +5,7 @@
 
 namespace rc {
 
-template <class Term>
-double sum_of(std::size_t n, const Term& term) {
+template <class Term> double sum_of(std::size_t n, const Term& term) {
   double lane[8] = {};
   std::size_t i = 0;
   for (; i + 8 <= n; i += 8)

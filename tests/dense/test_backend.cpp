@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "support/cmocka.hpp"
 #include "stub_host.h"
+#include "support/cmocka.hpp"
 
 namespace {
 

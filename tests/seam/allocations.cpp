@@ -1,7 +1,7 @@
 #include "assertions.h"
 #include "cases.h"
-#include "support/failing_new.h"
 #include "fixtures.h"
+#include "support/failing_new.h"
 
 namespace seam {
 

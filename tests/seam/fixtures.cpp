@@ -65,8 +65,8 @@ Operator::~Operator() { backend_.destroy(self_); }
 
 void Operator::bind(const Index& domain, double zero_mode, bool whole) {
   domain_ = domain;
-  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain_.size()),
-                        whole ? nullptr : domain_.data(), zero_mode};
+  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain_.size()), whole ? nullptr : domain_.data(),
+                        zero_mode};
   check(backend_.bind(self_, &bound));
 }
 
