@@ -7,14 +7,7 @@
 #include <cstring>
 #include <numeric>
 
-extern "C" {
-// clang-format off
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <cmocka.h>
-// clang-format on
-}
+#include "support/cmocka.hpp"
 
 namespace pairs {
 

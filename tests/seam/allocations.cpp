@@ -1,6 +1,6 @@
-#include "assertions.h"
 #include "cases.h"
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 #include "support/failing_new.h"
 
 namespace seam {

@@ -1,8 +1,8 @@
 #include <numeric>
 
-#include "assertions.h"
 #include "cases.h"
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 
 namespace seam {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "assertions.h"
+#include "support/cmocka.hpp"
 
 namespace seam {
 

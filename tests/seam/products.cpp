@@ -2,9 +2,9 @@
 #include <limits>
 #include <string>
 
-#include "assertions.h"
 #include "cases.h"
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 
 namespace seam {
 

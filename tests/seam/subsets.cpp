@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <random>
 
-#include "assertions.h"
 #include "cases.h"
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 
 namespace seam {
 

@@ -6,11 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-extern "C" {
-#include <cmocka.h>
-}
-
 #include "fft/lengths.h"
+#include "support/cmocka.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assertions.h"
 #include "cases.h"
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 
 // RC_SEAM_BACKENDS is a list of RC_SEAM_BACKEND(name).
 #define RC_SEAM_BACKEND(name) extern "C" rc_status rc_builtin_##name(const rc_host*, const rc_plugin**);

@@ -2,9 +2,9 @@
 #include <string>
 #include <thread>
 
-#include "assertions.h"
 #include "cases.h"
 #include "fixtures.h"
+#include "support/cmocka.hpp"
 
 namespace seam {
 

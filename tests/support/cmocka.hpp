@@ -11,4 +11,12 @@ extern "C" {
 // clang-format on
 }
 
-#undef fail  // a member of the standard streams, and of rc_host
+// `fail` is a member of the standard streams and of rc_host; what used it says the same without it.
+#undef fail
+#undef fail_msg
+#define fail_msg(...)          \
+  do {                         \
+    print_error(__VA_ARGS__);  \
+    print_error("\n");         \
+    _fail(__FILE__, __LINE__); \
+  } while (0)

@@ -18,10 +18,7 @@
 
 #include "kernel/kernel.h"
 #include "kernel/kernels.h"
-
-extern "C" {
-#include <cmocka.h>
-}
+#include "support/cmocka.hpp"
 
 namespace {
 
