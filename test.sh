@@ -48,11 +48,15 @@ if build gcc; then run_tests gcc; fi
 if [ "$quick" != --quick ]; then
   stage "source and binary checks"
   check .ci/include_graph.py
+  check .ci/format.sh
   check .ci/globals.sh build-gcc
   check .ci/no_side_effects.sh build-gcc
 
   stage "clang, warnings are errors, quick tests"
-  if build clang; then run_tests clang -LE slow; fi
+  if build clang; then
+    run_tests clang -LE slow
+    check .ci/tidy.sh build-clang
+  fi
 
   stage "address and undefined behaviour sanitizers"
   if build asan; then RC_TEST_QUICK=1 run_tests asan -LE slow; fi
