@@ -67,6 +67,8 @@ void wave_is_westergaards(const Pair& pair, std::int64_t ny, double t) {
     check_near(answer.result.displacement, wave.approach(t), 10 / (cells * cells) * wave.amplitude,
                "approach, nx = " + std::to_string(nx));
     errors.push_back(pressure_error(wave, problem, answer, t));
+    report("nx = " + std::to_string(nx) + ": contact width " + text(width) + ", Westergaard " + text(2 * wave.half_width(t)) +
+           ", pressure error " + text(errors.back()));
     check(errors.back() < 2 / cells, "pressure error " + text(errors.back()) + ", nx = " + std::to_string(nx));
   }
   if (errors.size() == 3)
@@ -133,6 +135,9 @@ void full_contact_is_exact(const Pair& pair) {
     const Superposition expected = full_contact(nx, ny);
     const Answer answer = solved(expected.problem, pair, {{RC_OPT_STIFFNESS, "1"}});
     const std::string size = ", " + std::to_string(nx) + " x " + std::to_string(ny);
+    double worst = 0;
+    for (std::size_t i = 0; i < expected.p.size(); ++i) worst = std::max(worst, std::abs(answer.p[i] - expected.p[i]));
+    report("largest error of p / max p" + size + ": " + text(worst / largest(expected.p)));
     check_near(answer.p, expected.p, 1e-12, "p" + size);
     check_near(answer.result.displacement, expected.mean_gap, 1e-12 * expected.mean_gap, "approach is the mean plane" + size);
     check_equal(answer.result.contacts, nx * ny, "contacts" + size);

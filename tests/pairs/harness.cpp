@@ -42,6 +42,8 @@ void run_one(void** state) {
 
 }  // namespace
 
+void report(const std::string& figures) { print_message("             %s\n", figures.c_str()); }
+
 int run_group(const char* group, const std::vector<Test>& tests, int argc, char** argv) {
   if (argc > 1) cmocka_set_test_filter(argv[1]);
   std::vector<CMUnitTest> list;

@@ -32,6 +32,8 @@ bool quick();
 std::string text(double value);
 
 void check(bool condition, const std::string& what);
+// A line of figures for whoever reads the test's output.
+void report(const std::string& figures);
 void check_equal(std::int64_t value, std::int64_t expected, const std::string& what);
 /** |value - expected| <= tolerance; fails on NaN. */
 void check_near(double value, double expected, double tolerance, const std::string& what);

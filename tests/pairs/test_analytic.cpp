@@ -51,10 +51,12 @@ void load_converges(const HertzErrors& expected) {
     const std::string at = std::string(expected.kernel) + ", a/h = " + std::to_string(cells) + ": relative load error ";
     check(error > 0.5 * expected.errors[k] && error < 2 * expected.errors[k],
           at + text(error) + ", expected " + text(expected.errors[k]));
+    report(at + text(error));
     x.push_back(-std::log(static_cast<double>(cells)));
     y.push_back(std::log(error));
   }
   const double order = slope(x, y);
+  report(std::string(expected.kernel) + ": order " + text(order));
   check(order > 1.7 && order < 2.4, std::string(expected.kernel) + ": order " + text(order) + " instead of 2");
 }
 
@@ -94,6 +96,8 @@ void punch_converges(const PunchLoads& expected) {
     loads.push_back(punch_load(std::int64_t{16} << k, expected.kernel));
     check_near(loads[k], expected.loads[k], 1e-4, expected.kernel);
   }
+  report(std::string(expected.kernel) + ": " + text(loads[0]) + " " + text(loads[1]) + " " + text(loads[2]) + " " +
+         text(loads[3]) + ", extrapolated " + text(2 * loads[3] - loads[2]));
   check_near(2 * loads[3] - loads[2], 1.1523, 5e-4, "extrapolated to h = 0");
 }
 
