@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "stub_host.h"
+#include "stand_in_host.h"
 #include "support/cmocka.hpp"
 
 namespace {
@@ -42,7 +42,7 @@ void assert_close(const VectorXd& actual, const VectorXd& expected, double toler
 }
 
 void assert_message_has(const char* part) {
-  const std::string& message = stub::state().message;
+  const std::string& message = stand_in::state().message;
   const bool found = message.find(part) != std::string::npos;
   if (!found) print_error("no \"%s\" in: %s\n", part, message.c_str());
   assert_true(found);
@@ -56,7 +56,7 @@ void assert_solved(const MatrixXd& H, const Indices& a, const VectorXd& b, const
 }
 
 // Products, fields and one solve on the domain T, against H over the whole grid.
-void assert_agrees(stub::Operator& op, const MatrixXd& H, const Indices& T) {
+void assert_agrees(stand_in::Operator& op, const MatrixXd& H, const Indices& T) {
   const auto n = static_cast<Index>(T.size());
   VectorXd x = random_vector(n, 1), y;
   x.head(n / 3).setZero();
@@ -75,7 +75,7 @@ void assert_agrees(stub::Operator& op, const MatrixXd& H, const Indices& T) {
 }
 
 void description_is_complete(void**) {
-  const rc_backend& backend = stub::backend();
+  const rc_backend& backend = stand_in::backend();
   assert_string_equal(backend.name, "dense");
   assert_string_equal(backend.license, "BSD-3-Clause AND MPL-2.0");
   assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_THREAD_INVARIANT);
@@ -86,7 +86,7 @@ void description_is_complete(void**) {
 
 void half_space_agrees_with_its_matrix(void**) {
   for (const auto& [nx, ny] : {std::pair{24, 17}, {1, 40}, {300, 1}, {1, 1}}) {
-    stub::Operator op(stub::half_space(nx, ny));
+    stand_in::Operator op(stand_in::half_space(nx, ny));
     const MatrixXd H = op.matrix();
     assert_int_equal(op.bind_all(), RC_OK);
     assert_agrees(op, H, range(nx * ny));
@@ -97,7 +97,7 @@ void half_space_agrees_with_its_matrix(void**) {
 }
 
 void periodic_half_space_has_the_zero_mode(void**) {
-  stub::Operator op(stub::half_space(12, 7, RC_BOUNDARY_PERIODIC));
+  stand_in::Operator op(stand_in::half_space(12, 7, RC_BOUNDARY_PERIODIC));
   for (const double zero_mode : {2.5, 0.5}) {
     const MatrixXd H = op.matrix(zero_mode);
     assert_int_equal(op.bind_all(zero_mode), RC_OK);
@@ -116,7 +116,7 @@ void callers_matrix_with_a_row_stride(void**) {
   MatrixXd storage = MatrixXd::Constant(ld, n, std::nan(""));
   const MatrixXd M = Eigen::Map<const MatrixXd>(random_vector(n * n, 6).eval().data(), n, n);
   storage.topRows(n) = M * M.transpose() + MatrixXd::Identity(n, n);
-  stub::Operator op(stub::dense(storage.data(), n, ld));
+  stand_in::Operator op(stand_in::dense(storage.data(), n, ld));
   const MatrixXd H = op.matrix();
   assert_int_equal(op.bind_all(), RC_OK);
   assert_agrees(op, H, range(n));
@@ -126,27 +126,27 @@ void callers_matrix_with_a_row_stride(void**) {
 }
 
 void coefficients_are_fetched_late_and_for_the_bounding_box(void**) {
-  stub::Operator op(stub::half_space(50, 40));
+  stand_in::Operator op(stand_in::half_space(50, 40));
   const Indices box = {5 * 50 + 7, 5 * 50 + 12, 8 * 50 + 9};  // 6 x 4 cells
   assert_int_equal(op.bind(box), RC_OK);
-  assert_int_equal(stub::state().requests, 0);
+  assert_int_equal(stand_in::state().requests, 0);
   VectorXd y;
   assert_int_equal(op.apply(VectorXd::Ones(3), y), RC_OK);
-  assert_int_equal(stub::state().mx, 6);
-  assert_int_equal(stub::state().my, 4);
+  assert_int_equal(stand_in::state().mx, 6);
+  assert_int_equal(stand_in::state().my, 4);
   assert_int_equal(op.bind({0, 3}), RC_OK);  // fits in the table
   assert_int_equal(op.apply(VectorXd::Ones(2), y), RC_OK);
-  assert_int_equal(stub::state().requests, 1);
+  assert_int_equal(stand_in::state().requests, 1);
   assert_int_equal(op.field(VectorXd::Ones(2), y), RC_OK);
-  assert_int_equal(stub::state().mx, 50);
-  assert_int_equal(stub::state().my, 40);
+  assert_int_equal(stand_in::state().mx, 50);
+  assert_int_equal(stand_in::state().my, 40);
 }
 
 // The caller's matrix is scaled behind the operator's back: what follows it was computed anew, what does not was kept.
 void a_change_of_domain_keeps_the_factor_of_the_same_points(void**) {
   constexpr Index n = 20;
   MatrixXd H = MatrixXd::Identity(n, n);
-  stub::Operator op(stub::dense(H.data(), n, n));
+  stand_in::Operator op(stand_in::dense(H.data(), n, n));
   VectorXd x;
   const auto solution = [&](const Indices& positions) {
     assert_int_equal(op.subset(positions, VectorXd::Ones(static_cast<Index>(positions.size())), x), RC_OK);
@@ -165,7 +165,7 @@ void a_change_of_domain_keeps_the_factor_of_the_same_points(void**) {
 void binding_the_same_domain_keeps_the_matrix(void**) {
   constexpr Index n = 20;
   MatrixXd H = MatrixXd::Identity(n, n);
-  stub::Operator op(stub::dense(H.data(), n, n));
+  stand_in::Operator op(stand_in::dense(H.data(), n, n));
   VectorXd y;
   op.bind(range(n));
   assert_int_equal(op.apply(VectorXd::Ones(n), y), RC_OK);
@@ -180,7 +180,7 @@ void binding_the_same_domain_keeps_the_matrix(void**) {
 
 // Long enough for every way to change the factor, a rebuild of a worn one included.
 void sequences_of_sets_are_solved(void**) {
-  stub::Operator op(stub::half_space(20, 15));
+  stand_in::Operator op(stand_in::half_space(20, 15));
   const MatrixXd H = op.matrix();
   op.bind_all();
   std::mt19937 engine(8);
@@ -204,7 +204,7 @@ void sequences_of_sets_are_solved(void**) {
 void results_do_not_depend_on_what_was_asked_before_in_another_operator(void**) {
   VectorXd x[2], y[2];
   for (int repeat = 0; repeat < 2; ++repeat) {
-    stub::Operator op(stub::half_space(40, 30));
+    stand_in::Operator op(stand_in::half_space(40, 30));
     op.bind_all();
     assert_int_equal(op.subset(picked(1200, 300, 9), VectorXd::Ones(300), x[repeat]), RC_OK);
     assert_int_equal(op.subset(picked(1200, 280, 9), VectorXd::Ones(280), x[repeat]), RC_OK);
@@ -215,7 +215,7 @@ void results_do_not_depend_on_what_was_asked_before_in_another_operator(void**) 
 }
 
 void memory_limit_is_kept_and_explained(void**) {
-  stub::Operator op(stub::half_space(60, 40), 1.0);
+  stand_in::Operator op(stand_in::half_space(60, 40), 1.0);
   op.bind_all();
   VectorXd y;
   assert_int_equal(op.apply(VectorXd::Ones(2400), y), RC_ERR_MEMORY);
@@ -236,7 +236,7 @@ void indefinite_matrix_is_reported_and_the_factor_dropped(void**) {
   constexpr Index n = 30;
   MatrixXd H = MatrixXd::Identity(n, n);
   H(17, 17) = -0.25;
-  stub::Operator op(stub::dense(H.data(), n, n));
+  stand_in::Operator op(stand_in::dense(H.data(), n, n));
   op.bind_all();
   VectorXd x;
   assert_int_equal(op.subset(range(15), VectorXd::Ones(15), x), RC_OK);
@@ -248,7 +248,7 @@ void indefinite_matrix_is_reported_and_the_factor_dropped(void**) {
 }
 
 void periodic_grid_without_zero_mode_is_singular_as_a_whole(void**) {
-  stub::Operator op(stub::half_space(12, 7, RC_BOUNDARY_PERIODIC));
+  stand_in::Operator op(stand_in::half_space(12, 7, RC_BOUNDARY_PERIODIC));
   op.bind_all();
   VectorXd x;
   assert_int_equal(op.subset(range(84), VectorXd::Ones(84), x), RC_ERR_NUMERIC);
@@ -257,20 +257,20 @@ void periodic_grid_without_zero_mode_is_singular_as_a_whole(void**) {
 }
 
 void failures_of_the_host_pass_through(void**) {
-  stub::Operator op(stub::half_space(5, 5));
-  stub::state().coefficients_fail = true;
+  stand_in::Operator op(stand_in::half_space(5, 5));
+  stand_in::state().coefficients_fail = true;
   op.bind_all();
   VectorXd y;
   assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_ERR_INTERNAL);
   assert_message_has("no coefficients today");
-  stub::state().coefficients_fail = false;
+  stand_in::state().coefficients_fail = false;
   assert_int_equal(op.apply(VectorXd::Ones(25), y), RC_OK);
 }
 
 void a_callers_product_is_refused(void**) {
-  rc_system system = stub::half_space(5, 5);
+  rc_system system = stand_in::half_space(5, 5);
   system.op = RC_OPERATOR_CALLBACK;
-  assert_int_equal(stub::Operator(system).created(), RC_ERR_INCOMPATIBLE);
+  assert_int_equal(stand_in::Operator(system).created(), RC_ERR_INCOMPATIBLE);
   assert_message_has("dense: ");
 }
 

@@ -2,7 +2,7 @@
 #include <numeric>
 #include <vector>
 
-#include "stub_host.h"
+#include "stand_in_host.h"
 #include "support/cmocka.hpp"
 #include "support/failing_new.h"
 
@@ -26,7 +26,7 @@ struct Walk {
   }
 
   rc_status operator()(void* self) {
-    const rc_backend& backend = stub::backend();
+    const rc_backend& backend = stand_in::backend();
     const rc_domain domain = {sizeof(rc_domain), n, nullptr, 0.0};
     rc_status status = backend.bind(self, &domain);
     if (status == RC_OK) status = backend.apply(self, x.data(), y.data());
@@ -41,14 +41,14 @@ struct Walk {
 };
 
 void every_failed_allocation_is_reported(void**) {
-  const rc_system system = stub::half_space(nx, ny);
+  const rc_system system = stand_in::half_space(nx, ny);
   const rc_operator_spec spec = {sizeof(rc_operator_spec), &system, "stand-in", nullptr};
   Walk walk;
   long reported = 0;
   for (long k = 0;; ++k) {
     void* self = nullptr;
     support::fail_allocation(k + 1);
-    rc_status status = stub::backend().create(&stub::host(), &spec, &self);
+    rc_status status = stand_in::backend().create(&stand_in::host(), &spec, &self);
     if (status == RC_OK) status = walk(self);
     const bool failed = support::allocation_failed();
     support::fail_allocation(0);
@@ -56,7 +56,7 @@ void every_failed_allocation_is_reported(void**) {
     reported += failed;
     if (self) {
       assert_int_equal(walk(self), RC_OK);
-      stub::backend().destroy(self);
+      stand_in::backend().destroy(self);
     }
     if (!failed) break;
   }

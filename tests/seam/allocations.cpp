@@ -13,7 +13,7 @@ void any_allocation_may_fail(const rc_backend& backend) {
     const Index domain{3, 4, 17, 30};
     const Vector x(4, 1.0);
     for (const char* threads : {"1", "3"}) {
-      HostStub host(backend);
+      StandInHost host(backend);
       host.set("threads", threads);
       const rc_operator_spec spec = spec_of(system, host);
       Vector y(72);
@@ -25,7 +25,7 @@ void any_allocation_may_fail(const rc_backend& backend) {
         failed = support::allocation_failed();
         support::fail_allocation(0);
         assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
-        if (failed) assert_true(HostStub::message().find(backend.name) == 0);
+        if (failed) assert_true(StandInHost::message().find(backend.name) == 0);
       }
     }
   }
@@ -34,14 +34,14 @@ void any_allocation_may_fail(const rc_backend& backend) {
 // Neither can be allocated: more than the address space, and more than an integer counts.
 void impossible_sizes_are_refused(const rc_backend& backend) {
   for (std::int64_t side : {std::int64_t{1} << 24, std::int64_t{1} << 28, std::int64_t{1} << 31}) {
-    HostStub host(backend);
+    StandInHost host(backend);
     const rc_system system = halfspace(RC_BOUNDARY_FREE, side, side, 1.0, 1.0);
     const Index corners{0, side * side - 1};
     const Vector x(2, 1.0);
     Vector y(2);
     const rc_status status = status_of_products(backend, host, spec_of(system, host), corners, x.data(), y.data());
     assert_true(status == RC_ERR_MEMORY || status == RC_ERR_SHAPE);
-    assert_true(HostStub::message().find(backend.name) == 0);
+    assert_true(StandInHost::message().find(backend.name) == 0);
   }
 }
 

@@ -9,7 +9,7 @@ namespace seam {
 void host_failure_is_passed_on(const rc_backend& backend) {
   for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
     if (!(backend.caps & (boundary == RC_BOUNDARY_FREE ? RC_CAP_FREE : RC_CAP_PERIODIC))) continue;
-    HostStub host(backend);
+    StandInHost host(backend);
     const rc_system system = halfspace(boundary, 5, 4, 1.0, 1.0);
     const Index domain{3, 4, 9};
     const Vector x(3, 1.0);

@@ -20,7 +20,7 @@ std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
 }
 
 void check(rc_status status) {
-  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), HostStub::message().c_str());
+  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), StandInHost::message().c_str());
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void for_each_problem(const rc_backend& backend, std::int64_t nx, std::int64_t n
   }
 }
 
-Operator::Operator(const rc_backend& backend, HostStub& host, const rc_system& system)
+Operator::Operator(const rc_backend& backend, StandInHost& host, const rc_system& system)
     : backend_(backend),
       system_(system),
       kernel_(system.op == RC_OPERATOR_HALFSPACE ? kernel_name(system.boundary) : ""),
@@ -110,7 +110,7 @@ std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed) {
   return all;
 }
 
-rc_operator_spec spec_of(const rc_system& system, const HostStub& host) {
+rc_operator_spec spec_of(const rc_system& system, const StandInHost& host) {
   return {sizeof(rc_operator_spec), &system, kernel_name(system.boundary), host.options()};
 }
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
-#include "host_stub.h"
 #include "matrix.h"
+#include "stand_in_host.h"
 
 namespace seam {
 
@@ -37,7 +37,7 @@ void for_each_problem(const rc_backend& backend, std::int64_t nx, std::int64_t n
 // An operator of the backend. Calls fail the test unless they return RC_OK.
 class Operator {
  public:
-  Operator(const rc_backend& backend, HostStub& host, const rc_system& system);
+  Operator(const rc_backend& backend, StandInHost& host, const rc_system& system);
   ~Operator();
   Operator(const Operator&) = delete;
   Operator& operator=(const Operator&) = delete;
@@ -61,8 +61,8 @@ class Operator {
 // Subsets of an nx x ny grid: single points, boxes in corners and middle, random points with holes and empty rows, all.
 std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed);
 
-// What a HostStub hands to create().
-rc_operator_spec spec_of(const rc_system& system, const HostStub& host);
+// What a StandInHost hands to create().
+rc_operator_spec spec_of(const rc_system& system, const StandInHost& host);
 
 // The first failure of create, bind, apply and field, without assertions in between.
 rc_status status_of_products(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,

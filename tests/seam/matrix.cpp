@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "host_stub.h"
 #include "kernel/kernel.h"
+#include "stand_in_host.h"
 
 namespace seam {
 

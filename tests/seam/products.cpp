@@ -28,7 +28,7 @@ void products_agree_with_the_matrix(const rc_backend& backend) {
   for (const auto& [nx, ny] : sizes)
     for (double hy : {1.0, 0.6})
       for_each_problem(backend, nx, ny, 1.0, hy, [&](const Problem& problem) {
-        HostStub host(backend);
+        StandInHost host(backend);
         for (const Index& domain : domains(problem.system().nx, problem.system().ny, 7)) {
           Operator op(backend, host, problem.system());
           op.bind(domain, problem.zero_mode());
@@ -42,7 +42,7 @@ void products_agree_with_the_matrix(const rc_backend& backend) {
 
 void operator_is_linear_and_symmetric(const rc_backend& backend) {
   for_each_problem(backend, 17, 11, 1.0, 1.5, [&](const Problem& problem) {
-    HostStub host(backend);
+    StandInHost host(backend);
     const double scale = problem.matrix().norm();
     for (const Index& domain : domains(17, 11, 3)) {
       Operator op(backend, host, problem.system());
@@ -66,7 +66,7 @@ void operator_is_linear_and_symmetric(const rc_backend& backend) {
 // Smaller, larger, disjoint and repeated domains, in the order in which they come.
 void rebinding_equals_a_fresh_operator(const rc_backend& backend) {
   for_each_problem(backend, 31, 14, 1.0, 1.0, [&](const Problem& problem) {
-    HostStub host(backend);
+    StandInHost host(backend);
     Operator op(backend, host, problem.system());
     for (unsigned seed : {1u, 2u})
       for (const Index& domain : domains(31, 14, seed)) {
@@ -89,7 +89,7 @@ void constant_vector_has_the_zero_mode(const rc_backend& backend) {
   for (const auto& [nx, ny] : {std::pair{1, 1}, {2, 3}, {7, 13}, {15, 9}, {16, 12}, {23, 1}}) {
     const rc_system system = halfspace(RC_BOUNDARY_PERIODIC, nx, ny, 1.0, 0.8);
     const Problem problem(RC_CAP_PERIODIC, nx, ny, 1.0, 0.8, 0.0);
-    HostStub host(backend);
+    StandInHost host(backend);
     Operator op(backend, host, system);
     for (double zero_mode : {0.0, 1.25, 0.5, 0.0}) {
       op.bind(problem.all(), zero_mode, true);
@@ -102,7 +102,7 @@ void constant_vector_has_the_zero_mode(const rc_backend& backend) {
 
 void nan_is_not_hidden(const rc_backend& backend) {
   for_each_problem(backend, 6, 5, 1.0, 1.0, [&](const Problem& problem) {
-    HostStub host(backend);
+    StandInHost host(backend);
     Operator op(backend, host, problem.system());
     op.bind(problem.all(), problem.zero_mode());
     Vector x(problem.all().size(), 0.0);
@@ -121,7 +121,7 @@ void every_choice_of_an_option_gives_the_same_product(const rc_backend& backend)
     for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
       end = choices.find('|', begin);
       for_each_problem(backend, 21, 10, 1.0, 1.0, [&](const Problem& problem) {
-        HostStub host(backend);
+        StandInHost host(backend);
         host.set(backend.options[i]->key, choices.substr(begin, end - begin));
         Operator op(backend, host, problem.system());
         op.bind(problem.all(), problem.zero_mode());

@@ -42,7 +42,7 @@ void check_solution(const Problem& problem, const Index& points, const Vector& b
 void subset_solves_its_equations(const rc_backend& backend) {
   for (const auto& [nx, ny] : {std::pair{1, 5}, {4, 4}, {9, 7}, {16, 11}})
     for_each_problem(backend, nx, ny, 1.0, 0.7, [&](const Problem& problem) {
-      HostStub host(backend);
+      StandInHost host(backend);
       std::mt19937 generator(11);
       Operator op(backend, host, problem.system());
       for (const Index& domain : domains(problem.system().nx, problem.system().ny, 5)) {
@@ -58,7 +58,7 @@ void subset_solves_its_equations(const rc_backend& backend) {
 // One set after another, a few points apart, with a jump now and then and a change of domain halfway.
 void subset_after_changes_equals_a_fresh_solve(const rc_backend& backend) {
   for_each_problem(backend, 12, 10, 1.0, 1.0, [&](const Problem& problem) {
-    HostStub host(backend);
+    StandInHost host(backend);
     std::mt19937 generator(29);
     Operator op(backend, host, problem.system());
     Index domain = problem.all();

@@ -24,7 +24,7 @@ struct Products {
   bool operator==(const Products&) const = default;
 };
 
-Products products(const rc_backend& backend, HostStub& host, std::int32_t boundary) {
+Products products(const rc_backend& backend, StandInHost& host, std::int32_t boundary) {
   const Index domain = scattered_domain();
   const Vector x = random_vector(domain.size(), 5);
   Operator op(backend, host, halfspace(boundary, nx, ny, 1.0, 0.9));
@@ -43,7 +43,7 @@ bool takes(const rc_backend& backend, std::int32_t boundary) {
 void results_do_not_depend_on_threads(const rc_backend& backend) {
   for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
     if (!takes(backend, boundary)) continue;
-    HostStub host(backend);
+    StandInHost host(backend);
     const Products alone = products(backend, host, boundary);
     for (const char* threads : {"2", "3"}) {
       host.set("threads", threads);
@@ -55,7 +55,7 @@ void results_do_not_depend_on_threads(const rc_backend& backend) {
 void operators_work_side_by_side(const rc_backend& backend) {
   for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
     if (!takes(backend, boundary)) continue;
-    HostStub host(backend);
+    StandInHost host(backend);
     host.set("threads", "2");
     const Products expected = products(backend, host, boundary);
     std::atomic<int> equal{0};

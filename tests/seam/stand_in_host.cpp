@@ -1,4 +1,4 @@
-#include "host_stub.h"
+#include "stand_in_host.h"
 
 #include <cstdlib>
 
@@ -12,11 +12,11 @@ thread_local std::string last_message;
 
 }  // namespace
 
-const std::string& HostStub::message() { return last_message; }
+const std::string& StandInHost::message() { return last_message; }
 
 const char* kernel_name(std::int32_t boundary) { return boundary == RC_BOUNDARY_PERIODIC ? "spectral" : "love"; }
 
-rc_status HostStub::value(const rc_options* options, const char* key, const std::string*& out) {
+rc_status StandInHost::value(const rc_options* options, const char* key, const std::string*& out) {
   const auto& known = *reinterpret_cast<const std::map<std::string, std::string>*>(options);
   const auto found = known.find(key);
   if (found == known.end()) return RC_ERR_OPTION;
@@ -24,7 +24,7 @@ rc_status HostStub::value(const rc_options* options, const char* key, const std:
   return RC_OK;
 }
 
-HostStub::HostStub(const rc_backend& backend) : rc_host{}, options_{{"threads", "1"}} {
+StandInHost::StandInHost(const rc_backend& backend) : rc_host{}, options_{{"threads", "1"}} {
   for (std::int64_t i = 0; i < backend.n_options; ++i) options_[backend.options[i]->key] = backend.options[i]->default_value;
   struct_size = sizeof(rc_host);
   abi_major = RC_PLUGIN_ABI_MAJOR;

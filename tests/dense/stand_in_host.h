@@ -13,7 +13,7 @@
 
 RC_PLUGIN_LINKAGE rc_status rc_builtin_dense(const rc_host*, const rc_plugin**);
 
-namespace stub {
+namespace stand_in {
 
 struct State {
   double memory_limit = 8192.0;
@@ -157,4 +157,4 @@ class Operator {
   Eigen::Index n_ = 0;
 };
 
-}  // namespace stub
+}  // namespace stand_in

@@ -10,12 +10,12 @@
 
 namespace seam {
 
-class HostStub : public rc_host {
+class StandInHost : public rc_host {
  public:
   // The options of `backend` and the core's "threads" are known.
-  explicit HostStub(const rc_backend& backend);
-  HostStub(const HostStub&) = delete;
-  HostStub& operator=(const HostStub&) = delete;
+  explicit StandInHost(const rc_backend& backend);
+  StandInHost(const StandInHost&) = delete;
+  StandInHost& operator=(const StandInHost&) = delete;
 
   void set(const std::string& key, const std::string& value) { options_.at(key) = value; }
   // What coefficients() and symbol() answer; RC_OK: the values.
@@ -26,7 +26,7 @@ class HostStub : public rc_host {
   static const std::string& message();
 
  private:
-  static const HostStub& self(const rc_host* host) { return *static_cast<const HostStub*>(host); }
+  static const StandInHost& self(const rc_host* host) { return *static_cast<const StandInHost*>(host); }
   static rc_status value(const rc_options* options, const char* key, const std::string*& out);
 
   std::map<std::string, std::string> options_;
