@@ -28,6 +28,7 @@ struct Answer {
   double length_unit = 1;    // [length]
   double pressure_unit = 1;  // [force/length^2]
   double approach = 0;       // [length]
+  bool handed_over = false;  // the solver's own load control stalled; the core's iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
 };
 

@@ -25,13 +25,15 @@ std::string explain(rc_status status, const rc_result& result, double tol) {
 
 void Contact::name_components(const Answer& answer, rc_result& result) const {
   copy_text(result.kernel, system_.kernel.c_str());
-  copy_text(result.note, "");
   copy_text(result.solver, answer.choice.solver ? answer.choice.solver->name : "none");
   copy_text(result.backend, answer.choice.backend ? answer.choice.backend->name : "none");
-  if (!answer.choice.solver || !answer.op || answer.op->has_subset()) return;
-  if ((answer.choice.solver->needs & RC_CAP_SUBSET) != 0)
-    copy_text(result.note,
-              join("systems on subsets by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor").c_str());
+  std::string note;
+  if (answer.handed_over) note = "load control of the solver stalled: iteration on the approach instead";
+  const bool needs_subset = answer.handed_over || (answer.choice.solver && (answer.choice.solver->needs & RC_CAP_SUBSET) != 0);
+  if (answer.op && needs_subset && !answer.op->has_subset())
+    note += join(note.empty() ? "" : "; ", "systems on subsets by conjugate gradients: backend \"", answer.op->name(),
+                 "\" cannot factor");
+  copy_text(result.note, note.c_str());
 }
 
 // dW/dd = hx hy 1' H_CC^-1 1 on the contact set C.

@@ -38,11 +38,13 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
   if (!(height > 0)) height = load * system_.length_per_pressure;
   rc_step from = step;
   std::vector<double> start_pressures;
+  bool handed_over = false;
   for (int round = 0;; ++round) {
     const double limit = std::max(lowest + height, std::nextafter(lowest, std::numeric_limits<double>::infinity()));
     TrialSet trial = system_.halfspace() ? trial_below(limit) : surface_.all();
     Answer answer = prepare(trial, step.control, height);
-    const bool direct = (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
+    const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
+    answer.handed_over = handed_over;
     if (system_.periodic() && !direct) {
       // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
       // contact.
@@ -65,6 +67,11 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
       double first = warm ? (last_.approach - lowest) / height : 1;
       if (system_.periodic() && !warm) first = (surface_.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, monitor);
+    }
+    if (direct && answer.status == RC_STOP_STALLED && (options_.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
+      // A solver whose own load control goes in circles may still do displacement control.
+      handed_over = true;
+      continue;
     }
     // A stopped solve may not carry the load yet.
     const double sum = answer.status == RC_OK ? wanted : std::accumulate(answer.p.begin(), answer.p.end(), 0.0);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 #include "solvers/vector_math.h"
 
@@ -10,32 +10,34 @@ namespace rc {
 
 namespace {
 
-constexpr int bound_steps = 4;
-constexpr double margin = 1.01;
+constexpr int power_steps = 8;
+constexpr double margin = 1.15;  // power iteration comes from below
 
-// Collatz: for H with positive entries and any x > 0, max_i (Hx)_i / x_i bounds lambda_max from above; it tightens as x nears the
-// Perron vector. For other matrices it is an estimate, made safe by the restart.
-double lipschitz_bound(const Problem& problem, std::size_t n) {
-  Vector x(n, 1.0), y(n);
-  double bound = 0;
-  for (int k = 0; k < bound_steps; ++k) {
+// An estimate of lambda_max that needs neither positive entries nor a null space without constants: power iteration from a vector
+// of all frequencies. Where it is still too small, the restart keeps the iteration from running away.
+double largest_eigenvalue(const Problem& problem, std::size_t n) {
+  Vector x(n), y(n);
+  std::uint32_t noise = 1;
+  for (double& value : x) value = 1 + (noise = noise * 1664525u + 1013904223u) * 0x1p-32;
+  double largest = 0;
+  for (int k = 0; k < power_steps; ++k) {
+    const double norm = std::sqrt(sum_of(n, [&](std::size_t i) { return x[i] * x[i]; }));
+    if (!(norm > 0)) break;
+    for (double& value : x) value /= norm;
     problem.apply(x, y);
-    bound = 0;
-    double largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      bound = std::max(bound, std::abs(y[i]) / x[i]);
-      largest = std::max(largest, std::abs(y[i]));
-    }
-    for (std::size_t i = 0; i < n; ++i) x[i] = std::max(std::abs(y[i]) / largest, 1e-3);
+    largest = std::max(largest, std::sqrt(sum_of(n, [&](std::size_t i) { return y[i] * y[i]; })));
+    x.swap(y);
   }
-  return bound;
+  return largest;
 }
 
 }  // namespace
 
 void gradient_projection(const Problem& problem, Vector& p, int steps) {
   const std::size_t n = p.size();
-  const double length = 1 / (margin * lipschitz_bound(problem, n));
+  const double eigenvalue = largest_eigenvalue(problem, n);
+  if (!(eigenvalue > 0)) return;
+  const double length = 1 / (margin * eigenvalue);
   Vector s = p, previous = p, gradient(n);
   for (int k = 0, i = 0; k < steps; ++k, ++i) {
     const double beta = i < 2 ? 0 : (i - 1.0) / (i + 2.0);

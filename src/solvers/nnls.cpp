@@ -64,7 +64,8 @@ class Pivoting {
       if (status == RC_OK) break;
       // The mean of a periodic operator is its null space: full contact has no solution in displacement control, so the point
       // with the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
-      if (status != RC_ERR_NUMERIC || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
+      const bool singular = status == RC_ERR_NUMERIC || status == RC_STOP_STALLED;
+      if (!singular || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
       in_contact_[static_cast<std::size_t>(std::min_element(u, u + n_) - u)] = false;
     }
     std::fill(p_.begin(), p_.end(), 0.0);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int refresh_every = 25;    // updates of H p between products that wash out its drift
 constexpr int patience = 300;        // iterations in which the residual must fall by a tenth
-constexpr double round_off = 1e-10;  // a curvature below -round_off sum|q t| is not round-off
+constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to the largest |H t| |t| seen
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Iteration {
@@ -47,21 +47,32 @@ class Iteration {
   }
 
   void start() {
-    if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) {
-      refresh();
-    } else if (problem_.load_control()) {
-      std::fill(p_.begin(), p_.end(), 1.0);
-      refresh();
-    } else {
-      // The best multiple of the compenetration.
+    const bool warm = std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
+    if (warm) refresh();
+    if (problem_.load_control()) {
+      if (!warm) {
+        std::fill(p_.begin(), p_.end(), 1.0);
+        refresh();
+      }
+      return balance();
+    }
+    // A start that is worse than no pressure at all, as after a much heavier step, is reduced to its best multiple; the
+    // compenetration serves where that is none.
+    if (warm && 0.5 * dot(p_, hp_) <= dot_u(p_)) return;
+    if (!warm || !(dot_u(p_) > 0)) {
       for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(u_[i], 0.0);
       refresh();
-      const double work = sum_of(n_, [&](std::size_t i) { return p_[i] * u_[i]; });
-      const double curvature = sum_of(n_, [&](std::size_t i) { return p_[i] * hp_[i]; });
-      if (!(curvature > 0)) not_definite(curvature);
-      rescale(work / curvature);
     }
-    balance();
+    const double curvature = dot(p_, hp_);
+    if (!(curvature > 0)) not_definite(curvature);
+    rescale(dot_u(p_) / curvature);
+  }
+
+  double dot(const Vector& a, const Vector& b) const {
+    return sum_of(n_, [&](std::size_t i) { return a[i] * b[i]; });
+  }
+  double dot_u(const Vector& a) const {
+    return sum_of(n_, [&](std::size_t i) { return a[i] * u_[i]; });
   }
 
   void rescale(double factor) {
@@ -129,13 +140,29 @@ class Iteration {
     if (largest == 0) return 0;
     const double beta = conjugate_ ? conjugacy(count) : 0;
     for (std::size_t i = 0; i < n_; ++i) t_[i] = p_[i] > 0 ? gap(i) + beta * t_[i] : 0;
+    if (problem_.load_control()) {
+      // The step keeps the load.
+      const double mean = datum(t_, count);
+      for (std::size_t i = 0; i < n_; ++i)
+        if (p_[i] > 0) t_[i] -= mean;
+    }
     problem_.apply(t_, q_);
-    const double mean = datum(q_, count);
     const double slope = sum_of(n_, [&](std::size_t i) { return t_[i] * (p_[i] > 0 ? gap(i) : 0.0); });
-    const double curvature = sum_of(n_, [&](std::size_t i) { return (q_[i] - mean) * t_[i]; });
-    const double size = sum_of(n_, [&](std::size_t i) { return std::abs(q_[i] * t_[i]); });
-    if (!(curvature >= -round_off * size)) not_definite(curvature);
-    return curvature > 0 && slope > 0 ? slope / curvature : 0;
+    const double curvature = dot(q_, t_);
+    if (std::isnan(curvature)) not_definite(curvature);
+    const double size = dot(t_, t_);
+    steepest_ = std::max(steepest_, std::sqrt(dot(q_, q_) / size));
+    if (curvature > round_off * steepest_ * size) return slope > 0 ? slope / curvature : 0;
+    if (curvature < -round_off * steepest_ * size) not_definite(curvature);
+    return first_bound();
+  }
+
+  // Along a direction without curvature, the mean of a periodic operator, the pressures fall until the first one vanishes.
+  double first_bound() const {
+    double length = infinite;
+    for (std::size_t i = 0; i < n_; ++i)
+      if (p_[i] > 0 && t_[i] > 0) length = std::min(length, p_[i] / t_[i]);
+    return length < infinite ? length : 0;
   }
 
   // Moves along t, clips at zero, admits points that overlap. True if a bound was met, so that H p must be computed afresh.
@@ -193,6 +220,7 @@ class Iteration {
   Vector hp_, t_, q_;       // H p, direction, H t
   const double highest_;    // largest u
   double approach_ = 0;     // the gap is H p - u - approach; 0 in displacement control, where u contains it
+  double steepest_ = 0;     // largest |H t| / |t| seen
   double last_length_ = 1;  // step length for admitted points where the contact set gives none
   bool conjugate_ = false;  // the last step had a length: the next direction is made conjugate to it
   int since_refresh_ = 0;

@@ -137,6 +137,33 @@ void nothing_touches(std::int32_t boundary, const Pair& pair) {
   check_status(contact.solve(problem), RC_OK, "the step after");
 }
 
+// The load control of conjugate gradients goes in circles here: the spike takes its whole load or none.
+void spike_is_pressed_into_the_plane_below_it(const Pair& pair) {
+  Problem problem;
+  problem.system.nx = 30;
+  problem.system.ny = 26;
+  problem.gap.assign(problem.points(), 1.0);
+  problem.gap[337] = 0;
+  for (const double approach : {1.01, 1.03, 1.2}) {
+    problem.target = approach;
+    const Answer there = solved(problem, pair);
+    const Answer back = solved(at_load(problem, there.result.load), pair);
+    check_near(back.result.displacement, approach, 1e-8, "approach");
+  }
+}
+
+// The pressures of full contact are far beyond those of a light step, and with periodic boundaries their mean costs nothing.
+void light_step_after_full_contact(const Pair& pair) {
+  const Problem problem = problem_of(RC_BOUNDARY_PERIODIC);
+  const Answer light = solved(problem, pair);
+  const Contact contact(problem, pair);
+  rc_step step = problem.step();
+  step.control = RC_CONTROL_LOAD;
+  step.target = 1e3 * light.result.load;
+  check_status(contact.solve(step), RC_OK, "heavy");
+  check_near(contact.solve(problem).p, light.p, 1e-9, "p of the light step");
+}
+
 }  // namespace
 
 std::vector<Test> sequence_tests() {
@@ -151,6 +178,8 @@ std::vector<Test> sequence_tests() {
     add("step_without_gap_keeps_gap_and_mask", gap_and_mask_are_kept);
     add("nothing_touches_below_the_lowest_gap_or_without_load", nothing_touches);
   }
+  add_for_pairs(tests, "spike_is_pressed_into_the_plane_below_it", RC_BOUNDARY_FREE, spike_is_pressed_into_the_plane_below_it);
+  add_for_pairs(tests, "light_step_after_full_contact", RC_BOUNDARY_PERIODIC, light_step_after_full_contact);
   return tests;
 }
 
