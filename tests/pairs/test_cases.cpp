@@ -79,12 +79,9 @@ void check_solution(const SharedCase& shared, const Pair& pair, const Problem& p
   if (shared.load > 0) check(pair.solver == r.solver && pair.backend == r.backend, "the result names another pair");
 }
 
-std::string too_large(const SharedCase& shared, const Pair& pair, std::int32_t op, std::int32_t control) {
+std::string too_large(const SharedCase& shared, std::int32_t op) {
   const std::int64_t n = shared.rows * shared.columns;
   if (quick() && n > 1024) return "left out of the reduced set: " + std::to_string(n) + " points";
-  if (op == RC_OPERATOR_HALFSPACE && pair.backend == "dense" && control == RC_CONTROL_LOAD && shared.candidates > 3000)
-    return "the first trial set of load control is larger than the " + std::to_string(shared.candidates) +
-           " candidates at the solution: a dense factor of it takes gigabytes and minutes";
   if (op == RC_OPERATOR_DENSE && n > 4096)
     return "a dense matrix of " + std::to_string(n) + " points, all of them candidates, takes minutes";
   if (op == RC_OPERATOR_CALLBACK && n > 1024) return "naive products of " + std::to_string(n) + " points take minutes";
@@ -92,7 +89,7 @@ std::string too_large(const SharedCase& shared, const Pair& pair, std::int32_t o
 }
 
 void run_case(const SharedCase& shared, const Pair& pair, std::int32_t op, std::int32_t control, double load) {
-  if (const std::string reason = too_large(shared, pair, op, control); !reason.empty()) throw Skipped(reason);
+  if (const std::string reason = too_large(shared, op); !reason.empty()) throw Skipped(reason);
   Matrix matrix;
   SharedCase given = shared;
   if (op != RC_OPERATOR_HALFSPACE) {
