@@ -76,7 +76,7 @@ class Contact {
   rc_status finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result);
   rc_status certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
                              rc_result& result) const;
-  void hand_over(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
+  void deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
   double fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const;
   void name_components(const Answer& answer, rc_result& result) const;
   double stiffness(const Answer& answer) const;

@@ -94,7 +94,7 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
 }
 
 // The caller's arrays are written when nothing can fail any more.
-void Contact::hand_over(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result) {
+void Contact::deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result) {
   if (result.p) std::copy(p.begin(), p.end(), result.p);
   if (result.gap) std::copy(gap.begin(), gap.end(), result.gap);
   if (result.status == RC_OK) last_ = {std::move(p), result.displacement, result.load, true};
@@ -126,7 +126,7 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
-  hand_over(std::move(p), product, result);
+  deliver(std::move(p), product, result);
   return result.status;
 }
 

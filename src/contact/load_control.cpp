@@ -21,8 +21,8 @@ constexpr double margin = 1.05;
 }  // namespace
 
 // Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
-// share of a flat punch of that area. It is near the truth for one asperity and larger for many (1.0 to 1.6 times on measured
-// surfaces); where it is too small the trial set grows. Between two loads on the same surface the approach grows at most in
+// share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
+// too small the trial set grows. Between two loads on the same surface the approach grows at most in
 // proportion, because the load is a convex function of the approach.
 double Contact::approach_estimate(double load, bool warm) const {
   const rc_system& s = system_.given;
