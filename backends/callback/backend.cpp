@@ -83,6 +83,8 @@ const rc_backend backend = {sizeof(rc_backend),
                             apply,
                             field,
                             modelled,
+                            nullptr,
+                            nullptr,
                             nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {

@@ -13,7 +13,7 @@
 #include "roughcontact.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 0u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 1u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,6 +64,8 @@ typedef struct rc_domain {
 #define RC_CAP_CALLBACK (UINT64_C(1) << 3)         /* the caller's product                                    */
 #define RC_CAP_SUBSET (UINT64_C(1) << 4)           /* has subset()                                            */
 #define RC_CAP_THREAD_INVARIANT (UINT64_C(1) << 5) /* bitwise equal results for any number of threads         */
+#define RC_CAP_SHIFTED (UINT64_C(1) << 6)          /* has shifted()                                           */
+#define RC_CAP_NORM (UINT64_C(1) << 7)             /* has norm()                                              */
 
 /** A backend: products with H. All vectors are over the domain's points unless said otherwise. One operator is
  *  used by one thread at a time; several operators may be used at the same time. */
@@ -89,7 +91,35 @@ typedef struct rc_backend {
   /** RC_CAP_SUBSET, else NULL: solve H[a,a] x = b for the na ascending positions a in the domain. Successive
    *  calls with sets that differ little should be cheap. RC_ERR_NUMERIC if H[a,a] is not positive definite. */
   rc_status (*subset)(void *self, int64_t na, const int64_t *a, const double *b, double *x);
+  /** RC_CAP_SHIFTED, else NULL: solve (H[T,T] + rho I) x = b, rho > 0. Successive calls with one rho should be cheap.
+   *  RC_ERR_NUMERIC if the matrix is not positive definite. */
+  rc_status (*shifted)(void *self, double rho, const double *b, double *x);
+  /** RC_CAP_NORM, else NULL: the Frobenius norm of H[T,T]. */
+  rc_status (*norm)(void *self, double *out);
 } rc_backend;
+
+/** Where the unknowns of a half-space problem lie, in the caller's units. */
+typedef struct rc_grid {
+  size_t struct_size;
+  int64_t nx, ny;
+  double hx, hy;        /* cell size [length]                                                                   */
+  const double *gap;    /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0                     */
+  const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
+  const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
+  double approach;      /* DISPLACEMENT: d [length], so that the unknowns are points with gap < d               */
+} rc_grid;
+
+/** A problem on a coarser grid of the same surface, in displacement control. */
+typedef struct rc_coarse {
+  size_t struct_size;
+  int64_t nx, ny;      /* points                                                                               */
+  int64_t factor;      /* its cells are this many cells of the problem's grid wide and high                    */
+  const double *gap;   /* [nx*ny] undeformed gap [length]                                                      */
+  const uint8_t *mask; /* [nx*ny] 0: no pressure here; NULL: every point                                       */
+  double approach;     /* [length]                                                                             */
+  const char *solver;  /* by name                                                                              */
+  double *p;           /* [nx*ny] pressures out [force/length^2]; the core keeps a copy for the caller         */
+} rc_coarse;
 
 /** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (displacement
  *  control) or w = H p - u - d (load control, d found): p >= 0, w >= 0, p w = 0. */
@@ -108,7 +138,27 @@ struct rc_problem {
   rc_status (*subset)(const rc_problem *, int64_t na, const int64_t *a, const double *b, double *x);
   /** Once an iteration, with the worst residual as the solver sees it. Nonzero: return it at once. */
   rc_status (*poll)(const rc_problem *, int64_t iteration, double kkt);
+  double lambda_min;   /* a lower bound of the eigenvalues of H; 0: none is known                              */
+  int32_t positive;    /* 1: no entry of H is negative                                                         */
+  int32_t reserved1;
+  const rc_grid *grid; /* NULL for the caller's matrix and product                                             */
+  /** (H + rho I) x = b: the backend's, or conjugate gradients to a relative residual of tol. x: start in, answer
+   *  out. NULL if fallbacks are off and the backend has none. */
+  rc_status (*shifted)(const rc_problem *, double rho, double tol, const double *b, double *x);
+  /** The Frobenius norm of H. NULL if the backend cannot tell. */
+  rc_status (*norm)(const rc_problem *, double *out);
+  /** DISPLACEMENT: another solver on this problem with pressure at the na ascending positions a only. p [n]: start in
+   *  (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n] out, H p. */
+  rc_status (*inner)(const rc_problem *, const char *solver, int64_t na, const int64_t *a, double tol, double *p,
+                     double *product);
+  /** Solves on a coarser grid; NULL without a grid. RC_OK: certified. */
+  rc_status (*coarse)(const rc_problem *, const rc_coarse *);
+  /** Adds a remark to rc_result.note: what was done instead, what is wrong with the answer. */
+  void (*note)(const rc_problem *, const char *text);
 };
+
+/* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
+#define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {
@@ -116,7 +166,7 @@ typedef struct rc_solver {
   const char *name;
   const char *summary;
   const char *license;
-  uint64_t needs;    /* RC_CAP_SUBSET or 0                                                                     */
+  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID or 0                                      */
   uint32_t controls; /* bit RC_CONTROL_*: the controls it handles itself. Load control is added to a
                         displacement solver by the core's iteration on the approach                            */
   uint32_t reserved;

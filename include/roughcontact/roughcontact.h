@@ -146,8 +146,57 @@ typedef struct rc_result {
   char solver[32];     /* what "auto" resolved to                                                           */
   char backend[32];
   char kernel[32];
-  char note[160];      /* operations the core had to substitute, and why; "" if none                        */
+  char note[160];      /* operations the core had to substitute and remarks of the solver; "" if none       */
+  double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
+                          this and the bounds below: NaN (counts: -1) where no proof is known or option
+                          bounds is 0                                                                       */
+  double load_lower, load_upper; /* the exact load at this approach lies between [force]                    */
+  double area_lower, area_upper; /* and the exact contact area [length^2]                                   */
+  int64_t proven_contacts; /* points proven to be in contact                                                */
+  int64_t proven_open;     /* points proven to be out of contact                                            */
+  int64_t undecided;       /* the other points                                                              */
+  int64_t levels;      /* coarse solutions kept, see rc_contact_level                                       */
 } rc_result;
+
+/** A solution on a coarser grid that a multilevel solver left behind. The caller sets struct_size and p. */
+typedef struct rc_level {
+  size_t struct_size;
+  double *p;            /* [nx*ny] pressures [force/length^2]; NULL: not wanted. Ask for nx and ny first       */
+  rc_status status;     /* of this solution on its grid                                                        */
+  int32_t reserved;
+  int64_t nx, ny;
+  double hx, hy;        /* cell size [length]                                                                  */
+  double displacement;  /* approach on this grid [length]                                                      */
+  double load;          /* [force]                                                                             */
+  int64_t candidates;   /* points that were allowed pressure                                                   */
+  int64_t contacts;     /* points with p > 0                                                                   */
+} rc_level;
+
+/** Called after each step of a path, on the solving thread. Return nonzero to end the path. */
+typedef int32_t (*rc_path_fn)(int64_t step, const rc_result *result, void *user);
+
+/** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
+typedef struct rc_path {
+  size_t struct_size;
+  int32_t control;      /* RC_CONTROL_*                                                                        */
+  int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
+                           that the new approach can reach (default); 0: each step starts cold                 */
+  int64_t n;            /* steps                                                                               */
+  const double *targets; /* approaches [length] or loads [force]                                               */
+  const double *gap;    /* as rc_step.gap, for all steps                                                       */
+  const uint8_t *mask;  /* as rc_step.mask                                                                     */
+  double *load;         /* out [force]                                                                         */
+  double *displacement; /* out, approach [length]                                                              */
+  double *contact_area; /* out [length^2]                                                                      */
+  double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is */
+  double *certificate;  /* out, the largest kkt_* residual                                                     */
+  int64_t *applications; /* out, products with H                                                               */
+  rc_path_fn fn;        /* sees each step's result with pressures and gap; NULL: none                          */
+  void *user;           /* handed to fn                                                                        */
+  int64_t completed;    /* out: steps whose outputs are written; all of them certified                         */
+} rc_path;
+#define RC_PATH_INIT \
+  { sizeof(rc_path), RC_CONTROL_DISPLACEMENT, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
 
 /** Handed to the progress callback. */
 typedef struct rc_progress {
@@ -211,6 +260,9 @@ typedef struct rc_option_spec {
 #define RC_OPT_STIFFNESS "stiffness"
 #define RC_OPT_ALLOW_FALLBACK "allow_fallback"
 #define RC_OPT_CERTIFY_BACKEND "certify_backend"
+#define RC_OPT_WARMUP "warmup"
+#define RC_OPT_WARMUP_ITERATIONS "warmup.iterations"
+#define RC_OPT_BOUNDS "bounds"
 
 /** @defgroup general General  @{ */
 /** Version of the library in use; any pointer may be NULL. */
@@ -227,6 +279,8 @@ RC_API void rc_system_init(rc_system *system);
 RC_API void rc_step_init(rc_step *step);
 RC_API void rc_result_init(rc_result *result);
 RC_API void rc_context_config_init(rc_context_config *config);
+RC_API void rc_path_init(rc_path *path);
+RC_API void rc_level_init(rc_level *level);
 /** @} */
 
 /** @defgroup context Context: the registry  @{ */
@@ -288,6 +342,12 @@ RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_r
 /** Certifies the pressures the caller puts in result->p (required, [n]) for this step: nothing is solved. In
  *  load control the approach is the one that fits them best. RC_OK or RC_STOP_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
+/** Solves the steps of a loading history in order. A step that fails or is not certified ends the path with its
+ *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step
+ *  counts as completed). Errors: as rc_contact_solve. */
+RC_API rc_status rc_contact_solve_path(rc_contact *contact, rc_path *path);
+/** The i-th coarse solution of the last step, 0 (coarsest) .. rc_result.levels-1. Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out);
 /** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */

@@ -14,6 +14,7 @@ Contact::Contact(const rc_system& system, const rc_options& options)
 
 // Names are checked before a step needs them, and a pair that is fully named must go together.
 void Contact::check_names(const rc_options& options) const {
+  if (const std::string& first = options.text(RC_OPT_WARMUP); first != "none") options.context->solver(first);
   const std::string& solver = options.text(RC_OPT_SOLVER);
   if (solver != "auto") options.context->solver(solver);
   if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty())
@@ -34,6 +35,7 @@ void Contact::set_options(const rc_options& options) {
 void Contact::reset() {
   surface_.clear();
   last_ = {};
+  levels_.clear();
   // A factor remembers the order in which points came, so an answer after a reset would differ from a first one by round-off.
   std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
 }
@@ -80,6 +82,8 @@ void Contact::begin(const rc_step& step) {
     last_.same_gap = last_.same_gap && *given == surface_;
     surface_ = std::move(*given);
   }
+  remarks_.clear();
+  for (auto& [points, level] : levels_) level.current = false;
   setup_seconds_ = 0;
   applications_before_ = applications();
 }
@@ -136,8 +140,24 @@ Answer Contact::prepare(const TrialSet& trial, std::int32_t control, double leng
   return answer;
 }
 
-SolverRun Contact::run(const Answer& answer, Monitor& monitor) const {
-  return {*answer.choice.solver, *options_.context, options_, *answer.op, monitor, options_.integer(RC_OPT_ALLOW_FALLBACK) != 0};
+SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
+  rc_grid grid{};
+  if (system_.halfspace())
+    grid = {sizeof(rc_grid), system_.given.nx, system_.given.ny, system_.given.hx, system_.given.hy, surface_.gap().data(),
+            surface_.mask(), nullptr,          0};
+  return {*answer.choice.solver,
+          *options_.context,
+          options_,
+          *answer.op,
+          monitor,
+          options_.integer(RC_OPT_ALLOW_FALLBACK) != 0,
+          system_.lambda_min,
+          system_.positive,
+          grid,
+          [this, &monitor](const rc_coarse& request) { return solve_coarse(request, monitor); },
+          [this](const std::string& text) {
+            if (std::find(remarks_.begin(), remarks_.end(), text) == remarks_.end()) remarks_.push_back(text);
+          }};
 }
 
 std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, double pressure_unit) const {
@@ -160,7 +180,7 @@ Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
     u[i] =
         (step.target - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
   double unused = 0;
-  answer.status = run(answer, monitor)(step.control, u, 0, options_.real(RC_OPT_TOL), answer.p, unused);
+  answer.status = run(answer, monitor)(step.control, u, 0, options_.real(RC_OPT_TOL), step.target, answer.p, unused);
   return answer;
 }
 

@@ -40,6 +40,8 @@ class Contact {
   void on_progress(const ProgressCallback& progress) { progress_ = progress; }
   rc_status solve(const rc_step& step, rc_result& result);
   rc_status certify_given(const rc_step& step, rc_result& result);
+  // A coarse solution of the last step, the coarsest first.
+  void level(std::int64_t i, rc_level& out) const;
   void reset();
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
@@ -54,6 +56,14 @@ class Contact {
     bool same_gap = false;  // it belongs to the current gap
   };
 
+  // A solution on a coarser grid, and the contact that found it: the next step needs it again.
+  struct Level {
+    std::unique_ptr<Contact> contact;
+    rc_level summary{};
+    std::vector<double> p;
+    bool current = false;  // of this step
+  };
+
   void begin(const rc_step& step);
   void check_names(const rc_options& options) const;
   std::optional<SurfaceState> given_surface(const rc_step& step) const;
@@ -65,12 +75,13 @@ class Contact {
   Choice choose_for(const TrialSet& trial, std::int32_t control) const;
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   Answer prepare(const TrialSet& trial, std::int32_t control, double length_unit);
-  SolverRun run(const Answer& answer, Monitor& monitor) const;
+  SolverRun run(const Answer& answer, Monitor& monitor);
+  rc_status solve_coarse(const rc_coarse& request, const Monitor& monitor);
 
   Answer at_displacement(const rc_step& step, Monitor& monitor);
   Answer at_load(const rc_step& step, Monitor& monitor);
   double approach_estimate(double load, bool warm) const;
-  rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor) const;
+  rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor);
 
   std::vector<double> over_all_points(const Answer& answer) const;
   rc_status finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result);
@@ -87,6 +98,8 @@ class Contact {
   SurfaceState surface_;
   Last last_;
   std::map<std::string, std::unique_ptr<Operator>> operators_;
+  std::map<std::int64_t, Level> levels_;  // by number of points
+  std::vector<std::string> remarks_;      // of this step's solver
   ProgressCallback progress_;
   std::atomic<bool> busy_{false}, cancelled_{false};
   double setup_seconds_ = 0;              // of this step

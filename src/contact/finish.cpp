@@ -18,7 +18,7 @@ template <std::size_t size> void copy_text(char (&to)[size], const char* text) {
 std::string explain(rc_status status, const rc_result& result, double tol) {
   return join(rc_status_text(status), ": kkt_primal ", result.kkt_primal, ", kkt_dual ", result.kkt_dual,
               ", kkt_complementarity ", result.kkt_complementarity, ", kkt_control ", result.kkt_control, ", tol ", tol,
-              ", after ", result.iterations, " iterations");
+              ", after ", result.iterations, " iterations", result.note[0] ? "; " : "", result.note);
 }
 
 }  // namespace
@@ -33,6 +33,11 @@ void Contact::name_components(const Answer& answer, rc_result& result) const {
   if (answer.op && needs_subset && !answer.op->has_subset())
     note += join(note.empty() ? "" : "; ", "systems on subsets by conjugate gradients: backend \"", answer.op->name(),
                  "\" cannot factor");
+  const bool needs_shifted = answer.choice.solver && (answer.choice.solver->needs & RC_CAP_SHIFTED) != 0;
+  if (answer.op && needs_shifted && !(answer.op->capabilities() & RC_CAP_SHIFTED))
+    note += join(note.empty() ? "" : "; ", "shifted systems by conjugate gradients: backend \"", answer.op->name(),
+                 "\" cannot factor");
+  for (const std::string& remark : remarks_) note += (note.empty() ? "" : "; ") + remark;
   copy_text(result.note, note.c_str());
 }
 
@@ -122,6 +127,7 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
   result.stiffness = rate;
   result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
   result.iterations = monitor.iterations();
+  result.levels = std::count_if(levels_.begin(), levels_.end(), [](const auto& entry) { return entry.second.current; });
   result.applications = applications() - applications_before_;
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
@@ -177,6 +183,7 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   result.status = certify_and_fill(step, p, product, approach, result);
   result.stiffness = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
   result.iterations = 0;
+  result.levels = 0;
   result.applications = applications() - applications_before_;
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);

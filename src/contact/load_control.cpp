@@ -61,7 +61,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
       for (std::size_t i = 0; i < u.size(); ++i)
         u[i] = (lowest - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / height;
       double d = 0;
-      answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), answer.p, d);
+      answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), 0, answer.p, d);
       answer.approach = d;
     } else {
       double first = warm ? (last_.approach - lowest) / height : 1;
@@ -89,11 +89,11 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
 // the contact set at hand. Steps outside the bracket are replaced by bisection. All in dimensionless units; the operator's zero
 // mode adds `shift` to the approach, which is taken out of the answer.
-rc_status Contact::balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor) const {
+rc_status Contact::balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor) {
   const TrialSet& trial = answer.op->trial();
   const std::size_t n = answer.p.size();
   const double tol = options_.real(RC_OPT_TOL), lowest = surface_.lowest();
-  const SolverRun run_solver = run(answer, monitor);
+  SolverRun run_solver = run(answer, monitor);
   std::vector<double> height(n), u(n), ones, rate;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < n; ++i)
@@ -105,8 +105,8 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
     double unused = 0;
     answer.approach = d - shift;
-    const double depth = std::max(answer.approach, 1e-3 * d);
-    if (const rc_status status = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, answer.p, unused); status != RC_OK)
+    const double depth = std::max(answer.approach, 1e-3 * d), physical = lowest + answer.approach * answer.length_unit;
+    if (const rc_status status = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, physical, answer.p, unused); status != RC_OK)
       return status;
     double sum = 0;
     contact.clear();

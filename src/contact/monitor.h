@@ -3,6 +3,7 @@
 
 #include <roughcontact/roughcontact.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 
@@ -42,7 +43,16 @@ class Monitor {
     return iterations_ >= max_iter_ ? RC_STOP_MAX_ITER : RC_OK;
   }
   void next_call() { iteration_ = 0; }
+  // Around a solver inside a solver.
+  std::int64_t begin_call() {
+    const std::int64_t outer = iteration_;
+    iteration_ = 0;
+    return outer;
+  }
+  void end_call(std::int64_t outer) { iteration_ = outer; }
 
+  // Seconds left of the time limit; 0: there is none.
+  double time_left() const { return time_limit_ > 0 ? std::max(time_limit_ - seconds(), 1e-3) : 0; }
   std::int64_t iterations() const { return iterations_; }
   double seconds() const { return seconds_since(start_); }
   const Clock::time_point& start() const { return start_; }

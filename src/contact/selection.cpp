@@ -90,13 +90,23 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
 
 }  // namespace
 
+std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks) {
+  const auto lacks = [&](std::uint64_t operation) { return !fallbacks && (solver.needs & operation & ~capabilities) != 0; };
+  if (lacks(RC_CAP_SUBSET))
+    return join("solver \"", solver.name, "\" needs systems on subsets, which the backend cannot factor, and allow_fallback is 0");
+  if (lacks(RC_CAP_SHIFTED))
+    return join("solver \"", solver.name, "\" needs shifted systems, which the backend cannot factor, and allow_fallback is 0");
+  return {};
+}
+
 std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
                      bool fallbacks) {
   if (!fits(backend, system)) return join("backend \"", backend.name, "\" cannot do ", kind_of(system));
+  if ((solver.needs & RC_NEEDS_GRID) && !system.halfspace())
+    return join("solver \"", solver.name, "\" needs a half-space grid, not ", kind_of(system));
+  if (const std::string missing = missing_operation(solver, backend.caps, fallbacks); !missing.empty())
+    return join("backend \"", backend.name, "\": ", missing);
   const bool replaced = !factors(backend);
-  if ((solver.needs & RC_CAP_SUBSET) && replaced && !fallbacks)
-    return join("solver \"", solver.name, "\" needs systems on subsets, which backend \"", backend.name,
-                "\" cannot factor, and allow_fallback is 0");
   if (control == RC_CONTROL_LOAD && !(solver.controls & RC_CONTROL_LOAD) && replaced && !fallbacks)
     return join("load control of solver \"", solver.name, "\" needs systems on subsets, which backend \"", backend.name,
                 "\" cannot factor, and allow_fallback is 0");

@@ -23,6 +23,9 @@ struct Choice {
   const rc_backend* backend = nullptr;
 };
 
+// Why this solver cannot run on a backend with these capabilities; "" if it can.
+std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks);
+
 // Why this pair cannot solve this system under this control; "" if it can.
 std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
                      bool fallbacks);

@@ -1,52 +1,204 @@
 #include "contact/solver_run.h"
 
+#include <algorithm>
+#include <limits>
 #include <new>
 
+#include "contact/selection.h"
 #include "core/error.h"
 
 namespace rc {
 
 namespace {
 
+struct Session;
+
+// What the callbacks of rc_problem find behind it.
 struct BoundProblem : rc_problem {
-  Operator* op;
-  Monitor* monitor;
+  Session* session = nullptr;
+  TrialSet trial;
+  rc_grid where{};
+  std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
+};
+
+// The problem of a step and those that its solver opens inside it take turns on one operator.
+struct Session {
+  const SolverRun& run;
+  const BoundProblem* owner = nullptr;
+
+  Operator& op_for(const BoundProblem& problem) {
+    if (owner != &problem) {
+      owner = nullptr;
+      run.op.bind(problem.trial);
+      owner = &problem;
+    }
+    return run.op;
+  }
+  void connect(BoundProblem& problem);
+  rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d);
 };
 
 const BoundProblem& bound(const rc_problem* problem) { return *static_cast<const BoundProblem*>(problem); }
+const SolverRun& run_of(const rc_problem* problem) { return bound(problem).session->run; }
 
-rc_status apply(const rc_problem* problem, const double* x, double* y) { return bound(problem).op->apply(x, y); }
-
-rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
-  // The solver may be C: no exception passes through it.
+// The solver may be C: no exception passes through it.
+template <class Action> rc_status contained(const Action& action) {
   try {
-    return bound(problem).op->subset({a, static_cast<std::size_t>(na)}, b, x);
+    return action();
+  } catch (const Error& error) {
+    set_message(error.what());
+    return error.code();
   } catch (const std::bad_alloc&) {
-    set_message("out of memory for a system on a subset");
+    set_message("out of memory");
     return RC_ERR_MEMORY;
   }
 }
 
+Operator& op_of(const rc_problem* problem) { return bound(problem).session->op_for(bound(problem)); }
+
+rc_status apply(const rc_problem* problem, const double* x, double* y) {
+  return contained([&] { return op_of(problem).apply(x, y); });
+}
+
+rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
+  return contained([&] { return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x); });
+}
+
+rc_status shifted(const rc_problem* problem, double rho, double tol, const double* b, double* x) {
+  return contained([&] { return op_of(problem).shifted(rho, tol, b, x); });
+}
+
+rc_status norm(const rc_problem* problem, double* out) {
+  return contained([&] { return op_of(problem).norm(*out); });
+}
+
 rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
-  return bound(problem).monitor->poll(iteration, kkt, bound(problem).op->applications());
+  const SolverRun& run = run_of(problem);
+  if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.applications()); status != RC_OK) return status;
+  return iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : RC_OK;
+}
+
+rc_status coarse(const rc_problem* problem, const rc_coarse* request) {
+  return contained([&] { return run_of(problem).coarse(*request); });
+}
+
+void note(const rc_problem* problem, const char* text) {
+  contained([&] {
+    run_of(problem).note(text);
+    return RC_OK;
+  });
+}
+
+// Pressure at some of the unknowns only, by another solver.
+rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<const std::int64_t> a, double tol, double* p,
+                      double* product) {
+  Session& session = *outer.session;
+  const SolverRun& run = session.run;
+  if (outer.control != RC_CONTROL_DISPLACEMENT)
+    fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
+  const rc_solver& solver = run.context.solver(name);
+  if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
+    fail(RC_ERR_INCOMPATIBLE, missing);
+
+  BoundProblem problem;
+  problem.session = &session;
+  problem.trial.zero_mode = outer.trial.zero_mode;
+  problem.trial.n = static_cast<std::int64_t>(a.size());
+  if (problem.trial.n < outer.n || !outer.trial.index.empty())
+    for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
+  std::vector<double> u, start;
+  for (const std::int64_t i : a) {
+    u.push_back(outer.u[i]);
+    start.push_back(p[i]);
+  }
+  problem.n = problem.trial.n;
+  problem.control = outer.control;
+  problem.u = u.data();
+  problem.tol = tol;
+  problem.where = outer.where;
+  session.connect(problem);
+
+  rc_status status = RC_OK;
+  if (problem.n > 0) {
+    const std::int64_t iteration = run.monitor.begin_call();
+    double unused = 0;
+    status = session.solve(solver, problem, start.data(), &unused);
+    run.monitor.end_call(iteration);
+    if (status < 0) return status;
+  }
+  std::fill(p, p + outer.n, 0.0);
+  for (std::size_t k = 0; k < a.size(); ++k) p[a[k]] = start[k];
+  if (product) {
+    std::fill(product, product + outer.n, 0.0);
+    if (problem.n > 0) {
+      std::vector<double> everywhere(static_cast<std::size_t>(run.op.points()));
+      session.op_for(problem).field(start, everywhere);
+      for (std::int64_t i = 0; i < outer.n; ++i) product[i] = everywhere[static_cast<std::size_t>(outer.trial.point(i))];
+    }
+  }
+  return status;
+}
+
+rc_status inner(const rc_problem* problem, const char* solver, std::int64_t na, const std::int64_t* a, double tol, double* p,
+                double* product) {
+  return contained(
+      [&] { return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product); });
+}
+
+void Session::connect(BoundProblem& problem) {
+  const std::uint64_t caps = run.op.capabilities();
+  problem.struct_size = sizeof(rc_problem);
+  problem.session = this;
+  problem.apply = apply;
+  problem.subset = run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
+  problem.poll = poll;
+  problem.lambda_min = run.lambda_min;
+  problem.positive = run.positive;
+  problem.shifted = run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
+  problem.norm = (caps & RC_CAP_NORM) ? norm : nullptr;
+  problem.inner = inner;
+  problem.note = note;
+  if (run.grid.gap) {
+    problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
+    problem.grid = &problem.where;
+    problem.coarse = coarse;
+  }
+}
+
+rc_status Session::solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
+  op_for(problem);
+  return solver.solve(&run.context.host(), &problem, &run.options, p, d);
+}
+
+// The steps of another solver that come first. It need not converge.
+rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d) {
+  const std::string& name = session.run.options.text(RC_OPT_WARMUP);
+  if (name == "none" || name == session.run.solver.name) return RC_OK;
+  const rc_solver& solver = session.run.context.solver(name);
+  if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) return RC_OK;
+  problem.most_iterations = session.run.options.integer(RC_OPT_WARMUP_ITERATIONS);
+  const rc_status status = session.solve(solver, problem, p, d);
+  problem.most_iterations = std::numeric_limits<std::int64_t>::max();
+  raise_if_failed(status, solver.name);
+  session.run.monitor.next_call();
+  return status == RC_STOP_CANCELLED || status == RC_STOP_TIME ? status : RC_OK;
 }
 
 }  // namespace
 
-rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, std::vector<double>& p,
-                                double& d) const {
-  BoundProblem problem{};
-  problem.struct_size = sizeof(rc_problem);
+rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
+                                std::vector<double>& p, double& d) {
+  Session session{*this};
+  BoundProblem problem;
+  problem.trial = op.trial();
   problem.n = static_cast<std::int64_t>(u.size());
   problem.control = control;
   problem.u = u.data();
   problem.load = load;
   problem.tol = tol;
-  problem.apply = apply;
-  problem.subset = fallbacks || op.has_subset() ? subset : nullptr;
-  problem.poll = poll;
-  problem.op = &op;
-  problem.monitor = &monitor;
+  problem.where = grid;
+  problem.where.approach = approach;
+  session.connect(problem);
   struct Watch {
     Operator& watched;
     ~Watch() { watched.watch(nullptr); }
@@ -54,8 +206,13 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   op.watch([this] { return monitor.ask(); });
   monitor.next_call();
   clear_message();
-  const rc_status status = solver.solve(&context.host(), &problem, &options, p.data(), &d);
+  if (!warmed_up) {
+    warmed_up = true;
+    if (const rc_status status = warm_up(session, problem, p.data(), &d); status != RC_OK) return status;
+  }
+  const rc_status status = session.solve(solver, problem, p.data(), &d);
   raise_if_failed(status, solver.name);
+  session.op_for(problem);
   return status;
 }
 

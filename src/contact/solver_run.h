@@ -1,7 +1,9 @@
-// One call of a solver on a bound operator.
+// Runs of solvers on a bound operator: the services of rc_problem, the warm-up, and solvers inside solvers.
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "contact/monitor.h"
@@ -11,16 +13,22 @@ namespace rc {
 
 struct SolverRun {
   const rc_solver& solver;
-  const Context& context;
+  Context& context;
   const rc_options& options;
   Operator& op;
   Monitor& monitor;
-  bool fallbacks;  // systems on subsets may be solved by iteration
+  bool fallbacks;     // operations that the backend lacks may be replaced
+  double lambda_min;  // a lower bound of the operator's eigenvalues; 0: none
+  bool positive;      // no entry of H is negative
+  rc_grid grid;       // without its index and, in load control, its approach; gap null: there is no grid
+  std::function<rc_status(const rc_coarse&)> coarse;
+  std::function<void(const std::string&)> note;
+  bool warmed_up = false;  // the warm-up runs once, however often the solver does
 
   // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
-  // p and d: start in, answer out. Throws Error for a status < 0.
-  rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, std::vector<double>& p,
-                       double& d) const;
+  // p and d: start in, answer out. `approach`: that of the grid's units. Throws Error for a status < 0.
+  rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
+                       std::vector<double>& p, double& d);
 };
 
 }  // namespace rc

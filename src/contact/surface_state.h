@@ -19,6 +19,7 @@ class SurfaceState {
   bool empty() const { return gap_.empty(); }
   bool operator==(const SurfaceState&) const;  // NaN under the mask counts as equal
   std::span<const double> gap() const { return gap_; }
+  const std::uint8_t* mask() const { return mask_.empty() ? nullptr : mask_.data(); }
   bool included(std::size_t i) const { return mask_.empty() || mask_[i] != 0; }
   std::int64_t included_points() const { return included_points_; }
   bool whole() const { return mask_.empty() || included_points_ == static_cast<std::int64_t>(gap_.size()); }

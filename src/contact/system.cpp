@@ -112,7 +112,7 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
     fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy,
          " is beyond double precision; choose other units");
 
-  System result{system, system, "", 1, 1, true};
+  System result{system, system, "", 1, 1, 0, true};
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
       if (system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)

@@ -13,6 +13,7 @@ struct System {
   std::string kernel;              // resolved name, "" without a half-space
   double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
   double operator_scale = 1;       // what products of `unit` must be divided by to be dimensionless
+  double lambda_min = 0;           // a lower bound of the eigenvalues of the dimensionless operator; 0: none is known
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
 
   std::int64_t points() const { return given.nx * given.ny; }

@@ -39,6 +39,9 @@ const std::vector<OptionSpec>& core_options() {
       number(RC_TYPE_INT, RC_OPT_STIFFNESS, "0", 0, 1, "1: compute dW/dd of the contact set, one more linear solve"),
       number(RC_TYPE_INT, RC_OPT_ALLOW_FALLBACK, "1", 0, 1,
              "1: the core may replace an operation that a backend lacks by a slower one, named in the result"),
+      text(RC_OPT_WARMUP, "none", "solver that runs first, for warmup.iterations; none: no warm-up"),
+      number(RC_TYPE_INT, RC_OPT_WARMUP_ITERATIONS, "50", 1, 1e9, "iterations of the warm-up"),
+      number(RC_TYPE_INT, RC_OPT_BOUNDS, "1", 0, 1, "1: prove intervals for load and contact area from the duality gap"),
       text(RC_OPT_CERTIFY_BACKEND, "", "backend for the certificate's product; empty: the solving one"),
   };
   return specs;

@@ -55,4 +55,10 @@ rc_status Operator::subset(std::span<const std::int64_t> a, const double* b, dou
   return status;
 }
 
+rc_status Operator::norm(double& out) {
+  const rc_status status = backend_.norm(self_, &out);
+  out /= scale_;
+  return status;
+}
+
 }  // namespace rc

@@ -46,6 +46,12 @@ class Operator {
   // H[a,a] x = b for ascending positions a in the trial set: the backend's factorisation, or conjugate gradients on `apply`.
   rc_status subset(std::span<const std::int64_t> a, const double* b, double* x);
   bool has_subset() const { return backend_.subset != nullptr; }
+  // (H + rho I) x = b: the backend's, or conjugate gradients from the x given until the residual is at most tol times |b|, or no
+  // longer falls.
+  rc_status shifted(double rho, double tol, const double* b, double* x);
+  rc_status norm(double& out);  // Frobenius; only with RC_CAP_NORM
+  std::uint64_t capabilities() const { return backend_.caps; }
+  std::int64_t points() const { return system_.nx * system_.ny; }
 
   std::int64_t applications() const { return applications_; }
   const char* name() const { return backend_.name; }

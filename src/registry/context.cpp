@@ -49,6 +49,8 @@ void check(const rc_backend& backend) {
   if (!backend.create || !backend.destroy || !backend.bind || !backend.apply || !backend.field || !backend.modelled)
     fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" lacks one of create, destroy, bind, apply, field, modelled");
   check_bit(backend, RC_CAP_SUBSET, backend.subset != nullptr, "subset");
+  check_bit(backend, RC_CAP_SHIFTED, backend.shifted != nullptr, "shifted");
+  check_bit(backend, RC_CAP_NORM, backend.norm != nullptr, "norm");
 }
 
 void check(const rc_solver& solver) {

@@ -111,6 +111,8 @@ class Pivoting {
 
 }  // namespace
 
+const Options nnls_options{};
+
 rc_status nnls(const Problem& problem, Vector& p, double&) { return Pivoting(problem, p).run(); }
 
 }  // namespace rc

@@ -228,6 +228,8 @@ class Iteration {
 
 }  // namespace
 
+const Options polonsky_keer_options{};
+
 rc_status polonsky_keer(const Problem& problem, Vector& p, double& d) { return Iteration(problem, p, d).run(); }
 
 }  // namespace rc

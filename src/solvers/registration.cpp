@@ -12,6 +12,18 @@ std::int64_t Problem::option_int(const char* key) const {
   return value;
 }
 
+double Problem::option_real(const char* key) const {
+  double value = 0;
+  check(host_.option_real(&host_, &options_, key, &value));
+  return value;
+}
+
+std::string Problem::option_text(const char* key) const {
+  const char* value = "";
+  check(host_.option_text(&host_, &options_, key, &value));
+  return value;
+}
+
 namespace {
 
 using Function = rc_status (*)(const Problem&, Vector&, double&);
@@ -36,25 +48,28 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
 
 const char license[] = "BSD-3-Clause";
 
-#define RC_SOLVER(function, name, summary, needs, controls) \
-  const rc_solver function##_entry = {sizeof(rc_solver), name, summary, license, needs, controls, 0, 0, nullptr, solve<function>};
+// Built at the first query: options of other files are not constants of this one.
+const rc_plugin& plugin() {
+#define RC_SOLVER(function, name, summary, needs, controls)                       \
+  static const rc_solver function##_entry = {sizeof(rc_solver), name, summary, license, needs, controls, 0, \
+                                             function##_options.count, function##_options.specs, solve<function>};
 #include "solvers/solvers.def"
 #undef RC_SOLVER
-
-const rc_solver* const entries[] = {
+  static const rc_solver* const entries[] = {
 #define RC_SOLVER(function, name, summary, needs, controls) &function##_entry,
 #include "solvers/solvers.def"
 #undef RC_SOLVER
-};
-
-const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "solvers", "0.1.0", 0, std::size(entries), nullptr, entries};
+  };
+  static const rc_plugin all = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "solvers", "0.1.0", 0,
+                                std::size(entries), nullptr, entries};
+  return all;
+}
 
 }  // namespace
 
 }  // namespace rc
 
 extern "C" rc_status rc_builtin_solvers(const rc_host*, const rc_plugin** out) {
-  *out = &rc::plugin;
+  *out = &rc::plugin();
   return RC_OK;
 }

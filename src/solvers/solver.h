@@ -4,6 +4,7 @@
 #include <roughcontact/plugin.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace rc {
@@ -33,10 +34,32 @@ class Problem {
   rc_status try_subset(const Positions& a, const Vector& b, Vector& x) const {
     return problem_.subset(&problem_, static_cast<std::int64_t>(a.size()), a.data(), b.data(), x.data());
   }
+  // (H + rho I) x = b to a relative residual of tol; x: start in, answer out.
+  void shifted(double rho, double tol, const Vector& b, Vector& x) const {
+    check(problem_.shifted(&problem_, rho, tol, b.data(), x.data()));
+  }
+  bool has_norm() const { return problem_.norm != nullptr; }
+  double norm() const {  // of H, Frobenius
+    double value = 0;
+    check(problem_.norm(&problem_, &value));
+    return value;
+  }
+  double lambda_min() const { return problem_.lambda_min; }  // a lower bound of the eigenvalues; 0: none is known
+  bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
+  const rc_grid* grid() const { return problem_.grid; }
+  // Another solver, with pressure on the positions `a` only; product: null, or H p out.
+  rc_status inner(const char* solver, const Positions& a, double tol, Vector& p, Vector* product) const {
+    return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol, p.data(),
+                          product ? product->data() : nullptr);
+  }
+  rc_status coarse(const rc_coarse& request) const { return problem_.coarse(&problem_, &request); }
+  void note(const std::string& text) const { problem_.note(&problem_, text.c_str()); }
   // Once an iteration.
   void poll(std::int64_t iteration, double kkt) const { check(problem_.poll(&problem_, iteration, kkt)); }
 
   std::int64_t option_int(const char* key) const;
+  double option_real(const char* key) const;
+  std::string option_text(const char* key) const;
   [[noreturn]] void fail(const char* message) const { throw Leave{host_.fail(&host_, RC_ERR_NUMERIC, message)}; }
   static void check(rc_status status) {
     if (status != RC_OK) throw Leave{status};
@@ -48,8 +71,28 @@ class Problem {
   const rc_options& options_;
 };
 
-// One declaration per line of solvers.def: improves p (and, in load control, d) until problem.tol() is met.
-#define RC_SOLVER(function, name, summary, needs, controls) rc_status function(const Problem& problem, Vector& p, double& d);
+// A solver's options, keys "<name>.<key>".
+struct Options {
+  const rc_option_spec* const* specs = nullptr;
+  std::int64_t count = 0;
+};
+template <std::size_t count> constexpr Options listed(const rc_option_spec* const (&specs)[count]) {
+  return {specs, static_cast<std::int64_t>(count)};
+}
+constexpr rc_option_spec text_option(const char* key, const char* value, const char* choices, const char* help) {
+  return {sizeof(rc_option_spec), key, value, choices, help, RC_TYPE_TEXT, 0, 0, 0};
+}
+constexpr rc_option_spec int_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
+  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_INT, 0, minimum, maximum};
+}
+constexpr rc_option_spec real_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
+  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
+}
+
+// Two declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met.
+#define RC_SOLVER(function, name, summary, needs, controls)                        \
+  rc_status function(const Problem& problem, Vector& p, double& d);                \
+  extern const Options function##_options;
 #include "solvers/solvers.def"
 #undef RC_SOLVER
 

@@ -1,0 +1,66 @@
+#include "grid/downsample.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace rc {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+// The values of one block, in the order in which they are seen.
+class Block {
+ public:
+  explicit Block(Filter filter) : filter_(filter) {}
+
+  void add(double gap) {
+    if (count_ == 0) {
+      value_ = gap;
+    } else if (filter_ == Filter::mean) {
+      value_ += gap;
+    } else if (filter_ == Filter::max) {
+      value_ = std::min(value_, gap);
+    }
+    ++count_;
+  }
+
+  bool empty() const { return count_ == 0; }
+  double value() const {
+    if (empty()) return none;
+    return filter_ == Filter::mean ? value_ / count_ : value_;
+  }
+
+ private:
+  Filter filter_;
+  int count_ = 0;
+  double value_ = none;
+};
+
+}  // namespace
+
+CoarseGrid downsample(std::int64_t nx, std::int64_t ny, std::span<const double> gap, std::span<const std::uint8_t> mask,
+                      Filter filter) {
+  CoarseGrid coarse{(nx + 1) / 2, (ny + 1) / 2, {}, {}};
+  const auto points = static_cast<std::size_t>(coarse.nx * coarse.ny);
+  coarse.gap.reserve(points);
+  if (!mask.empty()) coarse.mask.reserve(points);
+
+  for (std::int64_t cy = 0; cy < coarse.ny; ++cy) {
+    for (std::int64_t cx = 0; cx < coarse.nx; ++cx) {
+      Block block{filter};
+      for (std::int64_t iy = 2 * cy; iy < std::min(2 * cy + 2, ny); ++iy) {
+        for (std::int64_t ix = 2 * cx; ix < std::min(2 * cx + 2, nx); ++ix) {
+          const auto i = static_cast<std::size_t>(iy * nx + ix);
+          if (mask.empty() || mask[i] != 0) block.add(gap[i]);
+        }
+      }
+      coarse.gap.push_back(block.value());
+      if (!mask.empty()) coarse.mask.push_back(block.empty() ? 0 : 1);
+    }
+  }
+  return coarse;
+}
+
+}  // namespace rc
