@@ -10,7 +10,8 @@ LAYERS = {  # folder under src: folders it may include
     'kernel': {'kernel'},
     'registry': {'registry', 'core', 'kernel'},
     'operator': {'operator', 'registry', 'core'},
-    'solvers': {'solvers', 'operator', 'core'},
+    'grid': {'grid'},
+    'solvers': {'solvers', 'operator', 'grid', 'core'},
     'contact': {'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
     'abi': {'abi', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }

@@ -106,7 +106,9 @@ typedef struct rc_grid {
   const double *gap;    /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0                     */
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
-  double approach;      /* DISPLACEMENT: d [length], so that the unknowns are points with gap < d               */
+  double approach;      /* DISPLACEMENT: d [length]; where H has no negative entry the unknowns have gap < d    */
+  int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
+  int32_t reserved;
 } rc_grid;
 
 /** A problem on a coarser grid of the same surface, in displacement control. */
@@ -147,13 +149,14 @@ struct rc_problem {
   rc_status (*shifted)(const rc_problem *, double rho, double tol, const double *b, double *x);
   /** The Frobenius norm of H. NULL if the backend cannot tell. */
   rc_status (*norm)(const rc_problem *, double *out);
-  /** DISPLACEMENT: another solver on this problem with pressure at the na ascending positions a only. p [n]: start in
+  /** DISPLACEMENT: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending positions a only. p [n]: start in
    *  (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n] out, H p. */
   rc_status (*inner)(const rc_problem *, const char *solver, int64_t na, const int64_t *a, double tol, double *p,
                      double *product);
   /** Solves on a coarser grid; NULL without a grid. RC_OK: certified. */
   rc_status (*coarse)(const rc_problem *, const rc_coarse *);
-  /** Adds a remark to rc_result.note: what was done instead, what is wrong with the answer. */
+  /** Adds a remark to rc_result.note, "solver: what was done instead, what is wrong with the answer". A later one that
+   *  begins with the same words up to the colon replaces it. */
   void (*note)(const rc_problem *, const char *text);
 };
 

@@ -143,8 +143,17 @@ Answer Contact::prepare(const TrialSet& trial, std::int32_t control, double leng
 SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
   rc_grid grid{};
   if (system_.halfspace())
-    grid = {sizeof(rc_grid), system_.given.nx, system_.given.ny, system_.given.hx, system_.given.hy, surface_.gap().data(),
-            surface_.mask(), nullptr,          0};
+    grid = {sizeof(rc_grid),
+            system_.given.nx,
+            system_.given.ny,
+            system_.given.hx,
+            system_.given.hy,
+            surface_.gap().data(),
+            surface_.mask(),
+            nullptr,
+            0,
+            system_.given.boundary,
+            0};
   return {*answer.choice.solver,
           *options_.context,
           options_,
@@ -156,7 +165,9 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
           grid,
           [this, &monitor](const rc_coarse& request) { return solve_coarse(request, monitor); },
           [this](const std::string& text) {
-            if (std::find(remarks_.begin(), remarks_.end(), text) == remarks_.end()) remarks_.push_back(text);
+            const std::string from = text.substr(0, text.find(':'));
+            std::erase_if(remarks_, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
+            remarks_.push_back(text);
           }};
 }
 

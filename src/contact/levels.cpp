@@ -45,8 +45,8 @@ rc_status Contact::solve_coarse(const rc_coarse& request, const Monitor& monitor
   level.current = false;
   const rc_status status = level.contact->solve(step, result);
   if (const rc_status stop = monitor.ask(); stop != RC_OK) return stop;
-  level.summary = {sizeof(rc_level), nullptr,   status,    0,           system.nx,         system.ny,       system.hx,
-                   system.hy,        step.target, result.load, result.candidates, result.contacts};
+  level.summary = {sizeof(rc_level), nullptr,   status,      0,           system.nx,         system.ny,
+                   system.hx,        system.hy, step.target, result.load, result.candidates, result.contacts};
   level.current = true;
   std::copy(level.p.begin(), level.p.end(), request.p);
   return status;
@@ -57,8 +57,8 @@ void Contact::level(std::int64_t i, rc_level& out) const {
   for (const auto& [points, each] : levels_)
     if (each.current) current.push_back(&each);
   if (i < 0 || i >= static_cast<std::int64_t>(current.size()))
-    fail(RC_ERR_ARGUMENT, "level ", i, " is not in 0 .. ", static_cast<std::int64_t>(current.size()) - 1,
-         ": the last step left ", current.size(), " coarse solutions");
+    fail(RC_ERR_ARGUMENT, "level ", i, " is not in 0 .. ", static_cast<std::int64_t>(current.size()) - 1, ": the last step left ",
+         current.size(), " coarse solutions");
   const Level& found = *current[static_cast<std::size_t>(i)];
   double* const p = out.p;
   out = found.summary;

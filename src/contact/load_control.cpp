@@ -106,7 +106,8 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     double unused = 0;
     answer.approach = d - shift;
     const double depth = std::max(answer.approach, 1e-3 * d), physical = lowest + answer.approach * answer.length_unit;
-    if (const rc_status status = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, physical, answer.p, unused); status != RC_OK)
+    if (const rc_status status = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
+        status != RC_OK)
       return status;
     double sum = 0;
     contact.clear();

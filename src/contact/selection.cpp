@@ -90,10 +90,13 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
 
 }  // namespace
 
+const char* suited(bool factors) { return factors ? "nnls" : "polonsky-keer"; }
+
 std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks) {
   const auto lacks = [&](std::uint64_t operation) { return !fallbacks && (solver.needs & operation & ~capabilities) != 0; };
   if (lacks(RC_CAP_SUBSET))
-    return join("solver \"", solver.name, "\" needs systems on subsets, which the backend cannot factor, and allow_fallback is 0");
+    return join("solver \"", solver.name,
+                "\" needs systems on subsets, which the backend cannot factor, and allow_fallback is 0");
   if (lacks(RC_CAP_SHIFTED))
     return join("solver \"", solver.name, "\" needs shifted systems, which the backend cannot factor, and allow_fallback is 0");
   return {};
@@ -120,7 +123,7 @@ Choice choose(const rc_options& options, const System& system, std::int32_t cont
   choice.backend = &choose_backend(options, system, control, counts, choice.solver);
   if (!choice.solver) {
     const bool direct = factors(*choice.backend) && (prefers_direct(counts) || system.given.op == RC_OPERATOR_DENSE);
-    choice.solver = &options.context->solver(direct ? "nnls" : "polonsky-keer");
+    choice.solver = &options.context->solver(suited(direct));
   }
   return choice;
 }

@@ -19,6 +19,11 @@ struct BoundProblem : rc_problem {
   TrialSet trial;
   rc_grid where{};
   std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
+
+  BoundProblem() = default;
+  BoundProblem(const BoundProblem&) = delete;
+  BoundProblem& operator=(const BoundProblem&) = delete;
+  ~BoundProblem();
 };
 
 // The problem of a step and those that its solver opens inside it take turns on one operator.
@@ -37,6 +42,11 @@ struct Session {
   void connect(BoundProblem& problem);
   rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d);
 };
+
+// Another problem may come to stand at its address.
+BoundProblem::~BoundProblem() {
+  if (session && session->owner == this) session->owner = nullptr;
+}
 
 const BoundProblem& bound(const rc_problem* problem) { return *static_cast<const BoundProblem*>(problem); }
 const SolverRun& run_of(const rc_problem* problem) { return bound(problem).session->run; }
@@ -94,13 +104,12 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
                       double* product) {
   Session& session = *outer.session;
   const SolverRun& run = session.run;
-  if (outer.control != RC_CONTROL_DISPLACEMENT)
-    fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
-  const rc_solver& solver = run.context.solver(name);
+  if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
+  const rc_solver& solver = run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset()) : name);
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, missing);
 
-  BoundProblem problem;
+  BoundProblem problem{};
   problem.session = &session;
   problem.trial.zero_mode = outer.trial.zero_mode;
   problem.trial.n = static_cast<std::int64_t>(a.size());
@@ -141,8 +150,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
 
 rc_status inner(const rc_problem* problem, const char* solver, std::int64_t na, const std::int64_t* a, double tol, double* p,
                 double* product) {
-  return contained(
-      [&] { return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product); });
+  return contained([&] { return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product); });
 }
 
 void Session::connect(BoundProblem& problem) {
@@ -189,7 +197,7 @@ rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d)
 rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                                 std::vector<double>& p, double& d) {
   Session session{*this};
-  BoundProblem problem;
+  BoundProblem problem{};
   problem.trial = op.trial();
   problem.n = static_cast<std::int64_t>(u.size());
   problem.control = control;

@@ -1,5 +1,5 @@
-// (H + rho I) x = b by conjugate gradients on the product, for backends that cannot factor. The shift bounds the condition number,
-// so a few iterations from a good start are enough.
+// (H + rho I) x = b by conjugate gradients on the product, for backends that cannot factor. The shift bounds the condition
+// number, so a few iterations from a good start are enough.
 #include <cmath>
 #include <vector>
 

@@ -50,9 +50,10 @@ const char license[] = "BSD-3-Clause";
 
 // Built at the first query: options of other files are not constants of this one.
 const rc_plugin& plugin() {
-#define RC_SOLVER(function, name, summary, needs, controls)                       \
-  static const rc_solver function##_entry = {sizeof(rc_solver), name, summary, license, needs, controls, 0, \
-                                             function##_options.count, function##_options.specs, solve<function>};
+#define RC_SOLVER(function, name, summary, needs, controls)                                                     \
+  static const rc_solver function##_entry = {                                                                   \
+      sizeof(rc_solver),        name,           summary, license, needs, controls, 0, function##_options.count, \
+      function##_options.specs, solve<function>};
 #include "solvers/solvers.def"
 #undef RC_SOLVER
   static const rc_solver* const entries[] = {
@@ -60,8 +61,8 @@ const rc_plugin& plugin() {
 #include "solvers/solvers.def"
 #undef RC_SOLVER
   };
-  static const rc_plugin all = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "solvers", "0.1.0", 0,
-                                std::size(entries), nullptr, entries};
+  static const rc_plugin all = {
+      sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "solvers", "0.1.0", 0, std::size(entries), nullptr, entries};
   return all;
 }
 

@@ -90,8 +90,8 @@ constexpr rc_option_spec real_option(const char* key, const char* value, double 
 }
 
 // Two declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met.
-#define RC_SOLVER(function, name, summary, needs, controls)                        \
-  rc_status function(const Problem& problem, Vector& p, double& d);                \
+#define RC_SOLVER(function, name, summary, needs, controls)         \
+  rc_status function(const Problem& problem, Vector& p, double& d); \
   extern const Options function##_options;
 #include "solvers/solvers.def"
 #undef RC_SOLVER

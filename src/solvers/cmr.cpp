@@ -1,0 +1,219 @@
+// Cascade multi-resolution: Bemporad & Paggi (2015), Algorithm 6. Only points near the contacts of a coarser representation of
+// the surface are candidates on the next finer one.
+//
+// Against the printed algorithm: a point is kept if it is near some coarse contact (not near all), each level is compressed by
+// the same amount below its own highest point, no coarse contact at all means that nothing can be excluded, and the answer is
+// certified: points left out that overlap are added until there are none. As published with cmr.certified = 0.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "grid/downsample.h"
+#include "solvers/solver.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t coarsest_side = 16;  // of an automatic cascade: the paper's
+constexpr int most_rounds = 20;             // of adding points; each adds at least one
+constexpr std::int64_t most_levels = 30;
+
+using Mask = std::vector<std::uint8_t>;
+
+struct Level {
+  std::int64_t nx, ny;
+  std::vector<double> gap;
+  Mask mask;  // empty: every point
+};
+
+std::string text(const char* format, long long a, long long b, long long c) {
+  char line[120];
+  std::snprintf(line, sizeof line, format, a, b, c);
+  return line;
+}
+
+class Cascade {
+ public:
+  Cascade(const Problem& problem, Vector& p)
+      : problem_(problem),
+        grid_(*problem.grid()),
+        p_(p),
+        n_(problem.size()),
+        inner_(problem.option_text("cmr.inner")),
+        certified_(problem.option_int("cmr.certified") != 0),
+        radius_(problem.option_real("cmr.radius") * (problem.option_text("cmr.area") == "diagonal" ? std::numbers::sqrt2 : 1.0)) {
+    const std::string filter = problem.option_text("cmr.filter");
+    filter_ = filter == "subsample" ? Filter::subsample : filter == "mean" ? Filter::mean : Filter::max;
+  }
+
+  rc_status run() {
+    coarsen();
+    Mask trial = descend();
+    if (trial.empty()) {
+      problem_.note("cmr: no usable contact on a coarser grid, so every candidate was kept");
+      trial.assign(static_cast<std::size_t>(n_), 1);
+    }
+    return certified_ ? solve_certified(trial) : solve(trial, nullptr);
+  }
+
+ private:
+  bool periodic() const { return grid_.boundary == RC_BOUNDARY_PERIODIC; }
+
+  void coarsen() {
+    const std::int64_t wanted = problem_.option_int("cmr.levels");
+    const auto points = static_cast<std::size_t>(grid_.nx * grid_.ny);
+    std::int64_t nx = grid_.nx, ny = grid_.ny;
+    std::span<const double> gap(grid_.gap, points);
+    std::span<const std::uint8_t> mask(grid_.mask, grid_.mask ? points : 0);
+    for (std::int64_t finer = 1; finer < (wanted > 0 ? wanted : most_levels); ++finer) {
+      if (std::max(nx, ny) < 2 || (wanted == 0 && std::min(nx, ny) < 2 * coarsest_side)) break;
+      CoarseGrid coarse = downsample(nx, ny, gap, mask, filter_);
+      levels_.push_back({coarse.nx, coarse.ny, std::move(coarse.gap), std::move(coarse.mask)});
+      nx = levels_.back().nx;
+      ny = levels_.back().ny;
+      gap = levels_.back().gap;
+      mask = levels_.back().mask;
+    }
+  }
+
+  // Solves the cascade from its coarsest grid. Returns the unknowns to keep; nothing if no level could tell.
+  Mask descend() {
+    if (levels_.empty()) return Mask(static_cast<std::size_t>(n_), 1);
+    Mask allowed;  // on the grid at hand; empty: every point
+    for (std::size_t k = levels_.size(); k-- > 0;) {
+      Level& level = levels_[k];
+      if (!allowed.empty()) {
+        for (std::size_t i = 0; i < allowed.size(); ++i) allowed[i] = allowed[i] && (level.mask.empty() || level.mask[i]);
+      } else {
+        allowed = level.mask;
+      }
+      Vector p(level.gap.size());
+      const double lowest = lowest_gap(level.gap, level.mask), depth = grid_.approach - lowest_gap(fine_gap(), fine_mask());
+      const rc_coarse request{sizeof(rc_coarse),    level.nx,         level.ny,
+                              std::int64_t{2} << k, level.gap.data(), allowed.empty() ? nullptr : allowed.data(),
+                              lowest + depth,       inner_.c_str(),   p.data()};
+      const rc_status status = problem_.coarse(request);
+      if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) throw Leave{status};
+      if (status < 0) return {};
+      const std::int64_t nx = k > 0 ? levels_[k - 1].nx : grid_.nx, ny = k > 0 ? levels_[k - 1].ny : grid_.ny;
+      allowed = near_contacts(level, p, nx, ny);
+      if (allowed.empty()) return {};
+    }
+    Mask keep(static_cast<std::size_t>(n_));
+    for (std::int64_t i = 0; i < n_; ++i) keep[static_cast<std::size_t>(i)] = allowed[static_cast<std::size_t>(point(i))];
+    return keep;
+  }
+
+  std::span<const double> fine_gap() const { return {grid_.gap, static_cast<std::size_t>(grid_.nx * grid_.ny)}; }
+  std::span<const std::uint8_t> fine_mask() const { return {grid_.mask, grid_.mask ? fine_gap().size() : 0}; }
+
+  static double lowest_gap(std::span<const double> gap, std::span<const std::uint8_t> mask) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      if (mask.empty() || mask[i]) lowest = std::min(lowest, gap[i]);
+    return lowest;
+  }
+
+  std::int64_t point(std::int64_t i) const { return grid_.index ? grid_.index[i] : i; }
+
+  // Points of the next finer grid within the area of influence of a contact: distances in cells of the coarse grid. Empty if
+  // there is no contact.
+  Mask near_contacts(const Level& level, const Vector& p, std::int64_t nx, std::int64_t ny) const {
+    // A coarse point stands where its one fine point is, or in the middle of the block it was made of.
+    const double offset = filter_ == Filter::subsample ? 0 : 0.5, reach = 2 * radius_;
+    const auto span = static_cast<std::int64_t>(std::ceil(reach + offset));
+    Mask near(static_cast<std::size_t>(nx * ny), 0);
+    bool any = false;
+    for (std::int64_t j = 0; j < level.ny; ++j)
+      for (std::int64_t i = 0; i < level.nx; ++i) {
+        if (!(p[static_cast<std::size_t>(j * level.nx + i)] > 0)) continue;
+        any = true;
+        for (std::int64_t dy = -span; dy <= span; ++dy)
+          for (std::int64_t dx = -span; dx <= span; ++dx) {
+            const double x = static_cast<double>(dx) - offset, y = static_cast<double>(dy) - offset;
+            if (x * x + y * y > reach * reach * (1 + 1e-12)) continue;
+            std::int64_t ix = 2 * i + dx, iy = 2 * j + dy;
+            if (periodic()) {
+              ix = (ix % nx + nx) % nx;
+              iy = (iy % ny + ny) % ny;
+            }
+            if (ix >= 0 && ix < nx && iy >= 0 && iy < ny) near[static_cast<std::size_t>(iy * nx + ix)] = 1;
+          }
+      }
+    return any ? near : Mask{};
+  }
+
+  // The candidates of the trial set only; product: null, or H p over all unknowns.
+  rc_status solve(const Mask& trial, Vector* product) {
+    Positions kept;
+    for (std::int64_t i = 0; i < n_; ++i)
+      if (trial[static_cast<std::size_t>(i)]) kept.push_back(i);
+    kept_ = static_cast<long long>(kept.size());
+    const rc_status status = problem_.inner(inner_.c_str(), kept, problem_.tol(), p_, product);
+    if (status < 0) throw Leave{status};
+    return status;
+  }
+
+  rc_status solve_certified(Mask trial) {
+    const double* u = problem_.u();
+    Vector product(static_cast<std::size_t>(n_));
+    for (std::size_t i = 0; i < trial.size(); ++i) trial[i] = trial[i] || p_[i] > 0;
+    long long added = 0;
+    for (int round = 1;; ++round) {
+      const rc_status status = solve(trial, &product);
+      double worst = 0;
+      bool complete = true;
+      for (std::size_t i = 0; i < trial.size(); ++i) {
+        const double overlap = u[i] - product[i];
+        if (trial[i]) continue;
+        worst = std::max(worst, overlap);
+        if (!(overlap > problem_.tol())) continue;
+        trial[i] = 1;
+        complete = false;
+        ++added;
+      }
+      problem_.poll(round, worst);
+      if (complete || status != RC_OK || round == most_rounds) {
+        problem_.note(text("cmr: trial set %lld of %lld after %lld rounds", kept_, n_, round) +
+                      (added > 0 ? ", " + std::to_string(added) + " points added" : ""));
+        return complete ? status : RC_STOP_UNCERTIFIED;
+      }
+    }
+  }
+
+  const Problem& problem_;
+  const rc_grid& grid_;
+  Vector& p_;
+  const std::int64_t n_;
+  const std::string inner_;
+  const bool certified_;
+  const double radius_;  // of the area of influence, in cells of the coarse grid
+  Filter filter_;
+  std::vector<Level> levels_;  // [0] is half as fine as the problem's grid
+  long long kept_ = 0;
+};
+
+constexpr rc_option_spec inner = text_option("cmr.inner", "auto", nullptr, "solver on every level, by name");
+constexpr rc_option_spec levels =
+    int_option("cmr.levels", "0", 0, most_levels, "grids of the cascade, the given one included; 0: down to 16 points a side");
+constexpr rc_option_spec radius = real_option("cmr.radius", "2", 1, 1000, "h: radius of the area of influence in coarse cells");
+constexpr rc_option_spec area =
+    text_option("cmr.area", "diagonal", "diagonal|side",
+                "the radius is h times the diagonal (the paper's text) or the side (its Algorithm 6)");
+constexpr rc_option_spec filter = text_option("cmr.filter", "max", "subsample|mean|max",
+                                              "what a coarse point takes from its four heights: one, their mean or the highest");
+constexpr rc_option_spec certified = int_option(
+    "cmr.certified", "1", 0, 1, "1: add points that overlap and solve again until none does; 0: as published, may be wrong");
+constexpr const rc_option_spec* specs[] = {&inner, &levels, &radius, &area, &filter, &certified};
+
+}  // namespace
+
+const Options cmr_options = listed(specs);
+
+rc_status cmr(const Problem& problem, Vector& p, double&) { return Cascade(problem, p).run(); }
+
+}  // namespace rc
