@@ -26,7 +26,8 @@ module roughcontact
 
   character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', &
     RC_OPT_TOL = 'tol', RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', &
-    RC_OPT_STIFFNESS = 'stiffness', RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend'
+    RC_OPT_STIFFNESS = 'stiffness', RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend', &
+    RC_OPT_WARMUP = 'warmup', RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds'
 
   type, bind(c) :: rc_system
     integer(c_size_t) :: struct_size = 88
@@ -48,7 +49,7 @@ module roughcontact
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 432
+    integer(c_size_t) :: struct_size = 504
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
@@ -57,6 +58,41 @@ module roughcontact
     real(c_double) :: kkt_primal = 0, kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0
     real(c_double) :: seconds = 0, setup_seconds = 0
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char
+    character(kind=c_char) :: note(160) = c_null_char
+    real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
+    integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
+  end type
+
+  type, bind(c) :: rc_level
+    integer(c_size_t) :: struct_size = 88
+    type(c_ptr) :: p = c_null_ptr
+    integer(rc_status) :: status = 0
+    integer(c_int32_t) :: reserved = 0
+    integer(c_int64_t) :: nx = 0, ny = 0
+    real(c_double) :: hx = 0, hy = 0, displacement = 0, load = 0
+    integer(c_int64_t) :: candidates = 0, contacts = 0
+  end type
+
+  type, bind(c) :: rc_path
+    integer(c_size_t) :: struct_size = 120
+    integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
+    integer(c_int64_t) :: n = 0
+    type(c_ptr) :: targets = c_null_ptr, gap = c_null_ptr
+    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+    type(c_ptr) :: load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr
+    type(c_ptr) :: certificate = c_null_ptr
+    type(c_ptr) :: applications = c_null_ptr  ! integer(c_int64_t)
+    type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c), step by value
+    type(c_ptr) :: user = c_null_ptr
+    integer(c_int64_t) :: completed = 0
+  end type
+
+  type, bind(c) :: rc_direct
+    integer(c_size_t) :: struct_size = 248
+    integer(rc_status) :: status = 0
+    integer(c_int32_t) :: reserved = 0
+    integer(c_int64_t) :: iterations = 0, applications = 0, contacts = 0
+    real(c_double) :: load = 0, energy = 0, kkt = 0, duality_gap = 0, load_lower = 0, load_upper = 0
     character(kind=c_char) :: note(160) = c_null_char
   end type
 
@@ -109,6 +145,15 @@ module roughcontact
     end subroutine
     subroutine rc_context_config_init(config) bind(c); import
       type(rc_context_config), intent(out) :: config
+    end subroutine
+    subroutine rc_path_init(path) bind(c); import
+      type(rc_path), intent(out) :: path
+    end subroutine
+    subroutine rc_level_init(level) bind(c); import
+      type(rc_level), intent(out) :: level
+    end subroutine
+    subroutine rc_direct_init(result) bind(c); import
+      type(rc_direct), intent(out) :: result
     end subroutine
 
     integer(rc_status) function rc_context_create(config, out) bind(c); import
@@ -227,6 +272,15 @@ module roughcontact
       type(rc_step), intent(in) :: step
       type(rc_result), intent(inout) :: result
     end function
+    integer(rc_status) function rc_contact_solve_path(contact, path) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_path), intent(inout) :: path
+    end function
+    integer(rc_status) function rc_contact_level(contact, i, out) bind(c); import
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: i
+      type(rc_level), intent(inout) :: out
+    end function
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact
     end function
@@ -241,6 +295,56 @@ module roughcontact
       type(rc_step), intent(in) :: step
       type(c_ptr), value :: options
       type(rc_result), intent(inout) :: result
+    end function
+
+    ! H(ld, n): a symmetric matrix is the same by rows and by columns.
+    integer(rc_status) function rc_greedy(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
+      integer(c_int64_t), value :: n, ld, max_iter
+      real(c_double), intent(in) :: H(ld, *), u(*)
+      real(c_double), intent(inout) :: p(*)
+      real(c_double), intent(inout), optional :: w(*)
+      real(c_double), value :: tol
+      type(rc_direct), intent(inout), optional :: result
+    end function
+    integer(rc_status) function rc_polonsky_keer(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
+      integer(c_int64_t), value :: n, ld, max_iter
+      real(c_double), intent(in) :: H(ld, *), u(*)
+      real(c_double), intent(inout) :: p(*)
+      real(c_double), intent(inout), optional :: w(*)
+      real(c_double), value :: tol
+      type(rc_direct), intent(inout), optional :: result
+    end function
+    integer(rc_status) function rc_nnls(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
+      integer(c_int64_t), value :: n, ld, max_iter
+      real(c_double), intent(in) :: H(ld, *), u(*)
+      real(c_double), intent(inout) :: p(*)
+      real(c_double), intent(inout), optional :: w(*)
+      real(c_double), value :: tol
+      type(rc_direct), intent(inout), optional :: result
+    end function
+    integer(rc_status) function rc_gp(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
+      integer(c_int64_t), value :: n, ld, max_iter
+      real(c_double), intent(in) :: H(ld, *), u(*)
+      real(c_double), intent(inout) :: p(*)
+      real(c_double), intent(inout), optional :: w(*)
+      real(c_double), value :: tol
+      type(rc_direct), intent(inout), optional :: result
+    end function
+    integer(rc_status) function rc_admm(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
+      integer(c_int64_t), value :: n, ld, max_iter
+      real(c_double), intent(in) :: H(ld, *), u(*)
+      real(c_double), intent(inout) :: p(*)
+      real(c_double), intent(inout), optional :: w(*)
+      real(c_double), value :: tol
+      type(rc_direct), intent(inout), optional :: result
+    end function
+    integer(rc_status) function rc_cmr(nx, ny, hx, hy, modulus, heights, delta, levels, h, inner, p, result) bind(c); import
+      integer(c_int64_t), value :: nx, ny, levels
+      real(c_double), value :: hx, hy, modulus, delta, h
+      real(c_double), intent(in) :: heights(nx, *)
+      character(kind=c_char), intent(in), optional :: inner(*)
+      real(c_double), intent(inout) :: p(nx, *)
+      type(rc_direct), intent(inout), optional :: result
     end function
   end interface
 

@@ -136,7 +136,8 @@ struct rc_problem {
   double tol;         /* residual to reach, relative to a compenetration of 1                                  */
   /** y = H x. Counts and polls; a status other than 0 must be returned at once (it may be a stop). */
   rc_status (*apply)(const rc_problem *, const double *x, double *y);
-  /** H[a,a] x = b for ascending positions a: the backend's, or conjugate gradients. NULL if fallbacks are off. */
+  /** H[a,a] x = b for ascending positions a: the backend's, or conjugate gradients from the x given (finite) to a
+   *  thousandth of tol. NULL if fallbacks are off. */
   rc_status (*subset)(const rc_problem *, int64_t na, const int64_t *a, const double *b, double *x);
   /** Once an iteration, with the worst residual as the solver sees it. Nonzero: return it at once. */
   rc_status (*poll)(const rc_problem *, int64_t iteration, double kkt);

@@ -172,7 +172,8 @@ typedef struct rc_level {
   int64_t contacts;     /* points with p > 0                                                                   */
 } rc_level;
 
-/** Called after each step of a path, on the solving thread. Return nonzero to end the path. */
+/** Called after each completed step 0 .. n-1 of a path, on the solving thread, with pressures and gap that last until
+ *  it returns. May call only rc_contact_cancel. Return nonzero to end the path. */
 typedef int32_t (*rc_path_fn)(int64_t step, const rc_result *result, void *user);
 
 /** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
@@ -191,12 +192,27 @@ typedef struct rc_path {
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is */
   double *certificate;  /* out, the largest kkt_* residual                                                     */
   int64_t *applications; /* out, products with H                                                               */
-  rc_path_fn fn;        /* sees each step's result with pressures and gap; NULL: none                          */
+  rc_path_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                */
   void *user;           /* handed to fn                                                                        */
   int64_t completed;    /* out: steps whose outputs are written; all of them certified                         */
 } rc_path;
 #define RC_PATH_INIT \
   { sizeof(rc_path), RC_CONTROL_DISPLACEMENT, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+
+/** What a direct routine tells besides p and w. */
+typedef struct rc_direct {
+  size_t struct_size;
+  rc_status status;     /* as returned                                                                         */
+  int32_t reserved;     /* 0                                                                                   */
+  int64_t iterations;   /* of the solver                                                                       */
+  int64_t applications; /* products with H, the certificate's included                                         */
+  int64_t contacts;     /* values p > 0                                                                        */
+  double load;          /* sum of p; rc_cmr: normal force [force]                                              */
+  double energy;        /* 1/2 p'Hp - u'p; rc_cmr: [force length]                                              */
+  double kkt;           /* the largest kkt_* residual, see rc_result                                           */
+  double duality_gap, load_lower, load_upper; /* as in rc_result                                               */
+  char note[160];       /* as in rc_result                                                                     */
+} rc_direct;
 
 /** Handed to the progress callback. */
 typedef struct rc_progress {
@@ -281,6 +297,7 @@ RC_API void rc_result_init(rc_result *result);
 RC_API void rc_context_config_init(rc_context_config *config);
 RC_API void rc_path_init(rc_path *path);
 RC_API void rc_level_init(rc_level *level);
+RC_API void rc_direct_init(rc_direct *result);
 /** @} */
 
 /** @defgroup context Context: the registry  @{ */
@@ -355,6 +372,36 @@ RC_API void rc_contact_cancel(rc_contact *contact);
 RC_API void rc_contact_destroy(rc_contact *contact);
 /** One shot: create, solve, destroy. options may be NULL. */
 RC_API rc_status rc_solve(const rc_system *system, const rc_step *step, const rc_options *options, rc_result *result);
+/** @} */
+
+/** @defgroup direct Direct routines: one call, plain arguments, no handles
+ *  Minimise 1/2 p'Hp - u'p over p >= 0 for the caller's symmetric positive definite n x n matrix H (row stride ld >= n):
+ *  the method of that name, certified like every answer. p [n]: start in, solution out (zeros are a good start);
+ *  w [n]: out, Hp - u, or NULL. With influence coefficients per force p are forces. tol: largest residual relative to
+ *  max(u), 1e-16 .. 0.1. result may be NULL. p and w are written whenever the status is >= 0.
+ *  Errors: ARGUMENT, SHAPE, OPTION (tol or max_iter out of range), MEMORY, NUMERIC.
+ *  @{ */
+/** Greedy active set (Algorithm 1): for matrices on which it fails, RC_STOP_... with its uncertified answer. */
+RC_API rc_status rc_greedy(int64_t n, const double *H, int64_t ld, const double *u, double *p, double *w, double tol,
+                           int64_t max_iter, rc_direct *result);
+/** Constrained conjugate gradients (Algorithm 2). */
+RC_API rc_status rc_polonsky_keer(int64_t n, const double *H, int64_t ld, const double *u, double *p, double *w, double tol,
+                                  int64_t max_iter, rc_direct *result);
+/** Non-negative least squares, finite and exact (Algorithm 3). */
+RC_API rc_status rc_nnls(int64_t n, const double *H, int64_t ld, const double *u, double *p, double *w, double tol,
+                         int64_t max_iter, rc_direct *result);
+/** Accelerated gradient projection (Algorithm 4). */
+RC_API rc_status rc_gp(int64_t n, const double *H, int64_t ld, const double *u, double *p, double *w, double tol,
+                       int64_t max_iter, rc_direct *result);
+/** Alternating direction method of multipliers (Algorithm 5). */
+RC_API rc_status rc_admm(int64_t n, const double *H, int64_t ld, const double *u, double *p, double *w, double tol,
+                         int64_t max_iter, rc_direct *result);
+/** Cascade multi-resolution (Algorithm 6) on a height map of nx*ny cells hx x hy, free boundaries, tolerance 1e-8.
+ *  heights: the largest touches first; delta: compression below it; levels: grids of the cascade, the given one
+ *  included; h: radius of influence in coarse cells, >= 1; inner: solver on every level, NULL: chosen by the core;
+ *  p [nx*ny]: pressures out [force/length^2]. Errors: as above, and NO_SOLVER. */
+RC_API rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, const double *heights, double delta,
+                        int64_t levels, double h, const char *inner, double *p, rc_direct *result);
 /** @} */
 
 #ifdef __cplusplus

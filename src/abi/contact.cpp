@@ -76,6 +76,24 @@ rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result
   });
 }
 
+rc_status rc_contact_solve_path(rc_contact* contact, rc_path* path) {
+  return exclusively("rc_contact_solve_path", contact, [&](Contact& c) {
+    const rc_path today = read<rc_path>(path, "rc_path", RC_PATH_INIT);
+    path->completed = 0;
+    return c.solve_path(today, path->completed);
+  });
+}
+
+rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
+  return exclusively("rc_contact_level", contact, [&](Contact& c) {
+    rc_level level{};
+    level = read(out, "rc_level", level);
+    c.level(i, level);
+    write(out, level);
+    return RC_OK;
+  });
+}
+
 rc_status rc_contact_reset(rc_contact* contact) {
   return exclusively("rc_contact_reset", contact, [&](Contact& c) {
     c.reset();

@@ -24,6 +24,20 @@ void rc_system_init(rc_system* system) { give<rc_system>(system, RC_SYSTEM_INIT)
 void rc_step_init(rc_step* step) { give<rc_step>(step, RC_STEP_INIT); }
 void rc_context_config_init(rc_context_config* config) { give<rc_context_config>(config, RC_CONTEXT_CONFIG_INIT); }
 
+void rc_path_init(rc_path* path) { give<rc_path>(path, RC_PATH_INIT); }
+
+void rc_level_init(rc_level* level) {
+  rc_level empty{};
+  empty.struct_size = sizeof(rc_level);
+  give(level, empty);
+}
+
+void rc_direct_init(rc_direct* result) {
+  rc_direct empty{};
+  empty.struct_size = sizeof(rc_direct);
+  give(result, empty);
+}
+
 void rc_result_init(rc_result* result) {
   rc_result empty{};
   empty.struct_size = sizeof(rc_result);

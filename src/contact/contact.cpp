@@ -82,6 +82,7 @@ void Contact::begin(const rc_step& step) {
     last_.same_gap = last_.same_gap && *given == surface_;
     surface_ = std::move(*given);
   }
+  warm_ = step.warm_start != 0;
   remarks_.clear();
   for (auto& [points, level] : levels_) level.current = false;
   setup_seconds_ = 0;
@@ -101,10 +102,11 @@ bool Contact::nothing_touches(const rc_step& step) const {
 
 rc_status Contact::solve(const rc_step& step, rc_result& result) {
   begin(step);
-  struct Clear {
-    std::atomic<bool>& flag;
-    ~Clear() { flag.store(false, std::memory_order_relaxed); }
-  } clear{cancelled_};
+  const ClearCancellation clear{cancelled_};
+  return solve_begun(step, result);
+}
+
+rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   Monitor monitor(cancelled_, progress_, options_.real(RC_OPT_TIME_LIMIT), options_.integer(RC_OPT_MAX_ITER));
   if (nothing_touches(step)) return finish(step, {}, monitor, result);
   const Answer answer = step.control == RC_CONTROL_LOAD ? at_load(step, monitor) : at_displacement(step, monitor);

@@ -39,6 +39,8 @@ class Contact {
   void set_options(const rc_options& options);
   void on_progress(const ProgressCallback& progress) { progress_ = progress; }
   rc_status solve(const rc_step& step, rc_result& result);
+  // The steps of a history in order; `completed` counts those that are certified and written.
+  rc_status solve_path(const rc_path& path, std::int64_t& completed);
   rc_status certify_given(const rc_step& step, rc_result& result);
   // A coarse solution of the last step, the coarsest first.
   void level(std::int64_t i, rc_level& out) const;
@@ -64,7 +66,13 @@ class Contact {
     bool current = false;  // of this step
   };
 
+  struct ClearCancellation {
+    std::atomic<bool>& flag;
+    ~ClearCancellation() { flag.store(false, std::memory_order_relaxed); }
+  };
+
   void begin(const rc_step& step);
+  rc_status solve_begun(const rc_step& step, rc_result& result);
   void check_names(const rc_options& options) const;
   std::optional<SurfaceState> given_surface(const rc_step& step) const;
   void check_target(const rc_step& step, const SurfaceState& surface) const;
@@ -102,6 +110,7 @@ class Contact {
   std::vector<std::string> remarks_;      // of this step's solver
   ProgressCallback progress_;
   std::atomic<bool> busy_{false}, cancelled_{false};
+  bool warm_ = true;                      // this step may start from earlier ones
   double setup_seconds_ = 0;              // of this step
   std::int64_t applications_before_ = 0;  // this step
 };

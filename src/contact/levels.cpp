@@ -38,6 +38,7 @@ rc_status Contact::solve_coarse(const rc_coarse& request, const Monitor& monitor
   level.p.resize(static_cast<std::size_t>(system.nx * system.ny));
   rc_step step = RC_STEP_INIT;
   step.target = request.approach;
+  step.warm_start = warm_;
   step.gap = request.gap;
   step.mask = request.mask;
   rc_result result{};

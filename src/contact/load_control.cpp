@@ -119,7 +119,7 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     (sum < load ? low : high) = d;
 
     ones.assign(contact.size(), 1.0);
-    rate.resize(contact.size());
+    rate.assign(contact.size(), 0.0);
     if (const rc_status status = answer.op->subset(contact, ones.data(), rate.data()); status != RC_OK) {
       raise_if_failed(status, "the slope of the load");
       return status;

@@ -71,7 +71,7 @@ rc_status apply(const rc_problem* problem, const double* x, double* y) {
 }
 
 rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
-  return contained([&] { return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x); });
+  return contained([&] { return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x, 1e-3 * problem->tol); });
 }
 
 rc_status shifted(const rc_problem* problem, double rho, double tol, const double* b, double* x) {

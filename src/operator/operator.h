@@ -43,8 +43,9 @@ class Operator {
   void field(std::span<const double> x, std::span<double> y);  // y = H[all,T] x
   std::int64_t modelled() { return backend_.modelled(self_); }
 
-  // H[a,a] x = b for ascending positions a in the trial set: the backend's factorisation, or conjugate gradients on `apply`.
-  rc_status subset(std::span<const std::int64_t> a, const double* b, double* x);
+  // H[a,a] x = b for ascending positions a in the trial set: the backend's factorisation, or conjugate gradients on `apply` from
+  // the x given until the residual is tol times the largest |b|, or no longer falls.
+  rc_status subset(std::span<const std::int64_t> a, const double* b, double* x, double tol = 0);
   bool has_subset() const { return backend_.subset != nullptr; }
   // (H + rho I) x = b: the backend's, or conjugate gradients from the x given until the residual is at most tol times |b|, or no
   // longer falls.
@@ -57,7 +58,7 @@ class Operator {
   const char* name() const { return backend_.name; }
 
  private:
-  rc_status conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x);
+  rc_status conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x, double tol);
 
   const rc_backend& backend_;
   rc_system system_;

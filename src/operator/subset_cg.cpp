@@ -15,7 +15,7 @@ constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
 
 }  // namespace
 
-rc_status Operator::conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x) {
+rc_status Operator::conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
   const std::size_t m = a.size(), n = static_cast<std::size_t>(trial_.n);
   std::vector<double> spread(n, 0.0), product(n), r(b, b + m), t(m, 0.0), best(m, 0.0);
   const auto multiply = [&](const double* v) {
@@ -25,13 +25,31 @@ rc_status Operator::conjugate_gradients(std::span<const std::int64_t> a, const d
 
   double size_b = 0;
   for (std::size_t k = 0; k < m; ++k) size_b = std::max(size_b, std::abs(b[k]));
-  std::fill(x, x + m, 0.0);
-  if (size_b == 0) return RC_OK;
+  const bool started = std::any_of(x, x + m, [](double value) { return value != 0; });
+  if (size_b == 0) {
+    std::fill(x, x + m, 0.0);
+    return RC_OK;
+  }
+  const auto size_r = [&] {
+    double largest = 0;
+    for (const double value : r) largest = std::max(largest, std::abs(value) / size_b);
+    return largest;
+  };
+  if (started) {
+    if (const rc_status status = multiply(x); status != RC_OK) return status;
+    for (std::size_t k = 0; k < m; ++k) r[k] = b[k] - product[static_cast<std::size_t>(a[k])];
+    if (!(size_r() < 1)) {  // no better than nothing
+      std::fill(x, x + m, 0.0);
+      std::copy(b, b + m, r.begin());
+    }
+  }
 
-  double rr = 0, least = 1;
+  const double enough = std::max(tol, attained);
+  double rr = 0, least = size_r();
+  std::copy(x, x + m, best.begin());
   for (std::size_t k = 0; k < m; ++k) rr += (r[k] / size_b) * (r[k] / size_b);
   double rr_old = rr;
-  for (std::size_t iteration = 0, since_best = 0; least > attained && since_best < patience; ++iteration) {
+  for (std::size_t iteration = 0, since_best = 0; least > enough && since_best < patience; ++iteration) {
     for (std::size_t k = 0; k < m; ++k) t[k] = r[k] / size_b + (iteration == 0 ? 0 : rr / rr_old) * t[k];
     if (const rc_status status = multiply(t.data()); status != RC_OK) return status;
     double curvature = 0;

@@ -51,6 +51,7 @@ class Cascade {
   }
 
   rc_status run() {
+    if (inner_ == "cmr") problem_.fail(RC_ERR_INCOMPATIBLE, "cmr.inner = cmr: a cascade cannot be its own inner solver");
     coarsen();
     Mask trial = descend();
     if (trial.empty()) {

@@ -30,7 +30,8 @@ class Problem {
 
   // y = H x
   void apply(const Vector& x, Vector& y) const { check(problem_.apply(&problem_, x.data(), y.data())); }
-  // H[a,a] x = b
+  bool has_subset() const { return problem_.subset != nullptr; }
+  // H[a,a] x = b; x: start in, answer out.
   rc_status try_subset(const Positions& a, const Vector& b, Vector& x) const {
     return problem_.subset(&problem_, static_cast<std::int64_t>(a.size()), a.data(), b.data(), x.data());
   }
@@ -60,7 +61,8 @@ class Problem {
   std::int64_t option_int(const char* key) const;
   double option_real(const char* key) const;
   std::string option_text(const char* key) const;
-  [[noreturn]] void fail(const char* message) const { throw Leave{host_.fail(&host_, RC_ERR_NUMERIC, message)}; }
+  [[noreturn]] void fail(const char* message) const { fail(RC_ERR_NUMERIC, message); }
+  [[noreturn]] void fail(rc_status status, const char* message) const { throw Leave{host_.fail(&host_, status, message)}; }
   static void check(rc_status status) {
     if (status != RC_OK) throw Leave{status};
   }

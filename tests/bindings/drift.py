@@ -60,7 +60,7 @@ class Header:
             return name, 'char in'
         if base in self.struct_names:
             return name, f'{base} {"in" if const else "out"}'
-        return name, f'{C_SCALARS[base]} out' if base in C_SCALARS else 'ptr value'
+        return name, f'{C_SCALARS[base]} {"in" if const else "out"}' if base in C_SCALARS else 'ptr value'
 
     def members(self, body):
         found = []
@@ -167,6 +167,7 @@ def self_test(text, module):
         'function renamed': ('rc_contact_reset(', 'rc_contact_clear('),
         'argument added': ('rc_contact_reset(rc_contact *contact)', 'rc_contact_reset(rc_contact *contact, int32_t deep)'),
         'argument widened': ('int32_t control, const rc_options', 'int64_t control, const rc_options'),
+        'argument made an output': ('const double *heights', 'double *heights'),
         'return type changed': ('RC_API int64_t rc_backend_count', 'RC_API rc_status rc_backend_count'),
         'constant renumbered': ('RC_STOP_STALLED = 4', 'RC_STOP_STALLED = 7'),
         'constant added': ('RC_LOG_WARNING = 2', 'RC_LOG_WARNING = 2, RC_LOG_DEBUG = 3'),
@@ -175,6 +176,8 @@ def self_test(text, module):
         'member removed': ('double energy;', ''),
         'member retyped': ('int32_t control;     /*', 'double control;     /*'),
         'text shortened': ('char note[160]', 'char note[128]'),
+        'member appended': ('} rc_result;', 'int64_t more;\n} rc_result;'),
+        'member inserted': ('  int64_t completed; ', '  double progress;\n  int64_t completed; '),
     }
     missed = []
     today = list(differences(Header(text), module))

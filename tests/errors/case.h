@@ -40,5 +40,7 @@ Section options();
 Section names();
 Section plugins();
 Section order_of_calls();
+Section paths();
+Section direct_routines();
 
 }  // namespace errors

@@ -247,7 +247,8 @@ Section names() {
                [] { return pair("nnls", "dense", RC_CONTROL_LOAD); }},
               {"pair: no factorisation and no fallback",
                incompatible,
-               {"solver \"nnls\" needs systems on subsets, which backend \"callback\" cannot factor, and allow_fallback is 0"},
+               {"backend \"callback\": solver \"nnls\" needs systems on subsets, which the backend cannot factor, and "
+                "allow_fallback is 0"},
                [] {
                  return pair("nnls", "callback", RC_CONTROL_LOAD, options_with({{"allow_fallback", "0"}}).get());
                }},

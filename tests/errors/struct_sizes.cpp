@@ -58,6 +58,39 @@ Outcome newer_result_with_content() {
   return rc_solve(&scene.system, &scene.step, nullptr, &result.head);
 }
 
+// A caller of the first release: what lies behind its struct is not the library's.
+Outcome oldest_result() {
+  const Scene scene;
+  constexpr std::size_t first = 432;
+  rc_result result{};
+  result.struct_size = first;
+  std::memset(reinterpret_cast<unsigned char*>(&result) + first, 0x5a, sizeof result - first);
+  const Outcome outcome = rc_solve(&scene.system, &scene.step, nullptr, &result);
+  assert_int_equal(result.struct_size, first);
+  assert_true(result.load > 0);
+  for (std::size_t i = first; i < sizeof result; ++i) assert_int_equal(reinterpret_cast<const unsigned char*>(&result)[i], 0x5a);
+  return outcome;
+}
+
+Outcome path_of_size(std::size_t size) {
+  const Scene scene;
+  const ContactHandle contact = made(scene);
+  rc_path path = RC_PATH_INIT;
+  path.struct_size = size;
+  path.completed = 7;
+  const Outcome outcome = rc_contact_solve_path(contact.get(), &path);
+  assert_int_equal(path.completed, 7);
+  return outcome;
+}
+
+Outcome level_of_size(std::size_t size) {
+  const Scene scene;
+  const ContactHandle contact = made(scene);
+  rc_level level{};
+  level.struct_size = size;
+  return rc_contact_level(contact.get(), 0, &level);
+}
+
 Outcome config_of_size(std::size_t size) {
   rc_context_config config = RC_CONTEXT_CONFIG_INIT;
   config.struct_size = size;
@@ -111,8 +144,30 @@ Section struct_sizes() {
                [] { return result_of_size(431); }},
               {"rc_result.struct_size = SIZE_MAX",
                refused,
-               {"rc_result.struct_size = 18446744073709551615 is larger than 4528"},
+               {"rc_result.struct_size = 18446744073709551615 is larger than 4600"},
                [] { return result_of_size(SIZE_MAX); }},
+              {"rc_result of the first release", RC_OK, {}, oldest_result},
+              {"rc_path.struct_size = 0",
+               refused,
+               {"rc_contact_solve_path: rc_path.struct_size = 0 is smaller than 120; set it to sizeof(rc_path)"},
+               [] { return path_of_size(0); }},
+              {"rc_path.struct_size = SIZE_MAX",
+               refused,
+               {"rc_path.struct_size = 18446744073709551615 is larger than 4216"},
+               [] { return path_of_size(SIZE_MAX); }},
+              {"rc_level.struct_size = 0",
+               refused,
+               {"rc_contact_level: rc_level.struct_size = 0 is smaller than 88; set it to sizeof(rc_level)"},
+               [] { return level_of_size(0); }},
+              {"rc_direct.struct_size = 0",
+               refused,
+               {"rc_nnls: rc_direct.struct_size = 0 is smaller than 248; set it to sizeof(rc_direct)"},
+               [] {
+                 const double H = 1, u = 1;
+                 double pressure = 0;
+                 rc_direct result{};
+                 return Outcome(rc_nnls(1, &H, 1, &u, &pressure, nullptr, 1e-8, 100, &result));
+               }},
               {"structs of a newer header, the unknown part zero", RC_OK, {}, [] { return newer(0); }},
               {"structs of a newer header, the unknown part set",
                refused,
@@ -120,7 +175,7 @@ Section struct_sizes() {
                [] { return newer(1); }},
               {"rc_result of a newer header, the unknown part set",
                refused,
-               {"rc_result.struct_size = 496: bytes beyond the 432 known"},
+               {"rc_result.struct_size = 568: bytes beyond the 504 known"},
                newer_result_with_content},
               {"rc_context_config.struct_size = 0",
                refused,

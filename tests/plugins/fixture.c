@@ -25,6 +25,12 @@
 #ifndef FIXTURE_SUBSET
 #define FIXTURE_SUBSET NULL
 #endif
+#ifndef FIXTURE_SHIFTED
+#define FIXTURE_SHIFTED NULL
+#endif
+#ifndef FIXTURE_NORM
+#define FIXTURE_NORM NULL
+#endif
 #ifndef FIXTURE_LICENSE
 #define FIXTURE_LICENSE "BSD-3-Clause"
 #endif
@@ -51,7 +57,8 @@ static const rc_option_spec* const options[] = {&order};
 #define BACKEND(name, n_options, list)                                                                                      \
   {                                                                                                                         \
     FIXTURE_BACKEND_SIZE, name, "naive products", FIXTURE_LICENSE, RC_CAP_FREE | RC_CAP_PERIODIC | FIXTURE_CAPS, n_options, \
-        list, toy_create, toy_destroy, toy_bind, FIXTURE_APPLY, toy_field, toy_modelled, FIXTURE_SUBSET                     \
+        list, toy_create, toy_destroy, toy_bind, FIXTURE_APPLY, toy_field, toy_modelled, FIXTURE_SUBSET, FIXTURE_SHIFTED,   \
+        FIXTURE_NORM                                                                                                        \
   }
 static const rc_backend first = BACKEND(FIXTURE, 1, options), second = BACKEND(FIXTURE_SECOND, 0, NULL);
 static const rc_backend* const backends[] = {&first, &second};

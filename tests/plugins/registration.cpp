@@ -92,6 +92,27 @@ void spoilt_backends_are_refused(void**) {
   assert_message_has("option 0 is null");
 }
 
+rc_status any_shifted(void*, double, const double*, double*) { return RC_OK; }
+rc_status any_norm(void*, double*) { return RC_OK; }
+
+void new_operations_and_their_bits_go_together(void**) {
+  assert_int_equal(backend_registered([](rc_backend& b) { b.caps |= RC_CAP_SHIFTED; }), RC_ERR_PLUGIN);
+  assert_message_has("has no shifted() but its caps say otherwise");
+  assert_int_equal(backend_registered([](rc_backend& b) { b.caps |= RC_CAP_NORM; }), RC_ERR_PLUGIN);
+  assert_message_has("has no norm() but its caps say otherwise");
+  assert_int_equal(backend_registered([](rc_backend& b) { b.shifted = any_shifted; }), RC_ERR_PLUGIN);
+  assert_message_has("has shifted() but its caps say otherwise");
+  assert_int_equal(backend_registered([](rc_backend& b) { b.norm = any_norm; }), RC_ERR_PLUGIN);
+  assert_message_has("has norm() but its caps say otherwise");
+  // What lies beyond the size that the plugin's header knew is not looked at.
+  assert_int_equal(backend_registered([](rc_backend& b) {
+                     b.struct_size = offsetof(rc_backend, shifted);
+                     b.shifted = any_shifted;
+                     b.norm = any_norm;
+                   }),
+                   RC_OK);
+}
+
 // A backend that goes wrong once it is in use.
 rc_status failing_create(const rc_host* host, const rc_operator_spec*, void**) {
   return host->fail(host, RC_ERR_MEMORY, "no room on the device");
@@ -163,6 +184,7 @@ const std::vector<CMUnitTest> registration_tests = {
     cmocka_unit_test(contexts_do_not_share_what_is_registered),
     cmocka_unit_test(spoilt_descriptions_are_refused),
     cmocka_unit_test(spoilt_backends_are_refused),
+    cmocka_unit_test(new_operations_and_their_bits_go_together),
     cmocka_unit_test(failures_of_a_backend_in_use_are_passed_on),
     cmocka_unit_test(products_that_are_not_finite_are_not_an_answer),
     cmocka_unit_test(a_product_that_is_wrong_is_uncertified),

@@ -1,0 +1,157 @@
+// rc_greedy .. rc_admm, rc_cmr: a contact made, used once and dropped, for callers who want no handles.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "abi/guard.h"
+#include "abi/sized_struct.h"
+#include "contact/contact.h"
+
+namespace {
+
+using namespace rc;
+
+void check_array(const double* values, std::int64_t n, const char* name) {
+  if (!values) fail(RC_ERR_ARGUMENT, name, " is null");
+  for (std::int64_t i = 0; i < n; ++i)
+    if (!std::isfinite(values[i])) fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite");
+}
+
+class Settings {
+ public:
+  explicit Settings(const char* solver) { set(RC_OPT_SOLVER, std::string(solver)); }
+  Settings& set(const char* key, const OptionValue& value) {
+    options_.values.set(options_.context->option(key), value);
+    return *this;
+  }
+  const rc_options& options() const { return options_; }
+
+ private:
+  rc_options options_{Context::standard(), {}};
+};
+
+void check_size_of(const rc_direct* result) {
+  if (result) check_size(result, "rc_direct");
+}
+
+void report(const rc_result& answer, rc_direct* result) {
+  if (!result) return;
+  rc_direct told{};
+  told.status = answer.status;
+  told.iterations = answer.iterations;
+  told.applications = answer.applications;
+  told.contacts = answer.contacts;
+  told.load = answer.load;
+  told.energy = answer.energy;
+  told.kkt = std::max({answer.kkt_primal, answer.kkt_dual, answer.kkt_complementarity, answer.kkt_control});
+  told.duality_gap = answer.duality_gap;
+  told.load_lower = answer.load_lower;
+  told.load_upper = answer.load_upper;
+  std::snprintf(told.note, sizeof told.note, "%s", answer.note);
+  write(result, told);
+}
+
+struct Matrix {
+  std::int64_t n;
+  const double* entries;
+  std::int64_t ld;
+};
+
+// With gap -u and approach 0 the deformed gap is Hp - u.
+rc_status on_matrix(const char* where, const char* solver, const Matrix& H, const double* u, double* p, double* w, double tol,
+                    std::int64_t max_iter, rc_direct* result) {
+  return guard(where, [&] {
+    check_size_of(result);
+    if (H.n < 1) fail(RC_ERR_SHAPE, "n = ", H.n, " must be >= 1");
+    if (!H.entries) fail(RC_ERR_ARGUMENT, "H is null");
+    if (H.ld < H.n) fail(RC_ERR_SHAPE, "ld = ", H.ld, " must be >= n = ", H.n);
+    check_array(u, H.n, "u");
+    check_array(p, H.n, "p");
+
+    rc_system system = RC_SYSTEM_INIT;
+    system.op = RC_OPERATOR_DENSE;
+    system.nx = H.n;
+    system.dense = H.entries;
+    system.dense_ld = H.ld;
+    Contact contact(system, Settings(solver).set(RC_OPT_TOL, tol).set(RC_OPT_MAX_ITER, max_iter).options());
+
+    std::vector<double> gap(u, u + H.n);
+    for (double& value : gap) value = -value;
+    rc_step step = RC_STEP_INIT;
+    step.gap = gap.data();
+    step.p0 = p;
+    rc_result answer{};
+    answer.p = p;
+    answer.gap = w;
+    const rc_status status = contact.solve(step, answer);
+    report(answer, result);
+    return status;
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+rc_status rc_greedy(int64_t n, const double* H, int64_t ld, const double* u, double* p, double* w, double tol, int64_t max_iter,
+                    rc_direct* result) {
+  return on_matrix("rc_greedy", "greedy", {n, H, ld}, u, p, w, tol, max_iter, result);
+}
+
+rc_status rc_polonsky_keer(int64_t n, const double* H, int64_t ld, const double* u, double* p, double* w, double tol,
+                           int64_t max_iter, rc_direct* result) {
+  return on_matrix("rc_polonsky_keer", "polonsky-keer", {n, H, ld}, u, p, w, tol, max_iter, result);
+}
+
+rc_status rc_nnls(int64_t n, const double* H, int64_t ld, const double* u, double* p, double* w, double tol, int64_t max_iter,
+                  rc_direct* result) {
+  return on_matrix("rc_nnls", "nnls", {n, H, ld}, u, p, w, tol, max_iter, result);
+}
+
+rc_status rc_gp(int64_t n, const double* H, int64_t ld, const double* u, double* p, double* w, double tol, int64_t max_iter,
+                rc_direct* result) {
+  return on_matrix("rc_gp", "gp", {n, H, ld}, u, p, w, tol, max_iter, result);
+}
+
+rc_status rc_admm(int64_t n, const double* H, int64_t ld, const double* u, double* p, double* w, double tol, int64_t max_iter,
+                  rc_direct* result) {
+  return on_matrix("rc_admm", "admm", {n, H, ld}, u, p, w, tol, max_iter, result);
+}
+
+rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, const double* heights, double delta,
+                 int64_t levels, double h, const char* inner, double* p, rc_direct* result) {
+  return guard("rc_cmr", [&] {
+    check_size_of(result);
+    if (levels < 1) fail(RC_ERR_ARGUMENT, "levels = ", levels, " must be >= 1: the given grid is one of them");
+    if (!std::isfinite(delta)) fail(RC_ERR_ARGUMENT, "delta = ", delta, " is not finite");
+    if (!p) fail(RC_ERR_ARGUMENT, "p is null");
+
+    rc_system system = RC_SYSTEM_INIT;
+    system.nx = nx;
+    system.ny = ny;
+    system.hx = hx;
+    system.hy = hy;
+    system.modulus = modulus;
+    Settings settings("cmr");
+    settings.set("cmr.levels", levels).set("cmr.radius", h);
+    if (inner) settings.set("cmr.inner", std::string(inner));
+    Contact contact(system, settings.options());
+    if (inner && std::string_view(inner) != "auto") settings.options().context->solver(inner);
+    check_array(heights, nx * ny, "heights");
+
+    std::vector<double> gap(heights, heights + nx * ny);
+    const double highest = *std::max_element(gap.begin(), gap.end());
+    for (double& value : gap) value = highest - value;
+    rc_step step = RC_STEP_INIT;
+    step.gap = gap.data();
+    step.target = delta;
+    rc_result answer{};
+    answer.p = p;
+    const rc_status status = contact.solve(step, answer);
+    report(answer, result);
+    return status;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,96 @@
+// A loading history on one contact, step after step.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/contact.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+void check_path(const rc_path& path) {
+  if (path.n < 0) fail(RC_ERR_ARGUMENT, "rc_path.n = ", path.n, " must be >= 0");
+  if (path.control != RC_CONTROL_DISPLACEMENT && path.control != RC_CONTROL_LOAD)
+    fail(RC_ERR_ARGUMENT, "rc_path.control = ", path.control, " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+  if (path.n > 0 && !path.targets) fail(RC_ERR_ARGUMENT, "rc_path.targets is null but rc_path.n = ", path.n);
+  for (std::int64_t i = 0; i < path.n; ++i)
+    if (!std::isfinite(path.targets[i])) fail(RC_ERR_ARGUMENT, "rc_path.targets[", i, "] = ", path.targets[i], " is not finite");
+}
+
+rc_step step_of(const rc_path& path, std::int64_t i) {
+  rc_step step = RC_STEP_INIT;
+  step.control = path.control;
+  step.warm_start = path.warm_start;
+  step.target = path.targets[i];
+  if (i == 0) {  // later steps find the surface as this one left it
+    step.gap = path.gap;
+    step.mask = path.mask;
+  }
+  return step;
+}
+
+template <class Number> void put(Number* to, std::int64_t i, Number value) {
+  if (to) to[i] = value;
+}
+
+void write_outputs(const rc_path& path, std::int64_t i, const rc_result& result) {
+  put(path.load, i, result.load);
+  put(path.displacement, i, result.displacement);
+  put(path.contact_area, i, result.contact_area);
+  put(path.stiffness, i, result.stiffness);
+  put(path.certificate, i, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
+  put(path.applications, i, result.applications);
+}
+
+std::string where(const rc_path& path, std::int64_t i) { return join("step ", i, ", targets[", i, "] = ", path.targets[i]); }
+
+}  // namespace
+
+rc_status Contact::solve_path(const rc_path& path, std::int64_t& completed) {
+  check_path(path);
+  if (path.n == 0) return RC_OK;
+  // Set between two steps, it must reach the next one; so it is cleared only when the path ends.
+  const ClearCancellation clear{cancelled_};
+  struct Restore {
+    rc_options& options;
+    rc_options saved;
+    ~Restore() { std::swap(options, saved); }
+  } restore{options_, options_};
+  if (path.stiffness) options_.values.set(options_.context->option(RC_OPT_STIFFNESS), std::int64_t{1});
+
+  std::vector<double> p, gap;
+  if (path.fn) {
+    p.resize(static_cast<std::size_t>(system_.points()));
+    gap.resize(p.size());
+  }
+  for (std::int64_t i = 0; i < path.n; ++i) {
+    const rc_step step = step_of(path, i);
+    rc_result result{};
+    result.struct_size = sizeof(rc_result);
+    result.p = path.fn ? p.data() : nullptr;
+    result.gap = path.fn ? gap.data() : nullptr;
+    rc_status status = RC_OK;
+    try {
+      begin(step);
+      clear_message();
+      status = cancelled_.load(std::memory_order_relaxed) ? RC_STOP_CANCELLED : solve_begun(step, result);
+    } catch (const Error& error) {
+      fail(error.code(), where(path, i), ": ", error.what());
+    }
+    if (status != RC_OK) {
+      set_message(where(path, i).c_str(), last_message()[0] != '\0' ? last_message() : rc_status_text(status));
+      return status;
+    }
+    write_outputs(path, i, result);
+    completed = i + 1;
+    if (path.fn && path.fn(i, &result, path.user) != 0) {
+      set_message(where(path, i).c_str(), "rc_path.fn ended the path after this step");
+      return RC_STOP_CANCELLED;
+    }
+  }
+  return RC_OK;
+}
+
+}  // namespace rc
