@@ -55,7 +55,8 @@ class Cascade {
     coarsen();
     Mask trial = descend();
     if (trial.empty()) {
-      problem_.note("cmr: no usable contact on a coarser grid, so every candidate was kept");
+      remark_ = "no usable contact on a coarser grid, so every candidate was kept";
+      problem_.note("cmr: " + remark_);
       trial.assign(static_cast<std::size_t>(n_), 1);
     }
     return certified_ ? solve_certified(trial) : solve(trial, nullptr);
@@ -179,8 +180,9 @@ class Cascade {
       }
       problem_.poll(round, worst);
       if (complete || status != RC_OK || round == most_rounds) {
-        problem_.note(text("cmr: trial set %lld of %lld after %lld rounds", kept_, n_, round) +
-                      (added > 0 ? ", " + std::to_string(added) + " points added" : ""));
+        remark_ = text("trial set %lld of %lld after %lld rounds", kept_, n_, round) +
+                  (added > 0 ? ", " + std::to_string(added) + " points added" : "") + (remark_.empty() ? "" : "; " + remark_);
+        problem_.note("cmr: " + remark_);
         return complete ? status : RC_STOP_UNCERTIFIED;
       }
     }
@@ -196,6 +198,7 @@ class Cascade {
   Filter filter_;
   std::vector<Level> levels_;  // [0] is half as fine as the problem's grid
   long long kept_ = 0;
+  std::string remark_;
 };
 
 constexpr rc_option_spec inner = text_option("cmr.inner", "auto", nullptr, "solver on every level, by name");

@@ -156,7 +156,8 @@ void the_wider_reading_keeps_more_points() {
   double loads[2];
   int k = 0;
   for (const char* area : {"side", "diagonal"})
-    loads[k++] = solve(problem, {"cmr", "fft"}, {{"cmr.certified", "0"}, {"cmr.filter", "subsample"}, {"cmr.area", area}}).result.load;
+    loads[k++] =
+        solve(problem, {"cmr", "fft"}, {{"cmr.certified", "0"}, {"cmr.filter", "subsample"}, {"cmr.area", area}}).result.load;
   const double exact = solved(problem, {"polonsky-keer", "fft"}).result.load;
   report("load error with h*side " + text(loads[0] / exact - 1) + ", with h*diagonal " + text(loads[1] / exact - 1));
   check(loads[0] <= loads[1] * (1 + 1e-9) && loads[1] <= exact * (1 + 1e-9), "restricting the trial set raised the load");
