@@ -159,6 +159,9 @@ struct rc_problem {
   /** Adds a remark to rc_result.note, "solver: what was done instead, what is wrong with the answer". A later one that
    *  begins with the same words up to the colon replaces it. */
   void (*note)(const rc_problem *, const char *text);
+  /** H at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix]; periodic: without its mean. NULL without
+   *  a grid. */
+  rc_status (*coefficients)(const rc_problem *, int64_t mx, int64_t my, double *out);
 };
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */

@@ -175,7 +175,7 @@ typedef struct rc_surface_cmr {
   int32_t safe_levels;      /* the largest number of halvings, up to levels, for which it is trustworthy      */
   int32_t reserved;
   double unresolved;        /* share within reach of what the coarsest grid does not see; about 0 .. 1.5      */
-  double limit;             /* 0.5: loads were within 3.5 % of the exact ones below it, up to 74 % short above */
+  double limit;             /* 0.5, from trials: see docs/surfaces.md                                          */
   double unresolved_overall; /* the same share over the whole surface                                        */
   double peak_loss;         /* by how much sub-sampling lowers the highest point, over the approach          */
   double approach;          /* [length], as used                                                             */

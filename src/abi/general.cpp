@@ -1,4 +1,5 @@
 // Version, messages, initial values.
+#include "contact/bounds.h"
 #include "core/error.h"
 
 namespace {
@@ -41,6 +42,7 @@ void rc_direct_init(rc_direct* result) {
 void rc_result_init(rc_result* result) {
   rc_result empty{};
   empty.struct_size = sizeof(rc_result);
+  rc::Bounds().write(empty);
   give(result, empty);
 }
 

@@ -34,7 +34,7 @@ void Contact::set_options(const rc_options& options) {
 
 void Contact::reset() {
   surface_.clear();
-  last_ = {};
+  last_ = before_ = {};
   levels_.clear();
   // A factor remembers the order in which points came, so an answer after a reset would differ from a first one by round-off.
   std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
@@ -79,7 +79,9 @@ void Contact::begin(const rc_step& step) {
   std::optional<SurfaceState> given = given_surface(step);
   check_target(step, given ? *given : surface_);
   if (given) {
-    last_.same_gap = last_.same_gap && *given == surface_;
+    const bool same = *given == surface_;
+    last_.same_gap = last_.same_gap && same;
+    before_.same_gap = before_.same_gap && same;
     surface_ = std::move(*given);
   }
   warm_ = step.warm_start != 0;
@@ -166,6 +168,10 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
           system_.positive,
           grid,
           [this, &monitor](const rc_coarse& request) { return solve_coarse(request, monitor); },
+          [this](std::int64_t mx, std::int64_t my, double* out) {
+            const rc_host& host = options_.context->host();
+            return host.coefficients(&host, &system_.unit, system_.kernel.c_str(), mx, my, out);
+          },
           [this](const std::string& text) {
             const std::string from = text.substr(0, text.find(':'));
             std::erase_if(remarks_, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
@@ -173,12 +179,26 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
           }};
 }
 
+// How far along the line through the last two steps the new one lies, beyond the last; 0 where there is no such line.
+double Contact::ahead(const rc_step& step) const {
+  if (step.p0 || !step.warm_start || !last_.same_gap || before_.p.empty() || !before_.same_gap) return 0;
+  const bool by_load = step.control == RC_CONTROL_LOAD;
+  const double newest = by_load ? last_.load : last_.approach, older = by_load ? before_.load : before_.approach;
+  const double part = (step.target - newest) / (newest - older);
+  // Pressures bend: a long way ahead, and back beyond the older step, the line leads astray.
+  return part >= -1 && part <= 2 ? part : 0;
+}
+
 std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, double pressure_unit) const {
   std::vector<double> p(static_cast<std::size_t>(trial.n), 0.0);
   const double* from = step.p0 ? step.p0 : step.warm_start && !last_.p.empty() ? last_.p.data() : nullptr;
-  if (from)
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] = std::max(0.0, from[trial.point(static_cast<std::int64_t>(i))] / pressure_unit);
+  if (!from) return p;
+  const double part = ahead(step);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto point = static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)));
+    const double change = part != 0 ? part * (from[point] - before_.p[point]) : 0;
+    p[i] = std::max(0.0, (from[point] + change) / pressure_unit);
+  }
   return p;
 }
 

@@ -12,6 +12,7 @@
 #include "contact/monitor.h"
 #include "contact/selection.h"
 #include "contact/solver_run.h"
+#include "contact/spectrum.h"
 #include "contact/surface_state.h"
 #include "contact/system.h"
 #include "operator/operator.h"
@@ -77,6 +78,7 @@ class Contact {
   std::optional<SurfaceState> given_surface(const rc_step& step) const;
   void check_target(const rc_step& step, const SurfaceState& surface) const;
   bool nothing_touches(const rc_step& step) const;
+  double ahead(const rc_step& step) const;
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit) const;
 
   TrialSet trial_below(double limit) const;
@@ -94,7 +96,7 @@ class Contact {
   std::vector<double> over_all_points(const Answer& answer) const;
   rc_status finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result);
   rc_status certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
-                             rc_result& result) const;
+                             rc_result& result);
   void deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
   double fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const;
   void name_components(const Answer& answer, rc_result& result) const;
@@ -104,7 +106,8 @@ class Contact {
   System system_;
   rc_options options_;
   SurfaceState surface_;
-  Last last_;
+  Last last_, before_;                // the last certified step, and the one before it
+  std::optional<Spectrum> spectrum_;  // once bounds were asked for
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   std::map<std::int64_t, Level> levels_;  // by number of points
   std::vector<std::string> remarks_;      // of this step's solver

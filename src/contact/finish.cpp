@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "contact/bounds.h"
 #include "contact/contact.h"
 #include "core/error.h"
 
@@ -63,7 +64,7 @@ double Contact::stiffness(const Answer& answer) const {
 }
 
 rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product,
-                                    double approach, rc_result& result) const {
+                                    double approach, rc_result& result) {
   const std::span<const double> h = surface_.gap();
   double sum = 0, work = 0;
   std::int64_t contacts = 0;
@@ -74,6 +75,11 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
     work += (0.5 * product[i] - (approach - h[i])) * p[i];
   }
   const double area = system_.cell_area();
+  Bounds bounds;
+  if (options_.integer(RC_OPT_BOUNDS) != 0) {
+    if (!spectrum_) spectrum_ = spectrum_of(system_);
+    bounds = prove_bounds(system_, *spectrum_, surface_, approach, p, product);
+  }
   std::vector<double>& gap = product;
   Certificate certificate = certify(surface_, approach, p, product, gap);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
@@ -95,6 +101,7 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
   result.kkt_dual = certificate.dual;
   result.kkt_complementarity = certificate.complementarity;
   result.kkt_control = certificate.control;
+  bounds.write(result);
   return certificate.within(options_.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
 }
 
@@ -102,7 +109,9 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
 void Contact::deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result) {
   if (result.p) std::copy(p.begin(), p.end(), result.p);
   if (result.gap) std::copy(gap.begin(), gap.end(), result.gap);
-  if (result.status == RC_OK) last_ = {std::move(p), result.displacement, result.load, true};
+  if (result.status != RC_OK) return;
+  before_ = std::move(last_);
+  last_ = {std::move(p), result.displacement, result.load, true};
 }
 
 rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result) {

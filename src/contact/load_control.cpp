@@ -60,7 +60,8 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
       std::vector<double> u(answer.p.size());
       for (std::size_t i = 0; i < u.size(); ++i)
         u[i] = (lowest - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / height;
-      double d = 0;
+      const double expected = last_.approach + ahead(step) * (last_.approach - before_.approach) - lowest;
+      double d = warm ? std::clamp(expected / height, 0.0, 1.0) : 0;
       answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), 0, answer.p, d);
       answer.approach = d;
     } else {

@@ -29,10 +29,10 @@ double direct_cost(const Counts& c) {
   return 4 * n * n + 6 * std::pow(n / 3, 3) / 3 + 0.5 * n * static_cast<double>(c.points);
 }
 
-// Operations of about a hundred products by padded transforms on the box, and one on the grid.
+// Operations of about forty products by padded transforms on the box, and one on the grid.
 double transform_cost(const Counts& c) {
   const auto product = [](double points) { return 2.5 * 4 * points * std::log2(4 * points + 1); };
-  return 100 * product(static_cast<double>(c.box)) + product(static_cast<double>(c.points));
+  return 40 * product(static_cast<double>(c.box)) + product(static_cast<double>(c.points));
 }
 
 constexpr double exact_tol = 1e-12;              // below this, iterations come near the limit of double precision
@@ -79,7 +79,9 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
   for (const auto* component : options.context->backends()) {
     if (!reason(component->vtable).empty()) continue;
     const rc_backend*& slot = factors(component->vtable) ? direct : matrix_free;
-    if (!slot) slot = &component->vtable;
+    const auto repeats = [](const rc_backend& backend) { return (backend.caps & RC_CAP_THREAD_INVARIANT) != 0; };
+    // Among equals, one whose results do not depend on the number of threads.
+    if (!slot || (!repeats(*slot) && repeats(component->vtable))) slot = &component->vtable;
   }
   if (!direct && !matrix_free)
     fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver ? " with this solver" : "", "; is a plugin missing?");
@@ -90,7 +92,7 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
 
 }  // namespace
 
-const char* suited(bool factors) { return factors ? "nnls" : "polonsky-keer"; }
+const char* suited(bool factors, bool grid) { return factors ? "nnls" : grid ? "haar-cg" : "polonsky-keer"; }
 
 std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks) {
   const auto lacks = [&](std::uint64_t operation) { return !fallbacks && (solver.needs & operation & ~capabilities) != 0; };
@@ -123,7 +125,7 @@ Choice choose(const rc_options& options, const System& system, std::int32_t cont
   choice.backend = &choose_backend(options, system, control, counts, choice.solver);
   if (!choice.solver) {
     const bool direct = factors(*choice.backend) && (prefers_direct(counts) || system.given.op == RC_OPERATOR_DENSE);
-    choice.solver = &options.context->solver(suited(direct));
+    choice.solver = &options.context->solver(suited(direct, system.halfspace()));
   }
   return choice;
 }

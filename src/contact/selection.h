@@ -23,8 +23,8 @@ struct Choice {
   const rc_backend* backend = nullptr;
 };
 
-// The solver that "auto" stands for on a backend that factors, or does not.
-const char* suited(bool factors);
+// The solver that "auto" stands for: on a backend that factors or does not, with unknowns on a grid or without.
+const char* suited(bool factors, bool grid);
 
 // Why this solver cannot run on a backend with these capabilities; "" if it can.
 std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks);

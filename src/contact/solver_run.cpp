@@ -92,6 +92,10 @@ rc_status coarse(const rc_problem* problem, const rc_coarse* request) {
   return contained([&] { return run_of(problem).coarse(*request); });
 }
 
+rc_status coefficients(const rc_problem* problem, std::int64_t mx, std::int64_t my, double* out) {
+  return contained([&] { return run_of(problem).coefficients(mx, my, out); });
+}
+
 void note(const rc_problem* problem, const char* text) {
   contained([&] {
     run_of(problem).note(text);
@@ -105,7 +109,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   Session& session = *outer.session;
   const SolverRun& run = session.run;
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
-  const rc_solver& solver = run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset()) : name);
+  const rc_solver& solver = run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, missing);
 
@@ -170,6 +174,7 @@ void Session::connect(BoundProblem& problem) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
     problem.grid = &problem.where;
     problem.coarse = coarse;
+    problem.coefficients = coefficients;
   }
 }
 

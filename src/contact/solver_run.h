@@ -22,6 +22,7 @@ struct SolverRun {
   bool positive;      // no entry of H is negative
   rc_grid grid;       // without its index and, in load control, its approach; gap null: there is no grid
   std::function<rc_status(const rc_coarse&)> coarse;
+  std::function<rc_status(std::int64_t mx, std::int64_t my, double* out)> coefficients;
   std::function<void(const std::string&)> note;
   bool warmed_up = false;  // the warm-up runs once, however often the solver does
 

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "kernel/kernel.h"
+#include "kernel/lowest_eigenvalue.h"
 
 namespace rc {
 
@@ -112,7 +113,7 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
     fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy,
          " is beyond double precision; choose other units");
 
-  System result{system, system, "", 1, 1, 0, true};
+  System result{system, system, "", 1, 1, 0, 0, true};
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
       if (system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
@@ -130,6 +131,11 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
         fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus,
              " is beyond double precision; choose other units");
       result.positive = !result.periodic();
+      const kernel::Kernel& found = *kernel::find(result.kernel);
+      if (result.periodic())
+        result.lambda_wave = kernel::lowest_wave_eigenvalue(found, result.unit.hx, result.unit.hy, system.nx, system.ny);
+      else
+        result.lambda_min = kernel::lowest_eigenvalue(found, result.unit.hx, result.unit.hy);
       break;
     }
     case RC_OPERATOR_DENSE:

@@ -14,6 +14,7 @@ struct System {
   double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
   double operator_scale = 1;       // what products of `unit` must be divided by to be dimensionless
   double lambda_min = 0;           // a lower bound of the eigenvalues of the dimensionless operator; 0: none is known
+  double lambda_wave = 0;          // periodic: the same of all but the mean's, which is 0
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
 
   std::int64_t points() const { return given.nx * given.ny; }

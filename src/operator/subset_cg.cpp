@@ -78,7 +78,7 @@ rc_status Operator::conjugate_gradients(std::span<const std::int64_t> a, const d
     if (rr == 0) break;
   }
   std::copy(best.begin(), best.end(), x);
-  if (least > acceptable) {
+  if (least > std::max(acceptable, tol)) {
     set_message(join("conjugate gradients on ", m, " points stopped at a relative residual of ", least).c_str());
     return RC_STOP_STALLED;
   }

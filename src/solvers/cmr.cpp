@@ -167,6 +167,7 @@ class Cascade {
     long long added = 0;
     for (int round = 1;; ++round) {
       const rc_status status = solve(trial, &product);
+      if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_STOP_MAX_ITER) return status;
       double worst = 0;
       bool complete = true;
       for (std::size_t i = 0; i < trial.size(); ++i) {

@@ -2,52 +2,126 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
+#include "solvers/largest_eigenvalue.h"
+#include "solvers/residual.h"
 #include "solvers/vector_math.h"
 
 namespace rc {
 
 namespace {
 
-constexpr int power_steps = 8;
-constexpr double margin = 1.15;  // power iteration comes from below
+constexpr std::int64_t patience = 1000;  // iterations in which the residual must fall by a tenth
+constexpr double visible = 1e-6;         // steps, relative to p, whose curvature is above round-off
 
-// An estimate of lambda_max that needs neither positive entries nor a null space without constants: power iteration from a vector
-// of all frequencies. Where it is still too small, the restart keeps the iteration from running away.
-double largest_eigenvalue(const Problem& problem, std::size_t n) {
-  Vector x(n), y(n);
-  std::uint32_t noise = 1;
-  for (double& value : x) value = 1 + (noise = noise * 1664525u + 1013904223u) * 0x1p-32;
-  double largest = 0;
-  for (int k = 0; k < power_steps; ++k) {
-    const double norm = std::sqrt(sum_of(n, [&](std::size_t i) { return x[i] * x[i]; }));
-    if (!(norm > 0)) break;
-    for (double& value : x) value /= norm;
-    problem.apply(x, y);
-    largest = std::max(largest, std::sqrt(sum_of(n, [&](std::size_t i) { return y[i] * y[i]; })));
-    x.swap(y);
+// Moves v to the nearest point of { p >= 0 } or, in load control, of { p >= 0, sum p = load }: p = max(0, v + shift), where the
+// shift is found by leaving out what it makes negative (Michelot 1986).
+void project(const Problem& problem, Vector& v) {
+  double shift = 0;
+  if (problem.load_control()) {
+    double count = static_cast<double>(v.size());
+    double sum = sum_of(v.size(), [&](std::size_t i) { return v[i]; });
+    while (true) {
+      shift = (problem.load() - sum) / count;
+      const auto stays = [&](std::size_t i) { return v[i] + shift > 0; };
+      const double remaining = sum_of(v.size(), [&](std::size_t i) { return stays(i) ? 1.0 : 0.0; });
+      if (remaining == count || remaining == 0) break;
+      count = remaining;
+      sum = sum_of(v.size(), [&](std::size_t i) { return stays(i) ? v[i] : 0.0; });
+    }
   }
-  return largest;
+  for (double& value : v) value = std::max(0.0, value + shift);
+  scale_to_load(problem, v);  // what round-off left of the sum
 }
+
+class Descent {
+ public:
+  Descent(const Problem& problem, Vector& p, double& d, const GradientSettings& settings)
+      : problem_(problem), settings_(settings), n_(p.size()), p_(p), d_(d), hp_(n_, 0.0), s_(n_), hs_(n_) {
+    for (double& value : p_) value = std::max(value, 0.0);
+    scale_to_load(problem_, p_);
+  }
+
+  rc_status run() {
+    if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) problem_.apply(p_, hp_);
+    Vector previous = p_, h_previous = hp_;
+    double milestone = std::numeric_limits<double>::infinity();
+    std::int64_t milestone_at = 0;
+    // H s follows from the products with p, so the gap of p is at hand without a further product.
+    for (std::int64_t k = 0, i = 0; k < settings_.steps; ++k, ++i) {
+      const Residual residual = residual_of(problem_, p_, hp_);
+      d_ = residual.approach;
+      if (settings_.polls) problem_.poll(k, residual.worst);
+      if (residual.worst <= problem_.tol()) return RC_OK;
+      if (residual.worst < 0.9 * milestone) {
+        milestone = residual.worst;
+        milestone_at = k;
+      } else if (k - milestone_at > patience) {
+        return RC_STOP_STALLED;
+      }
+
+      const double beta = i < 2 ? 0 : (static_cast<double>(i) - 1) / (static_cast<double>(i) + 2);
+      for (std::size_t j = 0; j < n_; ++j) {
+        s_[j] = p_[j] + beta * (p_[j] - previous[j]);
+        hs_[j] = hp_[j] + beta * (hp_[j] - h_previous[j]);
+      }
+      previous.swap(p_);
+      h_previous.swap(hp_);
+      for (std::size_t j = 0; j < n_; ++j) p_[j] = s_[j] - (hs_[j] - problem_.u()[j]) / settings_.lipschitz;
+      project(problem_, p_);
+      problem_.apply(p_, hp_);
+
+      const double uphill = sum_of(n_, [&](std::size_t j) { return (s_[j] - p_[j]) * (p_[j] - previous[j]); });
+      if ((settings_.restart && uphill > 0) || raise_lipschitz()) i = -1;
+    }
+    return RC_STOP_STALLED;
+  }
+
+ private:
+  // The step just made shows its curvature: an estimate of L that was too small is raised.
+  bool raise_lipschitz() {
+    const double size = sum_of(n_, [&](std::size_t j) { return (p_[j] - s_[j]) * (p_[j] - s_[j]); });
+    const double curvature = sum_of(n_, [&](std::size_t j) { return (p_[j] - s_[j]) * (hp_[j] - hs_[j]); });
+    if (!(size > visible * visible * sum_of(n_, [&](std::size_t j) { return p_[j] * p_[j]; }))) return false;
+    if (curvature < -visible * settings_.lipschitz * size)
+      problem_.fail("gp: the operator is not positive definite: t'Ht < 0 along a step t");
+    if (curvature <= settings_.lipschitz * size) return false;
+    settings_.lipschitz = 1.1 * curvature / size;
+    return true;
+  }
+
+  const Problem& problem_;
+  GradientSettings settings_;
+  const std::size_t n_;
+  Vector& p_;
+  double& d_;
+  Vector hp_, s_, hs_;  // H p, the extrapolated point, H s
+};
+
+constexpr rc_option_spec lipschitz = text_option("gp.lipschitz", "collatz", "collatz|frobenius",
+                                                 "step length from a tight bound of the largest eigenvalue (collatz) or from the "
+                                                 "Frobenius norm, as published, where the backend has it");
+constexpr rc_option_spec restart =
+    int_option("gp.restart", "1", 0, 1, "1: the acceleration starts afresh where it points uphill; 0: never, as published");
+const rc_option_spec* const specs[] = {&lipschitz, &restart};
 
 }  // namespace
 
-void gradient_projection(const Problem& problem, Vector& p, int steps) {
-  const std::size_t n = p.size();
-  const double eigenvalue = largest_eigenvalue(problem, n);
-  if (!(eigenvalue > 0)) return;
-  const double length = 1 / (margin * eigenvalue);
-  Vector s = p, previous = p, gradient(n);
-  for (int k = 0, i = 0; k < steps; ++k, ++i) {
-    const double beta = i < 2 ? 0 : (i - 1.0) / (i + 2.0);
-    for (std::size_t j = 0; j < n; ++j) s[j] = p[j] + beta * (p[j] - previous[j]);
-    problem.apply(s, gradient);
-    previous.swap(p);
-    for (std::size_t j = 0; j < n; ++j) p[j] = std::max(0.0, s[j] - length * (gradient[j] - problem.u()[j]));
-    const double uphill = sum_of(n, [&](std::size_t j) { return (s[j] - p[j]) * (p[j] - previous[j]); });
-    if (uphill > 0) i = -1;
-  }
+const Options gp_options = listed(specs);
+
+rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings) {
+  return Descent(problem, p, d, settings).run();
+}
+
+rc_status gp(const Problem& problem, Vector& p, double& d) {
+  GradientSettings settings;
+  settings.restart = problem.option_int("gp.restart") != 0;
+  const bool frobenius = problem.option_text("gp.lipschitz") == "frobenius";
+  if (frobenius && !problem.has_norm()) problem.note("gp: this backend has no Frobenius norm, gp.lipschitz = collatz instead");
+  settings.lipschitz = frobenius && problem.has_norm() ? problem.norm() : largest_eigenvalue(problem);
+  if (!(settings.lipschitz > 0) || std::isinf(settings.lipschitz))
+    problem.fail("gp: the operator is not positive definite, or returned values that are not finite");
+  return gradient_projection(problem, p, d, settings);
 }
 
 }  // namespace rc

@@ -1,11 +1,22 @@
 // Accelerated gradient projection: Bemporad & Paggi (2015), Algorithm 4, with the adaptive restart of O'Donoghue & Candes (2015).
+//
+// Minimises 1/2 p'Hp - u'p over p >= 0 (load control: and sum p = load) by projected steps of length 1/L, L >= lambda_max(H).
 #pragma once
+
+#include <limits>
 
 #include "solvers/solver.h"
 
 namespace rc {
 
-// Displacement control: `steps` projected gradient steps on p >= 0.
-void gradient_projection(const Problem& problem, Vector& p, int steps);
+struct GradientSettings {
+  double lipschitz = 0;  // L
+  bool restart = true;
+  std::int64_t steps = std::numeric_limits<std::int64_t>::max();
+  bool polls = true;  // not where the steps are part of another solver's iteration
+};
+
+// p >= 0 at every exit. RC_STOP_STALLED if the residual no longer falls, or after all steps.
+rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings);
 
 }  // namespace rc

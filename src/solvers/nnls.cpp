@@ -1,54 +1,134 @@
-// Non-negative least squares: Bemporad & Paggi (2015), Algorithm 3, with all infeasible points exchanged at once (block principal
-// pivoting: Kostreva 1978; Judice & Pires 1994) and single least-index pivots (Murty 1974) when the blocks stop making progress.
-// Finite and exact: the answer solves H_CC p_C = u_C on the final contact set C.
+// Non-negative least squares: Bemporad & Paggi (2015), Algorithm 3. Finite and exact: the answer solves H_CC p_C = u_C on the
+// final contact set C.
+//
+// nnls.pivoting = block exchanges all infeasible points at once (block principal pivoting: Kostreva 1978; Judice & Pires 1994): a
+// handful of solves. Where the blocks stop making progress, which they need not, the other method goes on from their pressures.
+// nnls.pivoting = single adds the point of the largest overlap (Lawson & Hanson 1974), as published: each solve lowers the
+// energy, so no set comes twice, but there is one for every point of the contact set. Against the printed algorithm the
+// tolerances are relative, all points that reach zero leave at once and are set to zero, and a point that would not take up
+// pressure is not tried again before another one has.
+//
+// Its iterations are the solves, each on one contact set.
 #include <algorithm>
 #include <cmath>
 
 #include "solvers/gradient_projection.h"
+#include "solvers/largest_eigenvalue.h"
 #include "solvers/solver.h"
 
 namespace rc {
 
 namespace {
 
-constexpr int block_attempts = 10;           // block exchanges without a smaller number of infeasible points before single pivots
+constexpr int block_attempts = 10;           // exchanges without a smaller number of infeasible points
 constexpr std::int64_t start_directly = 64;  // up to so many points the first set is {u > 0}; beyond, gradient steps find it
-constexpr int gradient_steps = 30;
+constexpr std::int64_t gradient_steps = 30;
+constexpr double round_off = 1e-15;  // of a pressure that has vanished, relative to the largest
 
 class Pivoting {
  public:
   Pivoting(const Problem& problem, Vector& p) : problem_(problem), n_(p.size()), p_(p), w_(n_), in_contact_(n_) {
     // Round-off of an exact solve, or a twentieth of what is asked.
     tolerance_ = std::clamp(0.05 * problem.tol(), 2e-14, 1e-9);
+    for (double& value : p_) value = std::max(value, 0.0);
   }
 
-  rc_status run() {
+  rc_status by_blocks() {
     first_set();
     std::size_t fewest = n_ + 1;
-    int attempts = block_attempts;
-    for (std::int64_t solves = 1;; ++solves) {
+    for (int attempts = block_attempts; attempts > 0;) {
       if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
+      std::fill(p_.begin(), p_.end(), 0.0);
+      for (std::size_t k = 0; k < contact_.size(); ++k) p_[static_cast<std::size_t>(contact_[k])] = solution_[k];
+      find_gap();
       const std::size_t infeasible = find_infeasible();
-      problem_.poll(solves, worst_);
-      if (infeasible == 0) break;
+      problem_.poll(++solves_, worst_);
+      if (infeasible == 0) return RC_OK;
+      --attempts;
       if (infeasible < fewest) {
         fewest = infeasible;
         attempts = block_attempts;
-      } else {
-        --attempts;
       }
-      exchange(attempts > 0);
+      exchange();
     }
     for (double& value : p_) value = std::max(value, 0.0);
-    return RC_OK;
+    return one_by_one();
+  }
+
+  rc_status one_by_one() {
+    std::size_t entered = n_;
+    for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = p_[i] > 0;
+    std::vector<char> refused(n_, 0);
+    while (true) {
+      if (entered < n_ || std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) {
+        bool accepted = true;
+        if (const rc_status status = settle(entered, accepted); status != RC_OK) return status;
+        if (accepted) std::fill(refused.begin(), refused.end(), char{0});
+        if (!accepted) refused[entered] = 1;
+      }
+      find_gap();
+      entered = n_;
+      bool overlap_refused = false;
+      for (std::size_t i = 0; i < n_; ++i) {
+        if (in_contact_[i] || w_[i] >= -tolerance_) continue;
+        if (refused[i]) {
+          overlap_refused = true;
+        } else if (entered == n_ || w_[i] < w_[entered]) {
+          entered = i;
+        }
+      }
+      if (entered == n_) return overlap_refused ? RC_STOP_STALLED : RC_OK;
+      worst_ = -w_[entered];
+      in_contact_[entered] = 1;
+    }
   }
 
  private:
   void first_set() {
     const double* u = problem_.u();
     const bool cold = std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
-    if (cold && problem_.size() > start_directly) gradient_projection(problem_, p_, gradient_steps);
+    if (cold && problem_.size() > start_directly) {
+      GradientSettings settings;
+      settings.lipschitz = largest_eigenvalue(problem_);
+      settings.steps = gradient_steps;
+      settings.polls = false;
+      double unused = 0;
+      if (settings.lipschitz > 0) gradient_projection(problem_, p_, unused, settings);
+    }
     for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = cold && problem_.size() <= start_directly ? u[i] > 0 : p_[i] > 0;
+  }
+
+  // Moves p, with pressure on the contact set only, to the solution on as much of the set as has none that pulls: along the way
+  // to the solution points leave where their pressure vanishes. `entered` is the point just added, or n.
+  rc_status settle(std::size_t entered, bool& accepted) {
+    for (bool first = true;; first = false) {
+      if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
+      problem_.poll(++solves_, worst_);
+      double length = 1;
+      for (std::size_t k = 0; k < contact_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(contact_[k]);
+        if (solution_[k] > 0) continue;
+        if (first && i == entered) {  // round-off: the gap says that it pushes, the solution that it pulls
+          in_contact_[i] = 0;
+          accepted = false;
+          return RC_OK;
+        }
+        length = std::min(length, p_[i] > solution_[k] ? p_[i] / (p_[i] - solution_[k]) : 0.0);
+      }
+      bool left = false;
+      double largest = 0;
+      for (const double value : solution_) largest = std::max(largest, value);
+      for (std::size_t k = 0; k < contact_.size(); ++k) {
+        const auto i = static_cast<std::size_t>(contact_[k]);
+        p_[i] += length * (solution_[k] - p_[i]);
+        if (length == 1 && solution_[k] > 0) p_[i] = solution_[k];
+        if (solution_[k] > 0 || p_[i] > round_off * largest) continue;
+        p_[i] = 0;
+        in_contact_[i] = 0;
+        left = true;
+      }
+      if (!left) return RC_OK;
+    }
   }
 
   rc_status solve_on_contact_set() {
@@ -58,21 +138,26 @@ class Pivoting {
       for (std::size_t i = 0; i < n_; ++i)
         if (in_contact_[i]) contact_.push_back(static_cast<std::int64_t>(i));
       right_.clear();
-      for (const std::int64_t i : contact_) right_.push_back(u[i]);
-      solution_.resize(contact_.size());
+      solution_.clear();
+      for (const std::int64_t i : contact_) {
+        right_.push_back(u[i]);
+        solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start, where it is found by iteration
+      }
       const rc_status status = problem_.try_subset(contact_, right_, solution_);
-      if (status == RC_OK) break;
+      if (status == RC_OK) return RC_OK;
       // The mean of a periodic operator is its null space: full contact has no solution in displacement control, so the point
       // with the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
       const bool singular = status == RC_ERR_NUMERIC || status == RC_STOP_STALLED;
       if (!singular || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
-      in_contact_[static_cast<std::size_t>(std::min_element(u, u + n_) - u)] = false;
+      const auto farthest = static_cast<std::size_t>(std::min_element(u, u + n_) - u);
+      in_contact_[farthest] = 0;
+      p_[farthest] = 0;
     }
-    std::fill(p_.begin(), p_.end(), 0.0);
-    for (std::size_t k = 0; k < contact_.size(); ++k) p_[static_cast<std::size_t>(contact_[k])] = solution_[k];
+  }
+
+  void find_gap() {
     problem_.apply(p_, w_);
-    for (std::size_t i = 0; i < n_; ++i) w_[i] -= u[i];
-    return RC_OK;
+    for (std::size_t i = 0; i < n_; ++i) w_[i] -= problem_.u()[i];
   }
 
   bool is_infeasible(std::size_t i) const { return in_contact_[i] ? p_[i] < -tolerance_ * largest_ : w_[i] < -tolerance_; }
@@ -90,12 +175,9 @@ class Pivoting {
     return count;
   }
 
-  void exchange(bool all) {
-    for (std::size_t i = n_; i-- > 0;) {
-      if (!is_infeasible(i)) continue;
-      in_contact_[i] = !in_contact_[i];
-      if (!all) return;
-    }
+  void exchange() {
+    for (std::size_t i = 0; i < n_; ++i)
+      if (is_infeasible(i)) in_contact_[i] = !in_contact_[i];
   }
 
   const Problem& problem_;
@@ -105,14 +187,23 @@ class Pivoting {
   std::vector<char> in_contact_;
   Positions contact_;
   Vector right_, solution_;
-  double tolerance_ = 0, largest_ = 0, worst_ = 0;
+  double tolerance_ = 0, largest_ = 0, worst_ = 1;
+  std::int64_t solves_ = 0;
   int full_sets_ = 0;  // of all points, which could not be solved
 };
 
+constexpr rc_option_spec pivoting =
+    text_option("nnls.pivoting", "block", "block|single",
+                "block: all infeasible points at once, a handful of solves; single: one point a solve, as published");
+const rc_option_spec* const specs[] = {&pivoting};
+
 }  // namespace
 
-const Options nnls_options{};
+const Options nnls_options = listed(specs);
 
-rc_status nnls(const Problem& problem, Vector& p, double&) { return Pivoting(problem, p).run(); }
+rc_status nnls(const Problem& problem, Vector& p, double&) {
+  Pivoting pivoting_method(problem, p);
+  return problem.option_text("nnls.pivoting") == "single" ? pivoting_method.one_by_one() : pivoting_method.by_blocks();
+}
 
 }  // namespace rc

@@ -54,6 +54,10 @@ class Problem {
                           product ? product->data() : nullptr);
   }
   rc_status coarse(const rc_coarse& request) const { return problem_.coarse(&problem_, &request); }
+  void coefficients(std::int64_t mx, std::int64_t my, Vector& out) const {
+    out.resize(static_cast<std::size_t>(mx * my));
+    check(problem_.coefficients(&problem_, mx, my, out.data()));
+  }
   void note(const std::string& text) const { problem_.note(&problem_, text.c_str()); }
   // Once an iteration.
   void poll(std::int64_t iteration, double kkt) const { check(problem_.poll(&problem_, iteration, kkt)); }

@@ -273,7 +273,7 @@ AT(rc_coarse, approach, 48);
 AT(rc_coarse, solver, 56);
 AT(rc_coarse, p, 64);
 
-SIZE(rc_problem, 136);
+SIZE(rc_problem, 144);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -293,6 +293,7 @@ AT(rc_problem, norm, 104);
 AT(rc_problem, inner, 112);
 AT(rc_problem, coarse, 120);
 AT(rc_problem, note, 128);
+AT(rc_problem, coefficients, 136);
 
 SIZE(rc_solver, 72);
 AT(rc_solver, struct_size, 0);

@@ -10,10 +10,12 @@ for compiler in gcc clang; do
   command -v $compiler >/dev/null || { echo "$compiler: not installed, left out"; continue; }
   for mode in "c c99" "c c11" "c++ c++17"; do
     read -r language standard <<<"$mode"
-    for header in roughcontact plugin; do
+    for header in roughcontact plugin surface; do
       echo "#include <roughcontact/$header.h>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
     done
     $compiler "${warnings[@]}" -x "$language" -std="$standard" "$here/golden.c"
+    [ "$language" = c ] ||
+      echo "#include <roughcontact/plugin.hpp>" | $compiler -Wall -Wextra -pedantic -Wshadow -Werror -fsyntax-only "-I$include" -x c++ -std="$standard" -
     echo "$compiler $standard: ok"
     tried=$((tried + 1))
   done

@@ -21,6 +21,9 @@ Outcome harmless_nulls() {
   rc_step_init(nullptr);
   rc_result_init(nullptr);
   rc_context_config_init(nullptr);
+  rc_path_init(nullptr);
+  rc_level_init(nullptr);
+  rc_direct_init(nullptr);
   rc_context_destroy(nullptr);
   rc_options_destroy(nullptr);
   rc_contact_destroy(nullptr);

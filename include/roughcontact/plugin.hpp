@@ -1,0 +1,154 @@
+/* roughcontact plugin helpers for C++17: failures as exceptions inside a component, statuses and messages outside of it.
+ *
+ * Header only, and only over <roughcontact/plugin.h>: a plugin that includes it still links nothing of the library. Nothing
+ * here is part of the binary interface.
+ *
+ *   class MyOperator {
+ *    public:
+ *     static constexpr roughcontact::Component component{"my", "use a smaller grid"};
+ *     MyOperator(const rc_host*, const rc_operator_spec&);   // may throw, as may every function below
+ *     const rc_host* host() const;
+ *     void bind(const rc_domain&);
+ *     void apply(const double* x, double* y);
+ *     void field(const double* x, double* y);
+ *     std::int64_t modelled() const;
+ *     // with RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_CAP_NORM:
+ *     void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
+ *     void shifted(double rho, const double* b, double* x);
+ *     double norm();
+ *   };
+ *
+ * and the functions of its rc_backend are those of roughcontact::Functions<MyOperator>.
+ */
+#ifndef ROUGHCONTACT_PLUGIN_HPP
+#define ROUGHCONTACT_PLUGIN_HPP
+
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <locale>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "plugin.h"
+
+namespace roughcontact {
+
+// Whose messages they are.
+struct Component {
+  const char* name;              // every message begins with it
+  const char* on_out_of_memory;  // what the user can do about it
+};
+
+// What a component throws; guard() turns it into a status and a message.
+struct Failure {
+  rc_status code;
+  std::string message;  // empty: the host has set it already
+};
+
+// fail(component, RC_ERR_NUMERIC, "pivot ", k, " is ", value); the same text in every locale.
+template <class... Parts> [[noreturn]] void fail(const Component& component, rc_status code, const Parts&... parts) {
+  std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // else the text would end silently where memory ran out
+  out.imbue(std::locale::classic());
+  out << component.name << ": ";
+  (out << ... << parts);
+  throw Failure{code, out.str()};
+}
+
+// Throws a status of the host's that is not RC_OK; the host has set the message.
+inline void check(rc_status status) {
+  if (status != RC_OK) throw Failure{status, std::string()};
+}
+
+// Runs action(); no exception leaves it. The message of a failed allocation is itself free of allocations.
+template <class Action> rc_status guard(const rc_host* host, const Component& component, Action&& action) noexcept {
+  const auto report = [&](rc_status code, const char* what, const char* advice) {
+    char text[512];
+    std::snprintf(text, sizeof text, "%s: %s%s", component.name, what, advice);
+    return host->fail(host, code, text);
+  };
+  const auto no_memory = [&] { return report(RC_ERR_MEMORY, "out of memory; ", component.on_out_of_memory); };
+  try {
+    action();
+    return RC_OK;
+  } catch (const Failure& failure) {
+    return failure.message.empty() ? failure.code : host->fail(host, failure.code, failure.message.c_str());
+  } catch (const std::bad_alloc&) {
+    return no_memory();
+  } catch (const std::length_error&) {  // a container was asked for more than an address space
+    return no_memory();
+  } catch (const std::exception& exception) {
+    return report(RC_ERR_INTERNAL, "unexpected: ", exception.what());
+  } catch (...) {
+    return report(RC_ERR_INTERNAL, "an exception of unknown type", "");
+  }
+}
+
+// Options by key; throw if the host does not know the key.
+inline std::int64_t option_int(const rc_host* host, const rc_options* options, const char* key) {
+  std::int64_t value = 0;
+  check(host->option_int(host, options, key, &value));
+  return value;
+}
+inline double option_real(const rc_host* host, const rc_options* options, const char* key) {
+  double value = 0;
+  check(host->option_real(host, options, key, &value));
+  return value;
+}
+inline const char* option_text(const rc_host* host, const rc_options* options, const char* key) {
+  const char* value = "";
+  check(host->option_text(host, options, key, &value));
+  return value;
+}
+
+// Holds one of the host's named locks.
+class HostLock {
+ public:
+  HostLock(const rc_host* host, const char* resource) : host_(host), resource_(resource) { host_->lock(host_, resource_); }
+  ~HostLock() { host_->unlock(host_, resource_); }
+  HostLock(const HostLock&) = delete;
+  HostLock& operator=(const HostLock&) = delete;
+
+ private:
+  const rc_host* host_;
+  const char* resource_;
+};
+
+// The functions of an rc_backend over a C++ class; those that are not named are not instantiated.
+template <class Operator> struct Functions {
+  static rc_status create(const rc_host* host, const rc_operator_spec* spec, void** self) noexcept {
+    return guard(host, Operator::component, [&] { *self = new Operator(host, *spec); });
+  }
+  static void destroy(void* self) noexcept { delete static_cast<Operator*>(self); }
+  static rc_status bind(void* self, const rc_domain* domain) noexcept {
+    return with(self, [&](Operator& op) { op.bind(*domain); });
+  }
+  static rc_status apply(void* self, const double* x, double* y) noexcept {
+    return with(self, [&](Operator& op) { op.apply(x, y); });
+  }
+  static rc_status field(void* self, const double* x, double* y) noexcept {
+    return with(self, [&](Operator& op) { op.field(x, y); });
+  }
+  static std::int64_t modelled(void* self) noexcept { return static_cast<Operator*>(self)->modelled(); }
+  static rc_status subset(void* self, std::int64_t na, const std::int64_t* a, const double* b, double* x) noexcept {
+    return with(self, [&](Operator& op) { op.subset(na, a, b, x); });
+  }
+  static rc_status shifted(void* self, double rho, const double* b, double* x) noexcept {
+    return with(self, [&](Operator& op) { op.shifted(rho, b, x); });
+  }
+  static rc_status norm(void* self, double* out) noexcept {
+    return with(self, [&](Operator& op) { *out = op.norm(); });
+  }
+
+ private:
+  template <class Action> static rc_status with(void* self, Action&& action) noexcept {
+    Operator& op = *static_cast<Operator*>(self);
+    return guard(op.host(), Operator::component, [&] { action(op); });
+  }
+};
+
+}  // namespace roughcontact
+#endif

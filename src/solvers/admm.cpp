@@ -1,0 +1,165 @@
+// Alternating direction method of multipliers: Bemporad & Paggi (2015), Algorithm 5, with over-relaxation (Boyd et al.
+// 2011, 3.4.3) and residual balancing (the rule of OSQP: Stellato et al. 2020, 5.2).
+//
+// The pressure is split: x solves (H + rho I) x = u + rho (z - v) (load control: u + d, with d such that sum x = load), z >= 0 is
+// the projection of x + v, and v adds up their difference. At the solution -rho v is the gap w.
+//
+// Against the printed algorithm: the sign of its step 5.1, a penalty rho that has the scale of the problem, and a stop by the
+// residual of z with its own product, because |x - z| alone says little.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/largest_eigenvalue.h"
+#include "solvers/residual.h"
+#include "solvers/solver.h"
+#include "solvers/vector_math.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t patience = 1000;            // iterations in which the residual must fall by a tenth
+constexpr std::int64_t first_balance = 10;         // iteration; each later one twice as far, so that a factor is reused
+constexpr double imbalance = 5;                    // of the residuals, above which rho changes
+constexpr double floor_of_smallest = 1e-6;         // of the largest eigenvalue
+constexpr double accuracy = 0.05;                  // of a solve, relative to the residual at hand
+constexpr double finest = 1e-15, coarsest = 1e-3;  // relative residuals asked of a solve
+
+class Alternation {
+ public:
+  Alternation(const Problem& problem, Vector& p, double& d)
+      : problem_(problem), u_(problem.u()), n_(p.size()), p_(p), d_(d), hp_(n_, 0.0), x_(n_), z_(n_), v_(n_), right_(n_) {
+    for (double& value : p_) value = std::max(value, 0.0);
+    scale_to_load(problem_, p_);
+  }
+
+  rc_status run() {
+    const double relaxation = problem_.option_real("admm.relaxation");
+    problem_.apply(p_, hp_);
+    rescale();
+    Residual residual = residual_of(problem_, p_, hp_);
+    choose_penalty();
+    x_ = z_ = p_;
+    for (std::size_t i = 0; i < n_; ++i) v_[i] = -std::max(0.0, hp_[i] - u_[i] - residual.approach) / rho_;
+
+    double milestone = std::numeric_limits<double>::infinity();
+    std::int64_t milestone_at = 0, balance_at = first_balance;
+    for (std::int64_t iteration = 0;; ++iteration) {
+      d_ = residual.approach;
+      problem_.poll(iteration, residual.worst);
+      if (residual.worst <= problem_.tol()) return RC_OK;
+      if (residual.worst < 0.9 * milestone) {
+        milestone = residual.worst;
+        milestone_at = iteration;
+      } else if (iteration - milestone_at > patience) {
+        return RC_STOP_STALLED;
+      }
+
+      minimise(residual);
+      Vector last = z_;
+      for (std::size_t i = 0; i < n_; ++i) {
+        const double relaxed = relaxation * x_[i] + (1 - relaxation) * z_[i];
+        z_[i] = std::max(0.0, relaxed + v_[i]);
+        v_[i] += relaxed - z_[i];
+      }
+      if (std::any_of(z_.begin(), z_.end(), [](double value) { return value > 0; }) || !problem_.load_control()) {
+        p_ = z_;
+        scale_to_load(problem_, p_);
+      }
+      problem_.apply(p_, hp_);
+      residual = residual_of(problem_, p_, hp_);
+      if (iteration + 1 == balance_at) {
+        balance_at *= 2;
+        if (automatic_) balance(last, residual.approach);
+      }
+    }
+  }
+
+ private:
+  // A warm start at another approach: its best multiple.
+  void rescale() {
+    if (problem_.load_control()) return;
+    const double work = sum_of(n_, [&](std::size_t i) { return u_[i] * p_[i]; });
+    const double curvature = sum_of(n_, [&](std::size_t i) { return p_[i] * hp_[i]; });
+    if (!(curvature > 0)) return;
+    const double factor = std::max(work / curvature, 0.0);
+    for (std::size_t i = 0; i < n_; ++i) {
+      p_[i] *= factor;
+      hp_[i] *= factor;
+    }
+  }
+
+  // Geometric mean of the extreme eigenvalues, the best for a quadratic (Ghadimi et al. 2015), a little smaller as the contact
+  // set sees less than all of the spectrum.
+  void choose_penalty() {
+    rho_ = problem_.option_real("admm.rho");
+    automatic_ = rho_ == 0;
+    if (!automatic_) return;
+    const double largest = largest_eigenvalue(problem_);
+    if (!(largest > 0) || std::isinf(largest))
+      problem_.fail("admm: the operator is not positive definite, or returned values that are not finite");
+    const double smallest = problem_.lambda_min() > 0 ? problem_.lambda_min() : smallest_eigenvalue(problem_, largest);
+    rho_ = 0.7 * std::sqrt(std::max(smallest, floor_of_smallest * largest) * largest);
+  }
+
+  void minimise(const Residual& residual) {
+    double size = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      right_[i] = u_[i] + rho_ * (z_[i] - v_[i]) + (problem_.load_control() ? residual.approach : 0.0);
+      size += right_[i] * right_[i];
+    }
+    double tol = coarsest;
+    if (std::isfinite(residual.worst) && size > 0)
+      tol = std::clamp(accuracy * residual.worst * residual.scale / std::sqrt(size), finest, coarsest);
+    problem_.shifted(rho_, tol, right_, x_);
+    if (!problem_.load_control()) return;
+    // The approach moves x by a multiple of (H + rho I)^-1 1.
+    if (rate_.empty()) {
+      rate_.assign(n_, 1 / rho_);
+      problem_.shifted(rho_, finest, Vector(n_, 1.0), rate_);
+      rate_sum_ = sum_of(n_, [&](std::size_t i) { return rate_[i]; });
+    }
+    const double missing = problem_.load() - sum_of(n_, [&](std::size_t i) { return x_[i]; });
+    for (std::size_t i = 0; i < n_; ++i) x_[i] += missing / rate_sum_ * rate_[i];
+  }
+
+  void balance(const Vector& last, double approach) {
+    double primal = 0, dual = 0, size_p = 0, size_w = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      primal = std::max(primal, std::abs(x_[i] - z_[i]));
+      dual = std::max(dual, rho_ * std::abs(z_[i] - last[i]));
+      size_p = std::max({size_p, std::abs(x_[i]), z_[i]});
+      size_w = std::max({size_w, std::abs(hp_[i]), rho_ * std::abs(v_[i]), std::abs(u_[i] + approach)});
+    }
+    if (!(primal > 0 && dual > 0 && size_p > 0 && size_w > 0)) return;
+    const double ratio = std::sqrt((primal / size_p) / (dual / size_w));
+    if (ratio < imbalance && ratio > 1 / imbalance) return;
+    rho_ *= ratio;
+    for (double& value : v_) value /= ratio;
+    rate_.clear();
+  }
+
+  const Problem& problem_;
+  const double* const u_;
+  const std::size_t n_;
+  Vector& p_;  // z, in load control scaled to the load
+  double& d_;
+  Vector hp_, x_, z_, v_;  // H p; the unconstrained and the non-negative pressure; the sum of their differences
+  Vector right_, rate_;    // right hand side; (H + rho I)^-1 1
+  double rho_ = 0, rate_sum_ = 0;
+  bool automatic_ = true;
+};
+
+constexpr rc_option_spec relaxation = real_option("admm.relaxation", "1.7", 1, 1.95, "over-relaxation; 1: none");
+constexpr rc_option_spec rho = real_option(
+    "admm.rho", "0", 0, 1e12, "penalty, relative to the contact modulus and the cell size; 0: from the eigenvalues of H");
+const rc_option_spec* const specs[] = {&relaxation, &rho};
+
+}  // namespace
+
+const Options admm_options = listed(specs);
+
+rc_status admm(const Problem& problem, Vector& p, double& d) { return Alternation(problem, p, d).run(); }
+
+}  // namespace rc

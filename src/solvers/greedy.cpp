@@ -1,0 +1,249 @@
+// The greedy method: Bemporad & Paggi (2015), Algorithm 1. From all points being in contact, solve, drop the points that pull,
+// and solve again, until none pulls. No point comes back.
+//
+// Against the printed algorithm: the loop ends when a solve leaves nothing to drop, the tolerances are relative, the conjugate
+// gradients keep their product, and the gap of the points that were dropped is checked.
+//
+// It finds the solution for every surface exactly if H^-1 has no positive entry off its diagonal (Chandrasekaran 1970). That
+// holds for the kernels love and disc with free boundaries; elsewhere dropped points may overlap, and then the answer is not
+// certified unless greedy.repair hands it over.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "solvers/residual.h"
+#include "solvers/solver.h"
+#include "solvers/vector_math.h"
+
+namespace rc {
+
+namespace {
+
+constexpr int patience = 40;                    // iterations of a solve without a new smallest residual
+constexpr double accuracy = 1e-3;               // of a solve, relative to tol
+constexpr double attained = 1e-15;              // residual at which a double precision product has nothing more to give
+constexpr std::int64_t most_entries_of = 4096;  // points whose matrix Gauss & Seidel's method may store
+constexpr double round_off = 1e-12;
+
+class Greedy {
+ public:
+  Greedy(const Problem& problem, Vector& p)
+      : problem_(problem),
+        u_(problem.u()),
+        n_(p.size()),
+        p_(p),
+        hp_(n_),
+        kept_(n_, 1),
+        enough_(std::max(accuracy * problem.tol(), attained)),
+        inner_(problem.option_text("greedy.inner")) {
+    for (double& value : p_) value = std::max(value, 0.0);
+  }
+
+  rc_status run() {
+    if (start_is_solution()) return RC_OK;
+    if (inner_ == "gauss-seidel") store_matrix();
+    leave_null_space();
+    do {
+      for (std::size_t i = 0; i < n_; ++i)
+        if (!kept_[i]) p_[i] = 0;
+      if (inner_ == "cholesky") {
+        factor();
+      } else if (inner_ == "gauss-seidel") {
+        sweep();
+      } else {
+        conjugate_gradients();
+      }
+    } while (drop());
+    return judge();
+  }
+
+ private:
+  // Only a start that is the solution spares anything: from any other, all points have to come into contact first.
+  bool start_is_solution() {
+    if (std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) return false;
+    problem_.apply(p_, hp_);
+    return residual_of(problem_, p_, hp_).worst <= problem_.tol();
+  }
+
+  // Where the mean is the null space of H, as of a periodic one, full contact has no solution in displacement control: the point
+  // with the largest gap is left out.
+  void leave_null_space() {
+    if (problem_.positive() || n_ < 2) return;
+    const auto farthest = static_cast<std::size_t>(std::min_element(u_, u_ + n_) - u_);
+    Vector ones(n_, 1.0), one(n_, 0.0), of_ones(n_), of_one(n_);
+    one[farthest] = 1;
+    problem_.apply(ones, of_ones);
+    problem_.apply(one, of_one);
+    const auto size = [](const Vector& v) {
+      return std::abs(*std::max_element(v.begin(), v.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    };
+    if (size(of_ones) <= round_off * static_cast<double>(n_) * size(of_one)) kept_[farthest] = 0;
+  }
+
+  double dot(const Vector& a, const Vector& b) const {
+    return sum_of(n_, [&](std::size_t i) { return a[i] * b[i]; });
+  }
+
+  void conjugate_gradients() {
+    Vector r(n_), t(n_, 0.0), q(n_);
+    problem_.apply(p_, hp_);
+    for (std::size_t i = 0; i < n_; ++i) r[i] = kept_[i] ? u_[i] - hp_[i] : 0;
+    double rr_old = 0, least = 0;
+    int since_least = 0;
+    for (bool first = true;; first = false) {
+      double largest = 0;
+      for (const double value : r) largest = std::max(largest, std::abs(value));
+      problem_.poll(++iterations_, largest);
+      if (first || largest < least) {
+        least = largest;
+        since_least = 0;
+      } else {
+        ++since_least;
+      }
+      if (largest <= enough_ || since_least > patience) return;
+      const double rr = dot(r, r), beta = first ? 0 : rr / rr_old;
+      for (std::size_t i = 0; i < n_; ++i) t[i] = r[i] + beta * t[i];
+      problem_.apply(t, q);
+      const double curvature = dot(t, q);
+      if (!(curvature > 0)) {
+        if (std::isnan(curvature)) problem_.fail("greedy: the operator returned values that are not finite");
+        problem_.fail("greedy: the operator is not positive definite: t'Ht <= 0 along a search direction t");
+      }
+      const double length = rr / curvature;
+      for (std::size_t i = 0; i < n_; ++i) {
+        if (!kept_[i]) continue;
+        p_[i] += length * t[i];
+        r[i] -= length * q[i];
+      }
+      rr_old = rr;
+    }
+  }
+
+  void store_matrix() {
+    if (problem_.size() > most_entries_of) {
+      char message[200];
+      std::snprintf(message, sizeof message,
+                    "greedy: greedy.inner = gauss-seidel stores the matrix of all candidates, %lld of at most %lld; use cg or "
+                    "cholesky, or a smaller approach",
+                    static_cast<long long>(n_), static_cast<long long>(most_entries_of));
+      problem_.fail(RC_ERR_INCOMPATIBLE, message);
+    }
+    Vector unit(n_, 0.0), column(n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      unit[i] = 1;
+      problem_.apply(unit, column);
+      unit[i] = 0;
+      if (!(column[i] > 0)) problem_.fail("greedy: the operator is not positive definite: a diagonal entry is not positive");
+      matrix_.insert(matrix_.end(), column.begin(), column.end());
+    }
+  }
+
+  void sweep() {
+    double least = 0;
+    int since_least = 0;
+    for (bool first = true; since_least <= patience; first = false) {
+      double largest = 0;
+      for (std::size_t i = 0; i < n_; ++i) {
+        if (!kept_[i]) continue;
+        const double* row = matrix_.data() + i * n_;
+        const double r = u_[i] - sum_of(n_, [&](std::size_t j) { return row[j] * p_[j]; });
+        p_[i] += r / row[i];
+        largest = std::max(largest, std::abs(r));
+      }
+      problem_.poll(++iterations_, largest);
+      if (largest <= enough_) return;
+      if (first || largest < least) {
+        least = largest;
+        since_least = 0;
+      } else {
+        ++since_least;
+      }
+    }
+  }
+
+  void factor() {
+    if (!problem_.has_subset())
+      problem_.fail(
+          RC_ERR_INCOMPATIBLE,
+          "greedy: greedy.inner = cholesky needs systems on subsets, which the backend cannot factor, and allow_fallback "
+          "is 0; use greedy.inner = cg or a backend that factors");
+    Positions kept;
+    Vector right, solution;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (!kept_[i]) continue;
+      kept.push_back(static_cast<std::int64_t>(i));
+      right.push_back(u_[i]);
+      solution.push_back(p_[i]);
+    }
+    Problem::check(problem_.try_subset(kept, right, solution));
+    for (std::size_t k = 0; k < kept.size(); ++k) p_[static_cast<std::size_t>(kept[k])] = solution[k];
+    problem_.poll(++iterations_, std::max(0.0, -*std::min_element(solution.begin(), solution.end())));
+  }
+
+  // True if points pulled, so that the rest has to be solved again.
+  bool drop() {
+    bool any = false, left = false;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (kept_[i] && p_[i] < 0) {
+        kept_[i] = 0;
+        p_[i] = 0;
+        any = true;
+      }
+      left = left || kept_[i];
+    }
+    return any && left;
+  }
+
+  rc_status judge() {
+    problem_.apply(p_, hp_);
+    std::int64_t overlapping = 0;
+    double deepest = 0, open = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double gap = hp_[i] - u_[i];
+      if (kept_[i]) {
+        open = std::max(open, std::abs(gap));
+      } else if (gap < -problem_.tol()) {
+        ++overlapping;
+        deepest = std::max(deepest, -gap);
+      }
+    }
+    if (overlapping == 0) return open <= problem_.tol() ? RC_OK : RC_STOP_STALLED;
+    const bool repair = problem_.option_int("greedy.repair") != 0;
+    char remark[160];
+    std::snprintf(remark, sizeof remark, "greedy: %lld points overlap%s, worst w = %.2g of the largest compenetration; %s",
+                  static_cast<long long>(overlapping), repair ? "ped" : "", -deepest,
+                  repair ? "nnls has repaired it" : "set greedy.repair or use nnls");
+    problem_.note(remark);
+    if (!repair) return RC_STOP_UNCERTIFIED;
+    Positions all(n_);
+    std::iota(all.begin(), all.end(), 0);
+    return problem_.inner("nnls", all, problem_.tol(), p_, nullptr);
+  }
+
+  const Problem& problem_;
+  const double* const u_;
+  const std::size_t n_;
+  Vector& p_;
+  Vector hp_;                // H p
+  std::vector<char> kept_;   // in contact as far as we know
+  const double enough_;      // largest residual of a solve
+  const std::string inner_;  // greedy.inner
+  Vector matrix_;            // row by row, for Gauss & Seidel's method
+  std::int64_t iterations_ = 0;
+};
+
+constexpr rc_option_spec inner =
+    text_option("greedy.inner", "cg", "cg|gauss-seidel|cholesky",
+                "how each set is solved; gauss-seidel stores the matrix, of at most 4096 candidates");
+constexpr rc_option_spec repair =
+    int_option("greedy.repair", "0", 0, 1, "1: where dropped points overlap, nnls goes on from the contact set found");
+const rc_option_spec* const specs[] = {&inner, &repair};
+
+}  // namespace
+
+const Options greedy_options = listed(specs);
+
+rc_status greedy(const Problem& problem, Vector& p, double&) { return Greedy(problem, p).run(); }
+
+}  // namespace rc

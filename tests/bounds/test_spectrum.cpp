@@ -1,0 +1,236 @@
+// What the proofs take for granted about H: its smallest eigenvalue, and the stiffness of flat punches.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "contact/spectrum.h"
+#include "contact/system.h"
+#include "kernel/kernel.h"
+#include "kernel/lowest_eigenvalue.h"
+#include "support/cmocka.hpp"
+
+namespace {
+
+using Vector = std::vector<double>;
+constexpr double pi = 3.14159265358979323846;
+
+struct Grid {
+  std::string kernel;
+  std::int64_t nx, ny;
+  double hx, hy;
+};
+
+const rc::kernel::Kernel& kernel_of(const std::string& name) { return *rc::kernel::find(name); }
+
+Vector matrix_of(const std::string& name, const Grid& g) {
+  Vector table(static_cast<std::size_t>(g.nx * g.ny)), matrix;
+  rc::kernel::coefficients(kernel_of(name), g.hx, g.hy, g.nx, g.ny, table.data());
+  const std::int64_t n = g.nx * g.ny;
+  for (std::int64_t i = 0; i < n; ++i)
+    for (std::int64_t j = 0; j < n; ++j)
+      matrix.push_back(table[static_cast<std::size_t>(std::abs(i / g.nx - j / g.nx) * g.nx + std::abs(i % g.nx - j % g.nx))]);
+  return matrix;
+}
+
+// Cholesky's factor of matrix - shift I in place; false if it has none.
+bool factorise(Vector& matrix, double shift) {
+  const auto n = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(matrix.size()))));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = matrix[i * n + j] - (i == j ? shift : 0);
+      for (std::size_t k = 0; k < j; ++k) sum -= matrix[i * n + k] * matrix[j * n + k];
+      if (i == j && !(sum > 0)) return false;
+      matrix[i * n + j] = i == j ? std::sqrt(sum) : sum / matrix[j * n + j];
+    }
+  return true;
+}
+
+// 1'H^-1 1.
+double flat_punch(Vector factor) {
+  const auto n = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(factor.size()))));
+  Vector x(n, 1.0);
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) x[i] -= factor[i * n + k] * x[k];
+    x[i] /= factor[i * n + i];
+    sum += x[i] * x[i];
+  }
+  return sum;
+}
+
+std::vector<Grid> grids() {
+  std::vector<Grid> result;
+  for (const rc::kernel::Kernel& kernel : rc::kernel::all()) {
+    if (kernel.boundary != rc::kernel::Boundary::free) continue;
+    for (const auto& [nx, ny] : {std::pair<std::int64_t, std::int64_t>{1, 1}, {1, 30}, {2, 2}, {7, 3}, {13, 12}, {20, 20}})
+      for (const double aspect : {1.0, 1.7, 0.1, 10.0, 100.0, 1000.0})
+        if (aspect == 1 || !kernel.square_cells) result.push_back({kernel.name, nx, ny, 2.0, 2.0 * aspect});
+  }
+  return result;
+}
+
+void no_eigenvalue_is_below_the_bound(void**) {
+  for (const Grid& grid : grids()) {
+    Vector matrix = matrix_of(grid.kernel, grid);
+    const double bound = rc::kernel::lowest_eigenvalue(kernel_of(grid.kernel), grid.hx, grid.hy);
+    if (!(bound > 0) || !factorise(matrix, bound))
+      fail_msg("%s %dx%d cells %g x %g: an eigenvalue is below %g", grid.kernel.c_str(), static_cast<int>(grid.nx),
+               static_cast<int>(grid.ny), grid.hx, grid.hy, bound);
+  }
+}
+
+// The checkerboard comes near the bound.
+void the_bound_is_nearly_reached(void**) {
+  for (const Grid& grid : grids()) {
+    if (grid.nx < 20) continue;
+    Vector matrix = matrix_of(grid.kernel, grid);
+    const double bound = rc::kernel::lowest_eigenvalue(kernel_of(grid.kernel), grid.hx, grid.hy);
+    if (factorise(matrix, 1.05 * bound))
+      fail_msg("%s cells %g x %g: no eigenvalue is below 1.05 times the bound %g", grid.kernel.c_str(), grid.hx, grid.hy, bound);
+  }
+}
+
+// Published values of the symbol at (pi, pi), square cells of side 1.
+void square_cells_have_the_known_bounds(void**) {
+  const std::pair<const char*, double> known[] = {
+      {"disc", 0.72908}, {"eq9", 0.08139}, {"galerkin", 0.34021}, {"love", 0.58069}, {"punch", 0.44477}};
+  for (const auto& [name, value] : known) {
+    const double bound = rc::kernel::lowest_eigenvalue(kernel_of(name), 1, 1);
+    if (!(bound <= value + 1e-5 && bound >= 0.994 * value)) fail_msg("%s: %g, known %g", name, bound, value);
+  }
+}
+
+// H - c G is positive semidefinite for galerkin's G.
+void every_kernel_has_its_share_of_galerkin(void**) {
+  for (const Grid& grid : grids()) {
+    Vector matrix = matrix_of(grid.kernel, grid);
+    const Vector galerkin = matrix_of("galerkin", grid);
+    const double share = rc::kernel::share_of_galerkin(kernel_of(grid.kernel));
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] -= share * galerkin[i];
+    if (!(share > 0) || !factorise(matrix, -1e-11 * grid.hx))
+      fail_msg("%s %dx%d cells %g x %g: not %g times galerkin", grid.kernel.c_str(), static_cast<int>(grid.nx),
+               static_cast<int>(grid.ny), grid.hx, grid.hy, share);
+  }
+}
+
+void a_flat_punch_is_no_stiffer_than_the_disc_around_it(void**) {
+  for (const Grid& grid : grids()) {
+    Vector matrix = matrix_of(grid.kernel, grid);
+    assert_true(factorise(matrix, 0));
+    // 1'H^-1 1 times the cell area is the force for a depth of 1.
+    const double stiffness = flat_punch(matrix) * grid.hx * grid.hy;
+    const double disc = std::hypot(static_cast<double>(grid.nx) * grid.hx, static_cast<double>(grid.ny) * grid.hy) /
+                        rc::kernel::share_of_galerkin(kernel_of(grid.kernel));
+    if (!(stiffness <= disc)) fail_msg("%s: %g, disc %g", grid.kernel.c_str(), stiffness, disc);
+  }
+}
+
+// The factor F(k, z) = sum over q = k + 2 pi m of exp(-q^2 z^2) sinc(q/2)^power of the symbol decreases with k and does not grow
+// with the power: what makes (pi, pi) the minimum for every aspect ratio, and love no smaller than galerkin.
+void the_factors_of_the_symbol_decrease(void**) {
+  for (double z = 0.15; z < 4; z *= 1.1) {
+    double before[2] = {2, 2};
+    for (int step = 0; step <= 200; ++step) {
+      const double k = pi * step / 200;
+      double factor[2] = {0, 0};
+      for (int m = -40; m <= 40; ++m) {
+        const double q = k + 2 * pi * m, sinc = q == 0 ? 1 : std::sin(q / 2) / (q / 2), gauss = std::exp(-q * q * z * z);
+        factor[0] += gauss * sinc;
+        factor[1] += gauss * sinc * sinc;
+      }
+      for (int power = 0; power < 2; ++power) {
+        assert_true(factor[power] > 0 && factor[power] <= before[power] + 1e-15);
+        before[power] = factor[power];
+      }
+      assert_true(factor[1] <= factor[0] + 1e-15);
+    }
+  }
+}
+
+void the_lowest_wave_is_the_smallest_of_the_symbol(void**) {
+  const rc::kernel::Kernel& kernel = kernel_of("spectral");
+  for (const auto& [nx, ny] : {std::pair<std::int64_t, std::int64_t>{2, 1}, {1, 9}, {8, 8}, {9, 4}, {15, 31}}) {
+    Vector symbol(static_cast<std::size_t>((nx / 2 + 1) * (ny / 2 + 1)));
+    rc::kernel::symbol(kernel, 1, 3, nx, ny, symbol.data());
+    const double least = *std::min_element(symbol.begin() + 1, symbol.end());
+    const double bound = rc::kernel::lowest_wave_eigenvalue(kernel, 1, 3, nx, ny);
+    assert_true(bound <= least && bound >= 0.999 * least);
+  }
+  assert_true(rc::kernel::lowest_wave_eigenvalue(kernel, 1, 1, 1, 1) == 0);
+}
+
+rc::Spectrum spectrum_of_matrix(const Vector& matrix) {
+  rc_system system = RC_SYSTEM_INIT;
+  system.op = RC_OPERATOR_DENSE;
+  system.nx = std::llround(std::sqrt(static_cast<double>(matrix.size())));
+  system.dense = matrix.data();
+  system.dense_ld = system.nx;
+  return rc::spectrum_of(rc::checked_system(system, "auto", true));
+}
+
+void a_callers_matrix_is_factorised(void**) {
+  std::mt19937 generator(3);
+  for (const std::int64_t n : {1, 2, 5, 40, 121}) {
+    // Eigenvalues `lowest` and larger, in a basis of random reflections, diagonal at most 1 after scaling.
+    for (const double lowest : {1e-6, 1e-3, 0.5}) {
+      Vector matrix(static_cast<std::size_t>(n * n), 0.0);
+      for (std::int64_t i = 0; i < n; ++i)
+        matrix[static_cast<std::size_t>(i * n + i)] = i == n / 2 ? lowest : 1 + static_cast<double>(i % 7);
+      for (int reflection = 0; reflection < 3; ++reflection) {
+        Vector v(static_cast<std::size_t>(n));
+        double square = 0;
+        for (double& value : v) {
+          value = static_cast<double>(generator()) / 4294967296.0 - 0.5;
+          square += value * value;
+        }
+        for (const bool rows : {true, false})
+          for (std::int64_t i = 0; i < n; ++i) {
+            double product = 0;
+            const auto at = [&](std::int64_t j) -> double& {
+              return matrix[static_cast<std::size_t>(rows ? i * n + j : j * n + i)];
+            };
+            for (std::int64_t j = 0; j < n; ++j) product += v[static_cast<std::size_t>(j)] * at(j);
+            for (std::int64_t j = 0; j < n; ++j) at(j) -= 2 * product / square * v[static_cast<std::size_t>(j)];
+          }
+      }
+      double diagonal = 0;
+      for (std::int64_t i = 0; i < n; ++i) diagonal = std::max(diagonal, matrix[static_cast<std::size_t>(i * n + i)]);
+      const rc::Spectrum found = spectrum_of_matrix(matrix);
+      const double least = lowest / diagonal;
+      if (!(found.lowest <= least * (1 + 1e-9) && found.lowest >= 0.89 * least))
+        fail_msg("n %d: %g, smallest eigenvalue %g", static_cast<int>(n), found.lowest, least);
+      Vector factor = matrix;
+      for (double& value : factor) value /= diagonal;
+      assert_true(factorise(factor, 0));
+      assert_true(std::abs(found.flat_punch / flat_punch(factor) - 1) < 1e-4 && found.diagonal == 1);
+    }
+  }
+}
+
+void what_is_not_known_is_0(void**) {
+  rc_system system = RC_SYSTEM_INIT;
+  system.op = RC_OPERATOR_DENSE;
+  system.nx = rc::most_factorised_points + 1;
+  Vector matrix(static_cast<std::size_t>(system.nx * system.nx), 0.0);
+  for (std::int64_t i = 0; i < system.nx; ++i) matrix[static_cast<std::size_t>(i * system.nx + i)] = 1;
+  system.dense = matrix.data();
+  system.dense_ld = system.nx;
+  assert_true(rc::spectrum_of(rc::checked_system(system, "auto", true)).lowest == 0);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(no_eigenvalue_is_below_the_bound),
+                              cmocka_unit_test(the_bound_is_nearly_reached),
+                              cmocka_unit_test(square_cells_have_the_known_bounds),
+                              cmocka_unit_test(every_kernel_has_its_share_of_galerkin),
+                              cmocka_unit_test(a_flat_punch_is_no_stiffer_than_the_disc_around_it),
+                              cmocka_unit_test(the_factors_of_the_symbol_decrease),
+                              cmocka_unit_test(the_lowest_wave_is_the_smallest_of_the_symbol),
+                              cmocka_unit_test(a_callers_matrix_is_factorised),
+                              cmocka_unit_test(what_is_not_known_is_0)};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
