@@ -22,7 +22,7 @@ fi
 if [ -z "$surface" ]; then
   surface=$root/build/demo/surface.npy
   mkdir -p "$root/build/demo"
-  python3 "$root/scripts/make_surface.py" "$surface"
+  "$root/build/bin/roughcontact" generate spectral --output "$surface" --size 512 --rolloff 128 --rms-slope 0.1
 fi
 out=$root/build/demo/out
 for ((i = 0; i < ${#options[@]} - 1; ++i)); do

@@ -4,7 +4,7 @@ import pathlib
 import re
 import sys
 
-PUBLIC = {'roughcontact/roughcontact.h', 'roughcontact/plugin.h'}
+PUBLIC = {'roughcontact/roughcontact.h', 'roughcontact/plugin.h', 'roughcontact/surface.h', 'roughcontact/plugin.hpp'}
 LAYERS = {  # folder under src: folders it may include
     'core': {'core'},
     'kernel': {'kernel'},
@@ -16,11 +16,13 @@ LAYERS = {  # folder under src: folders it may include
     'abi': {'abi', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
-    'backends': {'roughcontact/plugin.h'},
+    'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
     'bindings': {'roughcontact/roughcontact.h'},
-    'tools': {'roughcontact/roughcontact.h'},
+    'tools': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
+    'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'examples': {'roughcontact/roughcontact.h'},
 }
+BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}  # what a folder outside src takes from it: headers alone, but for grid
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 
@@ -33,8 +35,12 @@ def allowed(root, file, include, quoted):
     if top == 'src':
         layer = include.split('/')[0]
         return layer in LAYERS[folder] if layer in LAYERS else not quoted
+    if top == 'backends' and quoted and include.startswith('common/'):
+        return (root / 'backends' / include).exists()
     if top == 'backends':  # a dependency, never another folder of this tree
         return not quoted and not include.startswith(('rc', '..')) and not (root / 'src' / include).exists()
+    if BORROWED.get(top, set()) & {include, include.split('/')[0]}:
+        return True
     return not include.startswith('..') and not (root / 'src' / include).exists()
 
 

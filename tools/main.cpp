@@ -3,7 +3,13 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
+#include "analyze_command.h"
+#include "generate_command.h"
 #include "list_commands.h"
 #include "solve_command.h"
 #include "text.h"
@@ -61,12 +67,94 @@ void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
   solve->add_flag("--quiet", arguments.quiet, "No table and no progress")->group("Output");
 }
 
+constexpr const char* generate_help = R"(
+Lengths are in --unit. A .gsf file is in metres (float32); a .npy file (float64) is in --unit and does not say its pitch: give the
+same --unit and --pitch where it is read. The same arguments give the same surface at every call.
+)";
+
+struct Setting {
+  const char* kinds;  // that have it; "": all
+  const char* name;
+  std::optional<std::string> cli::GenerateArguments::*value;
+  const char* type;
+  const char* help;
+};
+
+constexpr Setting generate_settings[] = {
+    {"spectral sphere waves pyramids noise", "--size", &cli::GenerateArguments::size, "N or NX,NY", "Points, 256"},
+    {"rmd", "--levels", &cli::GenerateArguments::levels, "K", "2^K points a side, 8"},
+    {"rmd", "--stage", &cli::GenerateArguments::stage, "S", "The coarser grid of 2^S points a side of the same surface"},
+    {"", "--pitch", &cli::GenerateArguments::pitch, "H or HX,HY", "Cell size, 1 (rmd: of the finest grid)"},
+    {"", "--unit", &cli::GenerateArguments::unit, "UNIT", "Unit of all lengths: m (default), mm, um, nm, pm"},
+    {"rmd spectral noise", "--seed", &cli::GenerateArguments::seed, "N", "Number of the surface, 1"},
+    {"rmd spectral", "--hurst", &cli::GenerateArguments::hurst, "H", "Hurst exponent, 0.7 (rmd) or 0.8 (spectral)"},
+    {"rmd spectral noise", "--rms-height", &cli::GenerateArguments::rms_height, "LENGTH", "rms height, 1 (rmd, noise)"},
+    {"spectral", "--rms-slope", &cli::GenerateArguments::rms_slope, "SLOPE", "rms slope, 0.1 without --rms-height"},
+    {"spectral", "--longest", &cli::GenerateArguments::longest, "LENGTH", "Longest wavelength; the surface's size"},
+    {"spectral", "--rolloff", &cli::GenerateArguments::roll_off, "LENGTH", "Wavelength above which the spectrum is flat; none"},
+    {"spectral", "--shortest", &cli::GenerateArguments::shortest, "LENGTH", "Shortest wavelength; two pitches"},
+    {"sphere", "--radius", &cli::GenerateArguments::radius, "LENGTH", "Radius"},
+    {"waves pyramids", "--height", &cli::GenerateArguments::height, "LENGTH", "Amplitude of waves, height of pyramids, 1"},
+    {"waves pyramids", "--period", &cli::GenerateArguments::period, "P or PX,PY", "Period; 0: none along this direction"},
+};
+
+constexpr std::pair<const char*, const char*> generate_kinds[] = {
+    {"rmd", "Random midpoint displacement, self-affine on all scales"},
+    {"spectral", "Periodic self-affine surface with cut-offs and roll-off"},
+    {"sphere", "A sphere or paraboloid about the centre"},
+    {"waves", "Sinusoidal waves along x, y or both"},
+    {"pyramids", "Square pyramids or ridges"},
+    {"noise", "Independent Gaussian heights"},
+};
+
+void add_generate(CLI::App& app, cli::GenerateArguments& arguments) {
+  CLI::App* generate = app.add_subcommand("generate", "Make a surface and write it to a file");
+  generate->require_subcommand(1);
+  generate->footer(generate_help);
+  for (const auto& [name, help] : generate_kinds) {
+    CLI::App* kind = generate->add_subcommand(name, help);
+    kind->footer(generate_help);
+    kind->add_option("--output", arguments.output, "File to write, .npy or .gsf")->type_name("FILE")->required();
+    for (const Setting& setting : generate_settings) {
+      const std::string_view kinds = setting.kinds;
+      if (!kinds.empty() && kinds.find(name) == std::string_view::npos) continue;
+      kind->add_option(setting.name, arguments.*setting.value, setting.help)->type_name(setting.type);
+    }
+    const std::string_view which = name;
+    if (which == "rmd") {
+      kind->add_flag("--vertices", arguments.vertices, "All 2^K + 1 points a side");
+      kind->add_flag("--additions", arguments.additions, "Random additions to all points at every stage");
+    }
+    if (which == "spectral") kind->add_flag("--fixed-amplitudes", arguments.fixed_amplitudes, "Only phases are random");
+    if (which == "sphere") kind->add_flag("--paraboloid", arguments.paraboloid, "z = -r^2/(2 R) instead of a sphere");
+  }
+}
+
+void add_analyze(CLI::App& app, cli::AnalyzeArguments& arguments) {
+  CLI::App* analyze = app.add_subcommand("analyze", "Roughness parameters and spectrum of a surface, and advice on cmr");
+  analyze->add_option("SURFACE", arguments.surface, "Heights: .gsf, .npy or a text matrix")->required();
+  const auto option = [analyze](const char* name, auto& value, const char* type, const char* help) {
+    analyze->add_option(name, value, help)->type_name(type);
+  };
+  option("--pitch", arguments.pitch, "H or HX,HY", "Cell size, where the file does not say it");
+  option("--unit", arguments.unit, "UNIT", "Unit of lengths: m (default), mm, um, nm, pm");
+  analyze->add_flag("--periodic", arguments.periodic, "The surface repeats: no window, only the mean is removed");
+  option("--levels", arguments.levels, "K", "Halvings of the grid to judge cmr for, 4");
+  option("--approach", arguments.approach, "LENGTH", "Approach to judge cmr for; half the highest point's height");
+  option("--json", arguments.json, "FILE", "Write all numbers and the spectrum");
+  option("--picture", arguments.picture, "FILE", "Draw the spectrum with the fitted range (PNG, needs gnuplot)");
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Normal contact of rough surfaces on an elastic half-space, every answer certified", "roughcontact"};
   app.set_version_flag("--version", version());
   app.require_subcommand(0, 1);
   cli::SolveArguments arguments;
   add_solve(app, arguments);
+  cli::GenerateArguments generate_arguments;
+  add_generate(app, generate_arguments);
+  cli::AnalyzeArguments analyze_arguments;
+  add_analyze(app, analyze_arguments);
   app.add_subcommand("backends", "List the backends");
   app.add_subcommand("solvers", "List the solvers");
   app.add_subcommand("kernels", "List the influence kernels");
@@ -77,17 +165,22 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    cli::report(std::string(error.what()) + "; see roughcontact --help or roughcontact solve --help");
+    cli::report(std::string(error.what()) + "; see roughcontact --help or roughcontact COMMAND --help");
     return cli::exit_error;
   }
 
   if (app.got_subcommand("solve")) return cli::run_solve(arguments);
+  if (app.got_subcommand("generate")) {
+    cli::generate(app.get_subcommand("generate")->get_subcommands().front()->get_name(), generate_arguments);
+  }
+  if (app.got_subcommand("analyze")) cli::analyze(analyze_arguments);
   if (app.got_subcommand("backends")) cli::list_backends();
   if (app.got_subcommand("solvers")) cli::list_solvers();
   if (app.got_subcommand("kernels")) cli::list_kernels();
   if (app.got_subcommand("options")) cli::list_options();
   if (app.get_subcommands().empty()) {
-    cli::report("no command given, give solve, backends, solvers, kernels or options; see roughcontact --help");
+    cli::report(
+        "no command given, give solve, generate, analyze, backends, solvers, kernels or options; see roughcontact --help");
     return cli::exit_error;
   }
   return cli::exit_certified;

@@ -33,6 +33,12 @@ double finite_number(std::string_view what, std::string_view text) {
   return *value;
 }
 
+double positive_number(std::string_view option, std::string_view text) {
+  const double value = finite_number(option, text);
+  if (!(value > 0)) throw Error(std::string(option) + ": " + in_quotes(text) + " is not positive");
+  return value;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {

@@ -15,6 +15,7 @@ std::optional<std::int64_t> to_integer(std::string_view text);
 
 // A finite number given for `what`, else an Error that says what was given.
 double finite_number(std::string_view what, std::string_view text);
+double positive_number(std::string_view option, std::string_view text);
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 

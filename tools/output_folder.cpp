@@ -1,6 +1,5 @@
 #include "output_folder.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -8,51 +7,14 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
-#include <utility>
 
 #include "error.h"
 #include "text.h"
+#include "whole_file.h"
 
 namespace cli {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// Unlinks the file unless it was renamed away.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
-    const int descriptor = open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor >= 0) stream_ = fdopen(descriptor, "wb");
-    if (!stream_) fail();
-  }
-  ~TemporaryFile() {
-    if (stream_) std::fclose(stream_);
-    if (!path_.empty()) unlink(path_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  std::FILE* stream() { return stream_; }
-
-  void rename_to(const fs::path& target) {
-    const bool written = !std::ferror(stream_) && std::fflush(stream_) == 0;
-    const int error = errno;
-    const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
-    if (!written) errno = error;
-    if (!written || !closed || std::rename(path_.c_str(), target.c_str()) != 0) fail();
-    path_.clear();
-  }
-
- private:
-  [[noreturn]] void fail() const { throw Error("cannot write " + in_quotes(path_.native()) + ": " + std::strerror(errno)); }
-
-  fs::path path_;
-  std::FILE* stream_ = nullptr;
-};
-
-}  // namespace
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexically_normal()) {
   std::error_code error;
@@ -73,8 +35,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, const std::function<bool(std::FILE*)>& fill) {
-  TemporaryFile file{path_ / ("." + name + "." + std::to_string(getpid()) + ".tmp")};
-  if (fill(file.stream())) file.rename_to(path_ / name);
+  write_whole_file(path_ / name, fill);
 }
 
 std::string OutputFolder::read(const std::string& name) const {

@@ -1,5 +1,4 @@
-// The folder of --out. A file in it is either whole or not there: it is written under a temporary name in the same folder and
-// then renamed, and the temporary one goes whenever writing fails.
+// The folder of --out. A file in it is either whole or not there.
 #pragma once
 
 #include <cstdio>

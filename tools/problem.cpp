@@ -4,26 +4,14 @@
 #include <cmath>
 
 #include "error.h"
+#include "lengths.h"
 #include "numbers.h"
 #include "targets.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
 namespace {
-
-double positive_number(std::string_view option, std::string_view text) {
-  const double value = finite_number(option, text);
-  if (!(value > 0)) throw Error(std::string(option) + ": " + in_quotes(text) + " is not positive");
-  return value;
-}
-
-double length_unit(const std::optional<std::string>& name) {
-  if (!name) return 1;
-  if (const auto metres = metres_per(*name)) return *metres;
-  throw Error("--unit: " + in_quotes(*name) + " is not a length unit, give m, mm, um, nm or pm");
-}
 
 double contact_modulus(const SolveArguments& arguments) {
   if (arguments.modulus && (arguments.young || arguments.poisson)) throw Error("give either --modulus or --E and --nu, not both");
@@ -82,33 +70,6 @@ void set_options(const SolveArguments& arguments, Problem& problem) {
   }
 }
 
-struct Pitch {
-  double x, y;
-};
-
-std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit) {
-  if (!text) return std::nullopt;
-  const auto parts = split(*text, ',');
-  if (parts.size() > 2)
-    throw Error("--pitch: " + in_quotes(*text) + " has " + std::to_string(parts.size()) + " numbers, give H or HX,HY");
-  return Pitch{unit * positive_number("--pitch", parts.front()), unit * positive_number("--pitch", parts.back())};
-}
-
-void set_pitch(const std::optional<Pitch>& given, Problem& problem) {
-  Surface& surface = problem.surface;
-  const bool in_file = surface.hx && surface.hy;
-  if (!given && !in_file) throw Error(problem.file + ": the file does not say its pitch, give --pitch H or --pitch HX,HY");
-  if (given && in_file) {
-    problem.note = format("note: --pitch is used instead of the pitch %g m, %g m of the file", *surface.hx, *surface.hy);
-  }
-  if (given) {
-    surface.hx = given->x;
-    surface.hy = given->y;
-  }
-  problem.system.hx = *surface.hx;
-  problem.system.hy = *surface.hy;
-}
-
 }  // namespace
 
 int32_t Problem::step_control() const { return control == "displacement" ? RC_CONTROL_DISPLACEMENT : RC_CONTROL_LOAD; }
@@ -130,7 +91,9 @@ Problem make_problem(const SolveArguments& arguments) {
 
   problem.file = arguments.surface;
   problem.surface = read_surface(problem.file, unit);
-  set_pitch(given_pitch, problem);
+  problem.note = settle_pitch(given_pitch, problem.file, problem.surface);
+  problem.system.hx = *problem.surface.hx;
+  problem.system.hy = *problem.surface.hy;
   problem.system.nx = problem.surface.nx;
   problem.system.ny = problem.surface.ny;
   return problem;

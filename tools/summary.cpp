@@ -65,6 +65,14 @@ void Summary::add(const StepRecord& step) {
                                 {"points", r.points},
                                 {"modelled", r.modelled},
                                 {"energy", r.energy},
+                                {"duality_gap", r.duality_gap},
+                                {"load_lower", r.load_lower},
+                                {"load_upper", r.load_upper},
+                                {"area_lower", r.area_lower},
+                                {"area_upper", r.area_upper},
+                                {"proven_contacts", r.proven_contacts},
+                                {"proven_open", r.proven_open},
+                                {"undecided", r.undecided},
                                 {"note", r.note},
                                 {"message", step.message}});
 }

@@ -1,0 +1,48 @@
+// The public structs as they come from callers with older or newer headers, and checks of what is in them.
+#pragma once
+
+#include <roughcontact/surface.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "abi/sized_struct.h"
+
+namespace rc {
+
+// Sizes when the structs were first released. Literals: they must not follow today's sizeof.
+template <> inline constexpr std::size_t first_size<rc_surface_rmd_spec> = 48;
+template <> inline constexpr std::size_t first_size<rc_surface_spectral_spec> = 104;
+template <> inline constexpr std::size_t first_size<rc_surface_shape_spec> = 88;
+template <> inline constexpr std::size_t first_size<rc_surface_map> = 56;
+template <> inline constexpr std::size_t first_size<rc_surface_statistics> = 112;
+template <> inline constexpr std::size_t first_size<rc_surface_power_law> = 176;
+template <> inline constexpr std::size_t first_size<rc_surface_cmr> = 472;
+
+}  // namespace rc
+
+namespace rc::surface {
+
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double pi = 3.14159265358979323846;
+
+inline void check_shape(std::int64_t nx, std::int64_t ny) {
+  constexpr std::int64_t most = std::int64_t{1} << 40;
+  if (nx < 1 || ny < 1) fail(RC_ERR_SHAPE, "nx = ", nx, ", ny = ", ny, ": at least 1 x 1 points are needed");
+  if (nx > most / ny) fail(RC_ERR_SHAPE, "nx = ", nx, ", ny = ", ny, ": more than 2^40 points");
+}
+
+inline void check_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be positive and finite");
+}
+
+inline void check_at_least_zero(const char* name, double value) {
+  if (!(value >= 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be finite and at least 0");
+}
+
+inline void check_output(const void* out) {
+  if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+}
+
+}  // namespace rc::surface

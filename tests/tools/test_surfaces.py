@@ -1,0 +1,225 @@
+"""`roughcontact generate` and `roughcontact analyze`: files, units, numbers against NumPy, the picture, odd input."""
+import json
+import struct
+
+import harness
+from harness import CommandTest, gsf, np, rough, without_gnuplot
+
+
+def read_gsf(contents):
+    end = contents.index(b"\0")
+    fields = dict(line.split(" = ") for line in contents[:end].decode().splitlines()[1:])
+    nx, ny = int(fields["XRes"]), int(fields["YRes"])
+    z = np.frombuffer(contents[(end // 4 + 1) * 4 :], "<f4").reshape(ny, nx)
+    return z, float(fields["XReal"]) / nx, float(fields["YReal"]) / ny, fields
+
+
+class Generate(CommandTest):
+    def generate(self, *arguments):
+        done = self.run_command("generate", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout + done.stderr, "")
+
+    def made(self, *arguments, name="s.npy"):
+        self.generate(*arguments, "--output", name)
+        self.assertEqual([n for n in self.names() if n.startswith(".")], [])
+        return np.load(self.folder / name) if name.endswith(".npy") else read_gsf((self.folder / name).read_bytes())
+
+    def test_shapes_are_numpys(self):
+        y, x = np.mgrid[0:30, 0:40] * 0.5
+        grid = ["--size", "40,30", "--pitch", "0.5"]
+        r2 = (x - x.max() / 2) ** 2 + (y - y.max() / 2) ** 2
+        np.testing.assert_allclose(self.made("sphere", *grid, "--radius", 50), np.sqrt(2500 - r2) - 50, atol=1e-12)
+        np.testing.assert_allclose(self.made("sphere", "--paraboloid", *grid, "--radius", 50), -r2 / 100, atol=1e-14)
+        waves = 3 * np.cos(2 * np.pi * x / 7) * np.cos(2 * np.pi * y / 4)
+        np.testing.assert_allclose(self.made("waves", *grid, "--height", 3, "--period", "7,4"), waves, atol=1e-12)
+        np.testing.assert_allclose(self.made("waves", *grid, "--period", "7,0"), np.cos(2 * np.pi * x / 7), atol=1e-12)
+        tip = lambda t: np.abs(1 - 2 * ((t / 7) % 1))
+        np.testing.assert_allclose(self.made("pyramids", *grid, "--period", 7), np.minimum(tip(x), tip(y)), atol=1e-12)
+        noise = self.made("noise", "--size", 200, "--rms-height", 2)
+        self.assertAlmostEqual(noise.std(), 2, delta=0.03)
+
+    def test_midpoint_stages_share_their_points(self):
+        fine = self.made("rmd", "--levels", 6, "--vertices", "--rms-height", 3)
+        self.assertEqual(fine.shape, (65, 65))
+        self.assertAlmostEqual(fine.std(), 3, delta=1e-9)
+        coarse = self.made("rmd", "--levels", 6, "--stage", 4, "--rms-height", 3)
+        np.testing.assert_array_equal(coarse, fine[:-1:4, :-1:4])
+        moved = self.made("rmd", "--levels", 6, "--stage", 4, "--rms-height", 3, "--additions")
+        self.assertFalse((moved == coarse).any())
+        _, hx, hy, _ = self.made("rmd", "--levels", 6, "--stage", 4, "--pitch", "1,2", name="s.gsf")
+        self.assertEqual((hx, hy), (4, 8))
+
+    def test_spectral_surface_has_its_slope_and_cut_offs(self):
+        z = self.made("spectral", "--size", "96,80", "--rms-slope", 0.2, "--longest", 48, "--shortest", 6, "--seed", 5)
+        q = np.hypot(2 * np.pi * np.fft.fftfreq(96)[None], 2 * np.pi * np.fft.fftfreq(80)[:, None])
+        power = np.abs(np.fft.fft2(z) / z.size) ** 2
+        self.assertAlmostEqual(np.sqrt((q**2 * power).sum()), 0.2, delta=1e-12)
+        outside = (q < 2 * np.pi / 48.001) | (q > 2 * np.pi / 5.999)
+        self.assertLess(power[outside].max(), 1e-25 * power.max())
+        self.assertGreater(power[~outside].min(), 0)
+
+    def test_same_arguments_same_bytes(self):
+        for kind in ("rmd", "spectral", "noise"):
+            files = []
+            for seed in (1, 1, 2):
+                self.generate(kind, "--seed", seed, "--output", "s.npy")
+                files.append((self.folder / "s.npy").read_bytes())
+            self.assertEqual(files[0], files[1])
+            self.assertNotEqual(files[0], files[2])
+
+    def test_unit_is_that_of_the_command_line(self):
+        common = ["spectral", "--size", 32, "--pitch", "0.5,2", "--unit", "um", "--rms-height", 1.5]
+        plain = self.made(*common)
+        self.assertAlmostEqual(plain.std(), 1.5, delta=1e-9)
+        z, hx, hy, fields = self.made(*common, name="s.gsf")
+        np.testing.assert_allclose(z, plain * 1e-6, rtol=1e-6)
+        np.testing.assert_allclose([hx, hy], [0.5e-6, 2e-6], rtol=1e-14)
+        self.assertEqual((fields["XYUnits"], fields["ZUnits"]), ("m", "m"))
+
+    def test_made_surfaces_can_be_solved(self):
+        for name, extra in (("s.gsf", []), ("s.npy", ["--unit", "um", "--pitch", 1])):
+            self.generate("rmd", "--levels", 5, "--unit", "um", "--output", name)
+            self.solve(name, *extra, "--modulus", 1e9, "--pressure", 1e6, "--quiet")
+
+    def test_gsf_headers_of_every_length_are_padded(self):
+        for nx in (1, 9, 10, 99, 100):
+            z, *_ = self.made("noise", "--size", "%d,3" % nx, name="s.gsf")
+            self.assertEqual(z.shape, (3, nx))
+            done = self.run_command("analyze", "s.gsf")
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_wrong_arguments(self):
+        out = ["--output", "s.npy"]
+        for arguments, says in (
+            (["rmd", "--output", "s.txt"], ("--output", ".npy or .gsf")),
+            (["rmd", "--output", "none/s.npy"], ("cannot write", "none/s.npy")),
+            (["rmd", *out, "--levels", "20"], "--levels"),
+            (["rmd", *out, "--levels", "4", "--stage", "5"], "--stage"),
+            (["rmd", *out, "--hurst", "1.5"], "hurst = 1.5"),
+            (["rmd", *out, "--hurst", "much"], ("--hurst", "not a number")),
+            (["rmd", *out, "--seed", "-1"], "--seed"),
+            (["rmd", *out, "--size", "10"], "--size"),
+            (["spectral", *out, "--size", "0"], "--size"),
+            (["spectral", *out, "--size", "1000000000"], "--size"),
+            (["spectral", *out, "--size", "1,2,3"], "--size"),
+            (["spectral", *out, "--rms-height", "1", "--rms-slope", "1"], "only one"),
+            (["spectral", *out, "--longest", "2", "--shortest", "5"], "q_low"),
+            (["spectral", *out, "--pitch", "-1"], ("--pitch", "not positive")),
+            (["spectral", *out, "--unit", "inch"], "--unit"),
+            (["sphere", *out], "--radius is missing"),
+            (["waves", *out], "--period is missing"),
+            (["waves", *out, "--period", "0"], "both 0"),
+            (["pyramids", *out, "--period", "-2"], "negative"),
+            (["spectral"], "--output"),
+            ([], "subcommand"),
+        ):
+            with self.subTest(arguments):
+                self.assert_fails("generate", *arguments, says=says)
+
+
+class Analyze(CommandTest):
+    def analyze(self, *arguments, **settings):
+        done = self.run_command("analyze", *arguments, "--json", "a.json", **settings)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.folder / "a.json").read_text()), done
+
+    def test_numbers_are_numpys(self):
+        z = rough(70, 90) + 1e-9 * np.arange(90)[None] + 3e-6
+        ny, nx, hx, hy = 70, 90, 1e-6, 2e-6
+        found, _ = self.analyze(self.npy(z), "--pitch", "1e-6,2e-6")
+        y, x = np.mgrid[0:ny, 0:nx]
+        plane = np.c_[np.ones(z.size), x.ravel(), y.ravel()]
+        w = z - (plane @ np.linalg.lstsq(plane, z.ravel(), rcond=None)[0]).reshape(z.shape)
+        sx, sy = np.diff(w, axis=1) / hx, np.diff(w, axis=0) / hy
+        expected = dict(rms_height=w.std(), skewness=((w / w.std()) ** 3).mean(), kurtosis=((w / w.std()) ** 4).mean(), highest=w.max(),
+                        lowest=w.min(), rms_slope_x=np.sqrt((sx**2).mean()), rms_slope_y=np.sqrt((sy**2).mean()),
+                        rms_slope=np.sqrt((sx**2).mean() + (sy**2).mean()))
+        for name, value in expected.items():
+            self.assertAlmostEqual(found["statistics"][name] / value, 1, delta=1e-7, msg=name)
+
+        window = np.sin(np.pi * (np.arange(ny) + 0.5) / ny)[:, None] ** 2 * np.sin(np.pi * (np.arange(nx) + 0.5) / nx)[None] ** 2
+        v = (w - (window * w).sum() / window.sum()) * window / np.sqrt((window**2).mean())
+        power = np.abs(np.fft.fft2(v) / v.size) ** 2 * v.size * hx * hy
+        q = np.hypot(2 * np.pi * np.fft.fftfreq(nx, hx)[None], 2 * np.pi * np.fft.fftfreq(ny, hy)[:, None])
+        ring = np.rint(q / (2 * np.pi / max(nx * hx, ny * hy))).astype(int)
+        modes = np.bincount(ring.ravel())[1:]
+        sums = np.bincount(ring.ravel(), power.ravel())[1:]
+        kept = modes > 0
+        np.testing.assert_array_equal(found["psd"]["modes"], modes[kept])
+        np.testing.assert_allclose(found["psd"]["C"], (sums[kept] / modes[kept]), rtol=1e-6, atol=1e-12 * sums.max())
+
+    def test_periodic_spectrum_sums_to_the_variance(self):
+        z = rough(48, 64)
+        found, _ = self.analyze(self.npy(z), "--pitch", "1e-6", "--periodic")
+        total = np.dot(found["psd"]["C"], found["psd"]["modes"]) / (48 * 64 * 1e-12)
+        self.assertAlmostEqual(total / z.var(), 1, delta=1e-12)
+
+    def test_generated_surface_is_recognised(self):
+        self.run_command("generate", "spectral", "--size", 512, "--pitch", 0.5, "--unit", "um", "--rolloff", 20, "--hurst", 0.6, "--output", "s.gsf")
+        found, done = self.analyze("s.gsf", "--periodic")
+        spectrum = found["spectrum"]
+        self.assertAlmostEqual(spectrum["hurst"], 0.6, delta=2 * spectrum["hurst_error"])
+        self.assertAlmostEqual(2 * np.pi / spectrum["q_rolloff"] / 20e-6, 1, delta=0.15)
+        self.assertIsNone(spectrum["q_cutoff"])
+        self.assertEqual(spectrum["peaks"], [])
+        self.assertFalse(found["cmr"]["trustworthy"])
+        self.assertIn("not trustworthy", done.stdout)
+        self.assertIn(found["cmr"]["reason"], done.stdout)
+
+    def test_advice_depends_on_levels_and_approach(self):
+        self.run_command("generate", "rmd", "--levels", 8, "--output", "s.npy")
+        shallow, _ = self.analyze("s.npy", "--pitch", 1, "--levels", 1)
+        deep, _ = self.analyze("s.npy", "--pitch", 1, "--levels", 6)
+        self.assertLess(shallow["cmr"]["unresolved"], 0.3 * deep["cmr"]["unresolved"])
+        self.assertTrue(shallow["cmr"]["trustworthy"])
+        given, _ = self.analyze("s.npy", "--pitch", 1, "--approach", 0.5)
+        self.assertEqual(given["cmr"]["approach"], 0.5)
+        self.assert_fails("analyze", "s.npy", "--pitch", 1, "--levels", 7, says="levels = 7")
+        self.assert_fails("analyze", "s.npy", "--pitch", 1, "--levels", 0, says="--levels")
+
+    def test_picture_is_a_png(self):
+        z = rough(64, 64)
+        done = self.run_command("analyze", self.npy(z), "--pitch", "1e-6", "--picture", "psd.png")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        if "not found" in done.stderr:
+            self.skipTest("gnuplot is not installed")
+        picture = (self.folder / "psd.png").read_bytes()
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertGreaterEqual(min(struct.unpack(">II", picture[16:24])), 700)
+
+    def test_names_of_every_kind_can_be_drawn(self):
+        for name in ("it's 100%.npy", "a{b}_c^d.npy", "\u00fcber.npy"):
+            done = self.run_command("analyze", self.npy(rough(), name), "--pitch", "1e-6", "--picture", "psd.png")
+            self.assertEqual((done.returncode, done.stderr.replace("roughcontact: gnuplot not found: psd.png not drawn\n", "")), (0, ""))
+
+    def test_without_gnuplot_the_rest_is_done(self):
+        found, done = self.analyze(self.npy(rough()), "--pitch", 1e-6, "--picture", "psd.png", env=without_gnuplot())
+        self.assertIn("gnuplot not found", done.stderr)
+        self.assertNotIn("psd.png", self.names())
+        self.assertGreater(found["statistics"]["rms_height"], 0)
+
+    def test_odd_surfaces(self):
+        for name, z, says in (("one", np.zeros((1, 1)), "flat"), ("flat", np.ones((32, 32)), "flat"),
+                              ("tilted", np.arange(400.0).reshape(20, 20), "flat")):
+            self.assert_fails("analyze", self.npy(z), "--pitch", 1, "--json", "a.json", says=says)
+        z = rough()
+        z[3, 4] = np.nan
+        self.assert_fails("analyze", self.npy(z), "--pitch", 1, says=("1 missing value", "ix=4, iy=3"))
+        self.assert_fails("analyze", self.npy(rough()), says="--pitch")
+        self.assert_fails("analyze", "none.npy", "--pitch", 1, says="none.npy")
+        self.assert_fails("analyze", self.npy(rough()), "--pitch", 1, "--json", "none/a.json", says=("cannot write", "none/a.json"))
+        self.assert_fails("analyze", self.npy(rough()), "--pitch", 1, "--approach", -1, says="--approach")
+        for shape in ((2, 2), (3, 3), (1, 7), (5, 1), (4, 400)):
+            found, done = self.analyze(self.npy(np.random.default_rng(1).normal(size=shape)), "--pitch", 1)
+            self.assertNotIn("nan", done.stdout)
+            self.assertEqual(sum(found["psd"]["modes"]), shape[0] * shape[1] - 1)
+
+    def test_gsf_of_others_is_read(self):
+        z = rough()
+        found, _ = self.analyze(self.file("s.gsf", gsf(z, 1e-6, 2e-6, "XYUnits = m\nZUnits = m\n")))
+        self.assertAlmostEqual(found["input"]["hy"] / 2e-6, 1, delta=1e-12)
+
+
+if __name__ == "__main__":
+    harness.main()

@@ -1,0 +1,224 @@
+#include "analyze_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "analysis.h"
+#include "error.h"
+#include "lengths.h"
+#include "numbers.h"
+#include "spectrum_picture.h"
+#include "surface_library.h"
+#include "text.h"
+#include "units.h"
+#include "whole_file.h"
+
+namespace cli {
+
+using Json = nlohmann::ordered_json;  // keys stay in the order in which they are explained
+
+namespace {
+
+constexpr std::int64_t usual_levels = 4;  // from 256 to 16 points a side, as in the paper
+
+std::int64_t halvings(const Surface& surface, const std::optional<std::string>& text) {
+  if (text) {
+    const auto levels = to_integer(*text);
+    if (!levels || *levels < 1 || *levels > 60) throw Error("--levels: " + in_quotes(*text) + " is not a whole number from 1 on");
+    return *levels;
+  }
+  std::int64_t levels = 0;
+  for (std::int64_t n = std::max(surface.nx, surface.ny); levels < usual_levels && (n + 1) / 2 >= 4; n = (n + 1) / 2) ++levels;
+  return levels;
+}
+
+Rings radial_spectrum(const rc_surface_map& map, const std::string& file) {
+  std::int64_t count = 0;
+  check_surface(rc_surface_psd(&map, nullptr, nullptr, nullptr, &count), file);
+  const auto size = static_cast<std::size_t>(count);
+  Rings rings{std::vector<double>(size), std::vector<double>(size), std::vector<std::int64_t>(size)};
+  check_surface(rc_surface_psd(&map, rings.q.data(), rings.psd.data(), rings.modes.data(), &count), file);
+  return rings;
+}
+
+Analysis make_analysis(const AnalyzeArguments& arguments) {
+  Analysis a{};
+  const double unit = length_unit(arguments.unit);
+  const auto pitch = pitch_argument(arguments.pitch, unit);
+  const double approach = arguments.approach ? unit * positive_number("--approach", *arguments.approach) : 0;
+  a.file = arguments.surface;
+  a.surface = read_surface(a.file, unit);
+  a.note = settle_pitch(pitch, a.file, a.surface);
+  a.periodic = arguments.periodic;
+
+  rc_surface_map map = RC_SURFACE_MAP_INIT;
+  map.nx = a.surface.nx;
+  map.ny = a.surface.ny;
+  map.hx = *a.surface.hx;
+  map.hy = *a.surface.hy;
+  map.heights = a.surface.heights.data();
+  map.periodic = a.periodic ? 1 : 0;
+  a.statistics.struct_size = sizeof a.statistics;
+  check_surface(rc_surface_analyze(&map, &a.statistics), a.file);
+  a.law.struct_size = sizeof a.law;
+  check_surface(rc_surface_fit(&map, &a.law), a.file);
+  a.rings = radial_spectrum(map, a.file);
+  if (const std::int64_t levels = halvings(a.surface, arguments.levels); levels > 0) {
+    a.cmr.emplace();
+    a.cmr->struct_size = sizeof *a.cmr;
+    check_surface(rc_surface_cmr_advice(&map, static_cast<int32_t>(levels), approach, &*a.cmr), a.file);
+  }
+  return a;
+}
+
+std::string length_text(double metres) {
+  if (!std::isfinite(metres)) return "none";
+  const Prefix prefix = prefix_for(metres);
+  return format("%.4g %sm", metres / prefix.factor, prefix.symbol.c_str());
+}
+
+void row(const char* name, const std::string& value) { std::printf("  %-34s %s\n", name, value.c_str()); }
+void row(const char* name, double value) { row(name, std::isfinite(value) ? format("%.5g", value) : "none"); }
+
+void print_statistics(const rc_surface_statistics& s) {
+  row("rms height Sq", length_text(s.rms_height));
+  row("skewness Ssk", s.skewness);
+  row("kurtosis Sku", s.kurtosis);
+  row("highest, lowest point", length_text(s.highest) + ", " + length_text(s.lowest));
+  row("rms slope", s.rms_slope);
+  row("  along x, along y", format("%.5g, %.5g", s.rms_slope_x, s.rms_slope_y));
+  row("rms mean curvature", s.rms_curvature > 0 ? "1/(" + length_text(1 / s.rms_curvature) + ")" : "0");
+  row("spectral moments m0, m2, m4", format("%.5g m^2, %.5g, %.5g /m^2", s.m0, s.m2, s.m4));
+  row("Nayak parameter m0 m4/m2^2", s.nayak);
+}
+
+// The direction of a wave, which has no sense: from 0 up to 180.
+double degrees(double qx, double qy) { return std::fmod(std::atan2(qy, qx) * 180 / 3.14159265358979323846 + 360, 180); }
+
+// Outside 0 .. 1 by more than its error.
+bool self_affine(const rc_surface_power_law& law) { return law.hurst > -law.hurst_error && law.hurst < 1 + law.hurst_error; }
+
+void print_spectrum(const rc_surface_power_law& law) {
+  const bool found = std::isfinite(law.hurst);
+  row("Hurst exponent", found ? format("%.3f +- %.3f (95 %%), PSD ~ q^%.3f%s", law.hurst, law.hurst_error, law.slope,
+                                       self_affine(law) ? "" : ", not self-affine")
+                              : "none: no power law over half a decade");
+  if (found) row("  from wavelengths", length_text(wavelength(law.q_max)) + " to " + length_text(wavelength(law.q_min)));
+  row("roll-off above wavelength", length_text(wavelength(law.q_rolloff)));
+  row("cut-off below wavelength", length_text(wavelength(law.q_cutoff)));
+  if (law.peaks == 0) row("periodic texture", std::string("none"));
+  for (std::int64_t k = 0; k < law.peaks; ++k) {
+    const double qx = law.peak_qx[k], qy = law.peak_qy[k];
+    row(k == 0 ? "periodic texture" : "",
+        format("%s at %.0f degrees to x, %.0f %% of the variance", length_text(wavelength(std::hypot(qx, qy))).c_str(),
+               degrees(qx, qy), 100 * law.peak_share[k]));
+  }
+}
+
+void print_advice(const Analysis& a) {
+  if (!a.cmr) return row("cascade multi-resolution", std::string("no advice: too few points for a coarser grid"));
+  row("cascade multi-resolution (cmr)", std::string(a.cmr->trustworthy ? "trustworthy" : "not trustworthy") +
+                                            format(" with --levels %d, is with up to %d", a.cmr->levels, a.cmr->safe_levels));
+  row("  approach judged", length_text(a.cmr->approach));
+  row("  highest point lost, over approach", a.cmr->peak_loss);
+  std::printf("  %s (lengths in m)\n", a.cmr->reason);
+}
+
+void print(const Analysis& a) {
+  std::printf("surface %s, %lld x %lld points, pitch %s x %s, %s removed\n",
+              std::filesystem::path(a.file).filename().string().c_str(), static_cast<long long>(a.surface.nx),
+              static_cast<long long>(a.surface.ny), length_text(*a.surface.hx).c_str(), length_text(*a.surface.hy).c_str(),
+              a.periodic ? "periodic, mean" : "plane");
+  print_statistics(a.statistics);
+  print_spectrum(a.law);
+  print_advice(a);
+}
+
+Json peaks(const rc_surface_power_law& law) {
+  Json list = Json::array();
+  for (std::int64_t k = 0; k < law.peaks; ++k)
+    list.push_back({{"qx", law.peak_qx[k]}, {"qy", law.peak_qy[k]}, {"share", law.peak_share[k]}});
+  return list;
+}
+
+Json document(const Analysis& a) {
+  const rc_surface_statistics& s = a.statistics;
+  const rc_surface_power_law& law = a.law;
+  Json result{{"input",
+               {{"file", a.file},
+                {"nx", a.surface.nx},
+                {"ny", a.surface.ny},
+                {"hx", *a.surface.hx},
+                {"hy", *a.surface.hy},
+                {"periodic", a.periodic}}},
+              {"statistics",
+               {{"rms_height", s.rms_height},
+                {"skewness", s.skewness},
+                {"kurtosis", s.kurtosis},
+                {"highest", s.highest},
+                {"lowest", s.lowest},
+                {"rms_slope", s.rms_slope},
+                {"rms_slope_x", s.rms_slope_x},
+                {"rms_slope_y", s.rms_slope_y},
+                {"rms_curvature", s.rms_curvature},
+                {"m0", s.m0},
+                {"m2", s.m2},
+                {"m4", s.m4},
+                {"nayak", s.nayak}}},
+              {"spectrum",
+               {{"hurst", law.hurst},
+                {"hurst_error", law.hurst_error},
+                {"slope", law.slope},
+                {"prefactor", law.prefactor},
+                {"q_min", law.q_min},
+                {"q_max", law.q_max},
+                {"q_rolloff", law.q_rolloff},
+                {"q_cutoff", law.q_cutoff},
+                {"peaks", peaks(law)}}},
+              {"psd", {{"q", a.rings.q}, {"C", a.rings.psd}, {"modes", a.rings.modes}}}};
+  if (a.cmr) {
+    result["cmr"] = {{"trustworthy", a.cmr->trustworthy == 1},
+                     {"levels", a.cmr->levels},
+                     {"safe_levels", a.cmr->safe_levels},
+                     {"unresolved", a.cmr->unresolved},
+                     {"limit", a.cmr->limit},
+                     {"unresolved_overall", a.cmr->unresolved_overall},
+                     {"peak_loss", a.cmr->peak_loss},
+                     {"approach", a.cmr->approach},
+                     {"coarsest_pitch", a.cmr->coarsest_pitch},
+                     {"reason", a.cmr->reason}};
+  }
+  return result;
+}
+
+void draw(const Analysis& analysis, const std::string& path) {
+  write_whole_file(path, [&](std::FILE* file) {
+    const Gnuplot outcome = draw_spectrum(analysis, file);
+    if (outcome.missing) {
+      report("gnuplot not found: " + path + " not drawn");
+    } else if (!outcome.drawn) {
+      report(path + " not drawn, gnuplot failed: " + outcome.message);
+    }
+    return outcome.drawn;
+  });
+}
+
+}  // namespace
+
+void analyze(const AnalyzeArguments& arguments) {
+  const Analysis analysis = make_analysis(arguments);
+  if (!analysis.note.empty()) report(analysis.note);
+  if (arguments.json) {
+    // JSON has no NaN: the writer puts null for what is not finite. File names need not be UTF-8.
+    const std::string text = document(analysis).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    write_whole_file(*arguments.json,
+                     [&](std::FILE* file) { return std::fwrite(text.data(), 1, text.size(), file) == text.size(); });
+  }
+  if (arguments.picture) draw(analysis, *arguments.picture);
+  print(analysis);
+}
+
+}  // namespace cli

@@ -1,0 +1,19 @@
+// `roughcontact analyze`: the numbers of a surface, its spectrum, and whether plain cascade multi-resolution can be trusted on
+// it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace cli {
+
+struct AnalyzeArguments {
+  std::string surface;
+  std::optional<std::string> pitch, unit, levels, approach, json, picture;
+  bool periodic = false;
+};
+
+// Throws an Error for wrong input, failed calls, and files that cannot be written.
+void analyze(const AnalyzeArguments& arguments);
+
+}  // namespace cli

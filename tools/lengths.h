@@ -1,0 +1,25 @@
+// Units and pitches given on the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "surface/surface.h"
+
+namespace cli {
+
+// Metres per --unit, 1 where it was not given.
+double length_unit(const std::optional<std::string>& name);
+
+struct Pitch {
+  double x, y;
+};
+
+// --pitch in metres.
+std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit);
+
+// Puts the pitch that was given into the surface, or checks that the file said it. Returns what the user should know; "" if
+// nothing.
+std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, Surface& surface);
+
+}  // namespace cli
