@@ -1,27 +1,14 @@
 // Failures inside the backend: thrown, and turned into a status and a message at the vtable.
 #pragma once
 
-#include <roughcontact/plugin.h>
-
-#include <locale>
-#include <sstream>
-#include <string>
+#include <roughcontact/plugin.hpp>
 
 namespace rc_dense {
 
-struct Failure {
-  rc_status code;
-  std::string message;  // empty: the host has set it already
-};
+inline constexpr roughcontact::Component component{"dense", "use a matrix-free backend or lower dense.memory_limit"};
 
-// fail(RC_ERR_NUMERIC, "pivot ", k, " is ", value); the same text in every locale.
 template <class... Parts> [[noreturn]] void fail(rc_status code, const Parts&... parts) {
-  std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // else the text would end silently where memory ran out
-  out.imbue(std::locale::classic());
-  out << "dense: ";
-  (out << ... << parts);
-  throw Failure{code, out.str()};
+  roughcontact::fail(component, code, parts...);
 }
 
 }  // namespace rc_dense

@@ -5,16 +5,19 @@
 #include <limits>
 #include <utility>
 
-#include "serial_eigen.h"
+#include "common/serial_eigen.h"
 
 namespace rc_dense {
 
 namespace {
 
-using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using Panel = Eigen::Map<Eigen::MatrixXd>;
 using Part = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-constexpr Eigen::Index block_size = 96;
+constexpr Eigen::Index block_size = 32;
+
+// Rows fewer than this are appended one by one, as contiguous vectors.
+constexpr std::int64_t few_rows = 5;
 
 // L of a small block in place, column by column. A pivot must exceed what rounding leaves of its diagonal entry in a
 // singular matrix.
@@ -48,15 +51,6 @@ std::optional<UpdatableCholesky::BadPivot> factor(Part A, const Eigen::VectorXd&
   return std::nullopt;
 }
 
-// Copies from[row .. n) without the removed rows.
-void copy_kept(const double* from, std::int64_t row, std::int64_t n, std::span<const std::int64_t> removed, double* to) {
-  for (const std::int64_t next : removed) {
-    to = std::copy(from + row, from + next, to);
-    row = next + 1;
-  }
-  std::copy(from + row, from + n, to);
-}
-
 void rotate(double c, double s, std::int64_t n, double* __restrict a, double* __restrict b) {
   for (std::int64_t i = 0; i < n; ++i) {
     const double ai = a[i], bi = b[i];
@@ -67,70 +61,139 @@ void rotate(double c, double s, std::int64_t n, double* __restrict a, double* __
 
 }  // namespace
 
-void UpdatableCholesky::clear() {
-  numbers_.reset();
-  size_ = capacity_ = 0;
+double UpdatableCholesky::bytes(std::int64_t unknowns) {
+  constexpr auto width = static_cast<double>(panel_rows);
+  const double panels = std::ceil(static_cast<double>(unknowns) / width);
+  return sizeof(double) * width * width * panels * (panels + 1.0) / 2.0;
 }
 
-void UpdatableCholesky::reserve(std::int64_t capacity) {
-  if (capacity <= capacity_) return;
-  if (size_ == 0) clear();
-  const auto stride = static_cast<std::size_t>(capacity);
-  std::unique_ptr<double[]> numbers(new double[stride * stride]);
-  for (std::int64_t j = 0; j < size_; ++j) std::copy(column(j) + j, column(j) + size_, numbers.get() + j * capacity + j);
-  numbers_ = std::move(numbers);
-  capacity_ = capacity;
+void UpdatableCholesky::reserve(std::int64_t unknowns) {
+  const std::int64_t wanted = (unknowns + panel_rows - 1) / panel_rows;
+  for (auto i = static_cast<std::int64_t>(panels_.size()); i < wanted; ++i) {
+    std::unique_ptr<double[]> panel(new double[static_cast<std::size_t>(panel_rows * panel_rows * (i + 1))]);
+    panels_.push_back(std::move(panel));
+  }
+}
+
+void UpdatableCholesky::truncate(std::int64_t size) {
+  size_ = size;
+  panels_.resize(static_cast<std::size_t>((size + panel_rows - 1) / panel_rows));
+}
+
+// visit(where, count): the rows first .. last of a column, in order, in pieces that lie together.
+template <class Visit>
+void UpdatableCholesky::for_column(std::int64_t column, std::int64_t first, std::int64_t last, const Visit& visit) const {
+  while (first < last) {
+    const std::int64_t end = std::min(last, (first / panel_rows + 1) * panel_rows);
+    visit(entry(first, column), end - first);
+    first = end;
+  }
 }
 
 std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append(std::int64_t count, const ColumnSource& source) {
-  const std::int64_t n = size_;
-  if (count == 0) return std::nullopt;
-  for (std::int64_t j = 0; j < n + count; ++j) {
-    const std::int64_t row = std::max(n, j);
-    source(row, n + count - row, j, column(j) + row);
-  }
-  Block L(numbers_.get(), n, n, Eigen::OuterStride<>(capacity_));
-  Block rows(numbers_.get() + n, count, n, Eigen::OuterStride<>(capacity_));
-  Block corner(column(n) + n, count, count, Eigen::OuterStride<>(capacity_));
-  const double rounding = static_cast<double>(n + count) * std::numeric_limits<double>::epsilon();
-  const Eigen::VectorXd smallest_pivot = rounding * corner.diagonal();
-
-  if (count <= 4) {  // few rows solve faster one by one as contiguous vectors
-    Eigen::VectorXd row(n);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      row = rows.row(i);
-      L.triangularView<Eigen::Lower>().solveInPlace(row);
-      rows.row(i) = row;
+  const std::int64_t before = size_, end = size_ + count;
+  const double rounding = static_cast<double>(end) * std::numeric_limits<double>::epsilon();
+  try {
+    reserve(end);
+    while (size_ < end) {
+      const std::int64_t last = std::min(end, (size_ / panel_rows + 1) * panel_rows);
+      const bool few = last - size_ < few_rows;
+      if (auto bad = few ? append_row(source, rounding) : append_to_panel(last, source, rounding)) {
+        truncate(before);
+        return bad;
+      }
     }
-  } else {
-    L.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rows);
+  } catch (...) {
+    truncate(before);
+    throw;
   }
-  if (n > 0) corner.selfadjointView<Eigen::Lower>().rankUpdate(rows, -1.0);
-  if (auto bad = factor(corner, smallest_pivot)) {
-    bad->unknown += n;
-    return bad;
-  }
-  size_ = n + count;
   return std::nullopt;
 }
 
+std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append_row(const ColumnSource& source, double rounding) {
+  const std::int64_t n = size_;
+  Eigen::VectorXd row(n + 1);
+  for (std::int64_t j = 0; j <= n; ++j) source(n, 1, j, row.data() + j);
+  forward(row.data(), n);
+  const double pivot = row(n) - row.head(n).squaredNorm();
+  if (!(pivot > rounding * row(n))) return BadPivot{n, pivot};
+  row(n) = std::sqrt(pivot);
+  for (std::int64_t j = 0; j <= n; ++j) *entry(n, j) = row(j);
+  size_ = n + 1;
+  return std::nullopt;
+}
+
+// The rows size() .. last of one panel: against each panel before it, against its own rows that are there, against themselves.
+std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append_to_panel(std::int64_t last, const ColumnSource& source,
+                                                                              double rounding) {
+  const std::int64_t index = size_ / panel_rows, first = index * panel_rows, present = size_ - first, rows = last - size_;
+  for (std::int64_t j = 0; j < last; ++j) {
+    const std::int64_t row = std::max(size_, j);
+    source(row, last - row, j, entry(row, j));
+  }
+  Panel panel(at(index, 0), panel_rows, first + panel_rows);
+  auto added = panel.middleRows(present, rows);
+  auto corner = added.middleCols(first + present, rows);
+  const Eigen::VectorXd smallest_pivot = rounding * corner.diagonal();
+  for (std::int64_t k = 0; k < index; ++k) {
+    const std::int64_t done = k * panel_rows;
+    const Panel above(at(k, 0), panel_rows, done + panel_rows);
+    auto block = added.middleCols(done, panel_rows);
+    if (k > 0) block.noalias() -= added.leftCols(done) * above.leftCols(done).transpose();
+    above.rightCols(panel_rows).triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(block);
+  }
+  if (present > 0) {
+    const auto own = panel.topRows(present);
+    auto block = added.middleCols(first, present);
+    if (index > 0) block.noalias() -= added.leftCols(first) * own.leftCols(first).transpose();
+    own.middleCols(first, present).triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(block);
+  }
+  if (size_ > 0) corner.selfadjointView<Eigen::Lower>().rankUpdate(added.leftCols(size_), -1.0);
+  if (auto bad = factor(corner, smallest_pivot)) {
+    bad->unknown += size_;
+    return bad;
+  }
+  size_ = last;
+  return std::nullopt;
+}
+
+// In batches, the last unknowns first: the terms of one batch take a bounded amount of memory.
 void UpdatableCholesky::remove(std::span<const std::int64_t> removed) {
-  if (removed.empty()) return;
+  constexpr std::int64_t most_numbers = 4194304;
+  while (!removed.empty()) {
+    const auto batch = static_cast<std::size_t>(std::max<std::int64_t>(16, most_numbers / size_));
+    const std::size_t left = removed.size() - std::min(removed.size(), batch);
+    remove_batch(removed.subspan(left));
+    removed = removed.first(left);
+  }
+}
+
+void UpdatableCholesky::remove_batch(std::span<const std::int64_t> removed) {
   const std::int64_t n = size_, first = removed.front(), kept = n - static_cast<std::int64_t>(removed.size());
   // Column a: the rank-one term left by removed[a], rows first .. kept of the new numbering.
   Eigen::MatrixXd terms(kept - first, static_cast<Eigen::Index>(removed.size()));
+  Eigen::VectorXd column(n - first);
+  // Copies the rows from `row` on, without the removed ones.
+  const auto copy_kept = [this, n](std::int64_t j, std::int64_t row, std::span<const std::int64_t> without, double* to) {
+    const auto copy = [&to](const double* from, std::int64_t count) { to = std::copy_n(from, count, to); };
+    for (const std::int64_t next : without) {
+      for_column(j, row, next, copy);
+      row = next + 1;
+    }
+    for_column(j, row, n, copy);
+  };
 
   Eigen::Index active = 0;
   for (std::int64_t j = 0; j < n; ++j) {
-    const std::int64_t row = j - active;  // of the new numbering
+    const std::int64_t moved = j - active, row = std::max(moved, first);  // of the new numbering
     const auto still_in = removed.subspan(static_cast<std::size_t>(active));
     if (!still_in.empty() && still_in.front() == j) {
-      copy_kept(column(j), j + 1, n, still_in.subspan(1), terms.col(active).data() + (row - first));
+      copy_kept(j, j + 1, still_in.subspan(1), terms.col(active).data() + (row - first));
       ++active;
       continue;
     }
-    double* l = column(row) + row;
-    copy_kept(column(j), j, n, still_in, l);
+    double* l = column.data();
+    copy_kept(j, std::max(j, first), still_in, l);
     for (Eigen::Index a = 0; a < active; ++a) {
       double* term = terms.col(a).data() + (row - first);
       const double diagonal = std::hypot(l[0], term[0]);
@@ -138,15 +201,34 @@ void UpdatableCholesky::remove(std::span<const std::int64_t> removed) {
       l[0] = diagonal;
       rotate(c, s, kept - row - 1, l + 1, term + 1);
     }
+    for_column(moved, row, kept, [&l](double* to, std::int64_t count) {
+      std::copy_n(l, count, to);
+      l += count;
+    });
   }
-  size_ = kept;
+  truncate(kept);
+}
+
+// The first n of x = L^-1 x.
+void UpdatableCholesky::forward(double* x, std::int64_t n) const {
+  for (std::int64_t first = 0; first < n; first += panel_rows) {
+    const std::int64_t rows = std::min(panel_rows, n - first);
+    const Panel panel(at(first / panel_rows, 0), panel_rows, first + panel_rows);
+    Eigen::Map<Eigen::VectorXd> part(x + first, rows);
+    if (first > 0) part.noalias() -= panel.topLeftCorner(rows, first) * Eigen::Map<const Eigen::VectorXd>(x, first);
+    panel.block(0, first, rows, rows).triangularView<Eigen::Lower>().solveInPlace(part);
+  }
 }
 
 void UpdatableCholesky::solve(double* b) const {
-  const Block L(numbers_.get(), size_, size_, Eigen::OuterStride<>(capacity_));
-  Eigen::Map<Eigen::VectorXd> x(b, size_);
-  L.triangularView<Eigen::Lower>().solveInPlace(x);
-  L.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+  forward(b, size_);
+  for (auto i = static_cast<std::int64_t>(panels_.size()) - 1; i >= 0; --i) {
+    const std::int64_t first = i * panel_rows, rows = std::min(panel_rows, size_ - first);
+    const Panel panel(at(i, 0), panel_rows, first + panel_rows);
+    Eigen::Map<Eigen::VectorXd> part(b + first, rows);
+    panel.block(0, first, rows, rows).triangularView<Eigen::Lower>().transpose().solveInPlace(part);
+    if (first > 0) Eigen::Map<Eigen::VectorXd>(b, first).noalias() -= panel.topLeftCorner(rows, first).transpose() * part;
+  }
 }
 
 bool rotations_pay(std::int64_t n, std::span<const std::int64_t> removed, std::int64_t added) {

@@ -1,18 +1,23 @@
 // Cholesky factor A = L L^T of a matrix that gains and loses unknowns.
 //
-// New unknowns go to the end: a triangular solve for their rows and a factor of their Schur complement, so that appending to
-// nothing is the factorization itself. An unknown that leaves turns its column of L into a positive rank-one term of the
-// trailing block, which plane rotations absorb (Golub & Van Loan, Matrix Computations, 6.5): no subtraction, always stable.
+// New unknowns go to the end: their rows are solved for and what is left of them factored, so that appending to nothing is the
+// factorization itself. An unknown that leaves turns its column of L into a positive rank-one term of the trailing block, which
+// plane rotations absorb (Golub & Van Loan, Matrix Computations, 6.5): no subtraction, always stable.
+//
+// L is kept in panels of rows, each as long as its last row: half a square, and a longer factor moves nothing that is there.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
-#include "symmetric_matrix.h"
+#include "common/symmetric_matrix.h"
 
 namespace rc_dense {
+
+using rc_common::ColumnSource;
 
 class UpdatableCholesky {
  public:
@@ -22,27 +27,37 @@ class UpdatableCholesky {
   };
 
   std::int64_t size() const { return size_; }
-  std::int64_t capacity() const { return capacity_; }
-  static double bytes(double capacity) { return sizeof(double) * capacity * capacity; }
+  // Of the panels for this many unknowns: n^2/2 numbers and half a panel more.
+  static double bytes(std::int64_t unknowns);
 
-  void clear();
-  // Room for this many unknowns without moving what is there.
-  void reserve(std::int64_t capacity);
-  // Appends unknowns to a factor with room for them; `source` is asked for entries (row, column) of A, row >= column, of new
-  // rows only. On a pivot that is not positive the factor is as before.
+  void clear() { truncate(0); }
+  // Appends unknowns; `source` is asked for entries (row, column) of A, row >= column, of new rows only. On a pivot that is not
+  // positive the factor is as before.
   [[nodiscard]] std::optional<BadPivot> append(std::int64_t count, const ColumnSource& source);
   // Forgets the unknowns from `size` on.
-  void truncate(std::int64_t size) { size_ = size; }
+  void truncate(std::int64_t size);
   // Takes out these unknowns, ascending; those after them move up.
   void remove(std::span<const std::int64_t> removed);
   // b = A^-1 b
   void solve(double* b) const;
 
  private:
-  double* column(std::int64_t j) const { return numbers_.get() + j * capacity_; }
+  static constexpr std::int64_t panel_rows = 128;
 
-  std::int64_t size_ = 0, capacity_ = 0;
-  std::unique_ptr<double[]> numbers_;  // L by columns of stride capacity_; what is above the diagonal is never touched
+  // Column j of panel i.
+  double* at(std::int64_t i, std::int64_t j) const { return panels_[static_cast<std::size_t>(i)].get() + j * panel_rows; }
+  // The entry (row, column).
+  double* entry(std::int64_t row, std::int64_t column) const { return at(row / panel_rows, column) + row % panel_rows; }
+  template <class Visit> void for_column(std::int64_t column, std::int64_t first, std::int64_t last, const Visit&) const;
+
+  void reserve(std::int64_t unknowns);
+  void forward(double* x, std::int64_t n) const;
+  std::optional<BadPivot> append_row(const ColumnSource&, double rounding);
+  std::optional<BadPivot> append_to_panel(std::int64_t last, const ColumnSource&, double rounding);
+  void remove_batch(std::span<const std::int64_t> removed);
+
+  std::int64_t size_ = 0;
+  std::vector<std::unique_ptr<double[]>> panels_;  // by columns of stride panel_rows; what is above the diagonal is never used
 };
 
 // Whether taking out the ascending `removed` of n unknowns by rotations costs less than factoring again everything from the

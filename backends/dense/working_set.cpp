@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/serial_eigen.h"
 #include "failure.h"
-#include "serial_eigen.h"
 
 namespace rc_dense {
 
@@ -14,9 +14,9 @@ void WorkingSet::clear() {
   rotated_ = 0;
 }
 
-void WorkingSet::solve(const Influence& H, std::span<const Point> points, const double* b, double* x, double held) {
+void WorkingSet::solve(const Influence& H, std::span<const Point> points, const double* b, double* x) {
   try {
-    update(H, points, held);
+    update(H, points);
   } catch (...) {
     clear();
     throw;
@@ -40,7 +40,7 @@ std::vector<std::int64_t> WorkingSet::ascending() const {
 }
 
 // Brings the factor to this set of points.
-void WorkingSet::update(const Influence& H, std::span<const Point> points, double held) {
+void WorkingSet::update(const Influence& H, std::span<const Point> points) {
   std::vector<std::int64_t> removed;
   std::vector<Point> added;
   auto wanted = points.begin();
@@ -57,7 +57,7 @@ void WorkingSet::update(const Influence& H, std::span<const Point> points, doubl
     std::sort(removed.begin(), removed.end());
     remove(removed, added);
   }
-  append(H, added, held);
+  append(H, added);
 }
 
 // By rotations, or by cutting the factor off before the first point that leaves; points that stay but are cut off then join
@@ -81,17 +81,9 @@ void WorkingSet::remove(std::span<const std::int64_t> removed, std::vector<Point
   if (leading == 0) rotated_ = 0;
 }
 
-void WorkingSet::append(const Influence& H, std::span<const Point> added, double held) {
+void WorkingSet::append(const Influence& H, std::span<const Point> added) {
   const auto count = static_cast<std::int64_t>(added.size());
   const std::int64_t needed = factor_.size() + count;
-  if (needed > factor_.capacity()) {
-    // A factor that grows gets an eighth more than it needs, so that it seldom has to be copied.
-    const bool copied = factor_.size() > 0;
-    const std::int64_t capacity = copied ? needed + needed / 8 : needed;
-    limit_.require("the Cholesky factor", needed, UpdatableCholesky::bytes(static_cast<double>(capacity)),
-                   held + (copied ? bytes() : 0.0));
-    factor_.reserve(capacity);
-  }
   points_.insert(points_.end(), added.begin(), added.end());
   const std::span<const Point> points(points_);
   const auto entries = [&](std::int64_t first_row, std::int64_t rows, std::int64_t column, double* out) {

@@ -1,11 +1,30 @@
 #include "operator.h"
 
+#include <fftw3.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <vector>
 
 namespace rc_fft {
 
-Operator::Operator(const rc_host* host, const rc_operator_spec& spec, std::int64_t threads, unsigned effort)
-    : host_(host), spec_(spec), effort_(effort), workers_(threads), whole_(spec.system->nx, spec.system->ny) {
+namespace {
+
+unsigned planning_effort(const rc_host* host, const rc_options* options) {
+  const char* const planning = roughcontact::option_text(host, options, "fft.planning");
+  return std::strcmp(planning, "measure") == 0 ? FFTW_MEASURE : FFTW_ESTIMATE;
+}
+
+}  // namespace
+
+Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
+    : host_(host),
+      spec_(spec),
+      effort_(planning_effort(host, spec.options)),
+      workers_(roughcontact::option_int(host, spec.options, "threads")),
+      whole_(spec.system->nx, spec.system->ny) {
   const rc_system& system = *spec.system;
   if (system.op != RC_OPERATOR_HALFSPACE)
     fail(RC_ERR_INCOMPATIBLE, "only half-space grids can be transformed; use another backend");
@@ -19,19 +38,36 @@ void Operator::bind(const rc_domain& domain) {
   const Box grid{0, 0, nx, ny};
   box_ = periodic() ? grid : bounding_box(domain, nx, ny);
   points_ = domain.index ? Points(domain, box_, nx) : whole_;
+  zero_mode_ = domain.zero_mode;
   if (periodic()) {
     build(transform_, {nx, ny}, ny);
     transform_->set_zero_mode(domain.zero_mode);
     return;
   }
-  const Lengths needed{exact_length(0, box_.nx, box_.nx), exact_length(0, box_.ny, box_.ny)};
+  const Lengths needed = box_lengths();
   const Lengths largest{exact_length(0, nx, nx), exact_length(0, ny, ny)};
   build(transform_, choose_lengths(needed, largest, transform_ ? transform_->lengths() : Lengths{}), box_.ny);
 }
 
+Lengths Operator::box_lengths() const { return {exact_length(0, box_.nx, box_.nx), exact_length(0, box_.ny, box_.ny)}; }
+
 void Operator::apply(const double* x, double* y) { transform_->multiply(points_, 0, 0, x, points_, y); }
 
 void Operator::field(const double* x, double* y) { field_transform().multiply(points_, box_.x, box_.y, x, whole_, y); }
+
+// The sum of the squares of H's entries between points of the domain is 1' S 1 over the domain, where S(i, j) = H(i, j)^2 depends
+// on offsets only, as H does: one product with the transform of the squared coefficients.
+double Operator::norm() {
+  const Lengths lengths =
+      periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
+  Transform squares(host_, lengths, box_.ny, effort_, workspace_, workers_);
+  const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
+  squares.load_squares(host_, spec_, periodic() ? mean : 0.0);
+  const std::vector<double> ones(static_cast<std::size_t>(points_.count()), 1.0);
+  std::vector<double> sums(ones.size());
+  squares.multiply(points_, 0, 0, ones.data(), points_, sums.data());
+  return std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0));
+}
 
 Transform& Operator::field_transform() {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;

@@ -6,8 +6,7 @@ namespace {
 
 class PlannerLock {
  public:
-  explicit PlannerLock(const rc_host* host) : host_(host) {
-    host_->lock(host_, "fftw");
+  explicit PlannerLock(const rc_host* host) : lock_(host, "fftw") {
     fftw_make_planner_thread_safe();  // the host program may plan without our lock
     threads_ = fftw_planner_nthreads();
     // Only where FFTW's threads are in use already: otherwise this call would initialise them and drop all wisdom.
@@ -15,13 +14,12 @@ class PlannerLock {
   }
   ~PlannerLock() {
     if (threads_ != 1) fftw_plan_with_nthreads(threads_);
-    host_->unlock(host_, "fftw");
   }
   PlannerLock(const PlannerLock&) = delete;
   PlannerLock& operator=(const PlannerLock&) = delete;
 
  private:
-  const rc_host* host_;
+  roughcontact::HostLock lock_;
   int threads_;
 };
 

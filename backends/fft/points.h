@@ -1,9 +1,8 @@
 // Where the entries of a vector sit on the grid.
 #pragma once
 
-#include <roughcontact/plugin.h>
-
 #include <cstdint>
+#include <roughcontact/plugin.hpp>
 #include <vector>
 
 namespace rc_fft {
@@ -28,6 +27,7 @@ class Points {
 
   std::int64_t nx() const { return nx_; }
   std::int64_t rows() const { return ny_; }
+  std::int64_t count() const { return begin(ny_); }
   bool row_is_empty(std::int64_t row) const { return begin(row) == begin(row + 1); }
   bool row_is_zero(std::int64_t row, const double* x) const;
   // A row's entries of x into a line of nx() values, zero elsewhere; and back.

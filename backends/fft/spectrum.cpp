@@ -7,10 +7,6 @@ namespace rc_fft {
 
 namespace {
 
-void check(rc_status status) {
-  if (status != RC_OK) throw Failure{status, {}};
-}
-
 // Coefficients 0..count-1, of both signs of the offset, every `stride`-th value of a circular array; zero beyond.
 void extend_evenly(const double* half, std::int64_t half_stride, std::int64_t count, double* circle, std::int64_t stride,
                    std::int64_t length) {
@@ -24,11 +20,13 @@ void extend_evenly(const double* half, std::int64_t half_stride, std::int64_t co
 
 double Transform::scale() const { return 1.0 / (static_cast<double>(lengths().x) * static_cast<double>(lengths().y)); }
 
-void Transform::load_free(const rc_host* host, const rc_operator_spec& spec) {
+template <class Change>
+void Transform::load_coefficients(const rc_host* host, const rc_operator_spec& spec, const Change& change) {
   const std::int64_t nx = layout_.lengths.x, ny = layout_.lengths.y;
   const std::int64_t half_x = layout_.half_x;
   const std::int64_t mx = std::min(half_x, spec.system->nx), my = std::min(layout_.half_y, spec.system->ny);
-  check(host->coefficients(host, spec.system, spec.kernel, mx, my, spectrum_.data()));
+  roughcontact::check(host->coefficients(host, spec.system, spec.kernel, mx, my, spectrum_.data()));
+  change(spectrum_.data(), mx * my);
 
   // From the table, kept where the eigenvalues will be, along x into rows of half_x, then along y.
   double* const table = workspace_.rows.data();
@@ -52,9 +50,19 @@ void Transform::load_free(const rc_host* host, const rc_operator_spec& spec) {
   });
 }
 
+void Transform::load_free(const rc_host* host, const rc_operator_spec& spec) {
+  load_coefficients(host, spec, [](double*, std::int64_t) {});
+}
+
+void Transform::load_squares(const rc_host* host, const rc_operator_spec& spec, double constant) {
+  load_coefficients(host, spec, [constant](double* table, std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) table[i] = (table[i] + constant) * (table[i] + constant);
+  });
+}
+
 void Transform::load_periodic(const rc_host* host, const rc_operator_spec& spec) {
   double* const table = workspace_.rows.data();
-  check(host->symbol(host, spec.system, spec.kernel, table));
+  roughcontact::check(host->symbol(host, spec.system, spec.kernel, table));
   const double factor = scale();
   for (std::int64_t ky = 0; ky < layout_.half_y; ++ky)
     for (std::int64_t kx = 0; kx < layout_.half_x; ++kx) eigenvalues(kx)[ky] = factor * table[ky * layout_.half_x + kx];

@@ -2,9 +2,8 @@
 // forward, columns go through a scratch that stays in the cache, and only rows with targets are transformed back.
 #pragma once
 
-#include <roughcontact/plugin.h>
-
 #include <optional>
+#include <roughcontact/plugin.hpp>
 
 #include "buffer.h"
 #include "lengths.h"
@@ -45,6 +44,8 @@ class Transform {
 
   // Eigenvalues from the coefficients at offsets up to half the lengths, as far as the system's grid has them.
   void load_free(const rc_host* host, const rc_operator_spec& spec);
+  // Likewise from the squares of the coefficients plus a constant. A periodic system's transform must have its grid's lengths.
+  void load_squares(const rc_host* host, const rc_operator_spec& spec, double constant);
   // Eigenvalues of a periodic system, whose grid has these lengths.
   void load_periodic(const rc_host* host, const rc_operator_spec& spec);
   void set_zero_mode(double eigenvalue);
@@ -58,6 +59,7 @@ class Transform {
   double* scratch(std::int64_t thread) const { return workspace_.scratch.data() + thread * layout_.scratch; }
   double* eigenvalues(std::int64_t column) const { return spectrum_.data() + column * layout_.half_y; }
   double scale() const;
+  template <class Change> void load_coefficients(const rc_host* host, const rc_operator_spec& spec, const Change& change);
 
   void rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x);
   void columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);

@@ -1,5 +1,9 @@
 #include "workers.h"
 
+#include <system_error>
+
+#include "failure.h"
+
 namespace rc_fft {
 
 Workers::Workers(std::int64_t threads) {
@@ -7,6 +11,9 @@ Workers::Workers(std::int64_t threads) {
   helpers_.reserve(static_cast<std::size_t>(threads) - 1);
   try {
     for (std::int64_t thread = 1; thread < threads; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  } catch (const std::system_error&) {
+    stop();
+    fail(RC_ERR_MEMORY, "the system refused to start a thread; lower the option threads");
   } catch (...) {
     stop();
     throw;

@@ -138,6 +138,10 @@ class Operator {
     x = Eigen::VectorXd::Constant(b.size(), std::nan(""));
     return backend().subset(self_, static_cast<std::int64_t>(a.size()), a.data(), b.data(), x.data());
   }
+  rc_status shifted(double rho, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
+    x = Eigen::VectorXd::Constant(b.size(), std::nan(""));
+    return backend().shifted(self_, rho, b.data(), x.data());
+  }
   std::int64_t modelled() { return backend().modelled(self_); }
 
   // H over the whole grid, entry by entry.

@@ -78,7 +78,8 @@ void description_is_complete(void**) {
   const rc_backend& backend = stand_in::backend();
   assert_string_equal(backend.name, "dense");
   assert_string_equal(backend.license, "BSD-3-Clause AND MPL-2.0");
-  assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_THREAD_INVARIANT);
+  assert_int_equal(backend.caps, RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_THREAD_INVARIANT |
+                                     RC_CAP_SHIFTED | RC_CAP_NORM);
   assert_non_null(backend.subset);
   assert_int_equal(backend.n_options, 1);
   assert_string_equal(backend.options[0]->key, "dense.memory_limit");
@@ -216,20 +217,84 @@ void results_do_not_depend_on_what_was_asked_before_in_another_operator(void**) 
 
 void memory_limit_is_kept_and_explained(void**) {
   stand_in::Operator op(stand_in::half_space(60, 40), 1.0);
-  op.bind_all();
+  assert_int_equal(op.bind_all(), RC_ERR_MEMORY);
+  assert_message_has("dense: the matrix of 2400 unknowns needs 25436160 bytes, the ");
+  assert_message_has("limit dense.memory_limit is 1 MiB; raise it or use a backend that stores no matrix (\"fft\")");
+  assert_int_equal(op.bind(range(300)), RC_OK);
   VectorXd y;
-  assert_int_equal(op.apply(VectorXd::Ones(2400), y), RC_ERR_MEMORY);
-  assert_message_has("the matrix of 2400 unknowns needs 25436160 bytes");
-  assert_message_has("limit dense.memory_limit is 1 MiB");
-  assert_message_has("use a matrix-free backend");
-  assert_int_equal(op.field(VectorXd::Ones(2400), y), RC_OK);
-  assert_int_equal(op.subset(range(50), VectorXd::Ones(50), y), RC_OK);
-  assert_int_equal(op.subset(range(400), VectorXd::Ones(400), y), RC_ERR_MEMORY);
-  assert_message_has("the Cholesky factor of 400 unknowns");
+  assert_int_equal(op.subset(range(300), VectorXd::Ones(300), y), RC_OK);  // 786432 bytes
+  assert_int_equal(op.apply(VectorXd::Ones(300), y), RC_OK);               // 630 kB more would be too many: from the entries
+  assert_close(y, op.matrix()(range(300), range(300)) * VectorXd::Ones(300), 1e-13);
+}
+
+// Its products need no memory; only its factor may be too large, and no other backend has a smaller one.
+void memory_limit_with_a_callers_matrix(void**) {
+  constexpr Index n = 600;
+  MatrixXd H = MatrixXd::Constant(n, n, 0.5) + MatrixXd::Identity(n, n);
+  stand_in::Operator op(stand_in::dense(H.data(), n, n), 1.0);
+  assert_int_equal(op.bind_all(), RC_OK);
+  VectorXd y;
+  assert_int_equal(op.apply(VectorXd::Ones(n), y), RC_OK);
+  assert_close(y, H * VectorXd::Ones(n), 1e-13);
+  assert_int_equal(op.subset(range(n), VectorXd::Ones(n), y), RC_ERR_MEMORY);
+  assert_message_has("the Cholesky factor of 600 unknowns needs 1966080 bytes");
+  assert_message_has("raise it or use a solver that only multiplies");
+  assert_int_equal(op.shifted(0.1, VectorXd::Ones(n), y), RC_ERR_MEMORY);
   assert_int_equal(op.subset(range(300), VectorXd::Ones(300), y), RC_OK);
-  op.bind(range(256));
-  assert_int_equal(op.apply(VectorXd::Ones(256), y), RC_ERR_MEMORY);  // the factor of 300 leaves no room
-  assert_message_has("(720000 are held already)");
+}
+
+// Matrix and both factors in turn, where only one of them fits at a time.
+void results_are_the_same_without_room_for_everything(void**) {
+  VectorXd products[2], solutions[2], shifted[2];
+  int i = 0;
+  for (const double limit : {8192.0, 1.0}) {
+    stand_in::Operator op(stand_in::half_space(20, 18), limit);
+    assert_int_equal(op.bind_all(), RC_OK);
+    const VectorXd b = random_vector(360, 12);
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      assert_int_equal(op.apply(b, products[i]), RC_OK);
+      assert_int_equal(op.shifted(0.2, b, shifted[i]), RC_OK);
+      assert_int_equal(op.subset(picked(360, 350, 13), b.head(350), solutions[i]), RC_OK);
+    }
+    ++i;
+  }
+  assert_close(products[1], products[0], 1e-13);
+  assert_close(solutions[1], solutions[0], 1e-11);
+  assert_close(shifted[1], shifted[0], 1e-11);
+}
+
+// Were the caller's matrix factored again, what it has become in between would show.
+void the_shifted_factor_stays_as_long_as_set_and_shift(void**) {
+  constexpr Index n = 20;
+  MatrixXd H = MatrixXd::Identity(n, n);
+  stand_in::Operator op(stand_in::dense(H.data(), n, n));
+  op.bind(range(n));
+  VectorXd x;
+  assert_int_equal(op.shifted(3.0, VectorXd::Ones(n), x), RC_OK);
+  assert_true(x(0) == 0.25);
+  H *= 10.0;
+  op.bind_all();
+  assert_int_equal(op.subset(range(5), VectorXd::Ones(5), x), RC_OK);
+  assert_int_equal(op.shifted(3.0, VectorXd::Ones(n), x), RC_OK);
+  assert_true(x(0) == 0.25);
+  assert_int_equal(op.shifted(6.0, VectorXd::Ones(n), x), RC_OK);
+  assert_true(x(0) == 0.0625);
+  op.bind({3, 4});
+  assert_int_equal(op.shifted(54.0, VectorXd::Ones(2), x), RC_OK);
+  assert_true(x(0) == 0.015625);
+}
+
+void too_little_shift_for_an_indefinite_matrix_is_reported(void**) {
+  constexpr Index n = 30;
+  MatrixXd H = MatrixXd::Identity(n, n);
+  H(17, 17) = -0.25;
+  stand_in::Operator op(stand_in::dense(H.data(), n, n));
+  op.bind_all();
+  VectorXd x;
+  assert_int_equal(op.shifted(0.125, VectorXd::Ones(n), x), RC_ERR_NUMERIC);
+  assert_message_has("the matrix plus 0.125 times the identity is not positive definite: pivot 18 of 30 is -0.125");
+  assert_int_equal(op.shifted(0.5, VectorXd::Ones(n), x), RC_OK);
+  assert_true(x(17) == 4.0);
 }
 
 void indefinite_matrix_is_reported_and_the_factor_dropped(void**) {
@@ -288,6 +353,10 @@ int main() {
       cmocka_unit_test(sequences_of_sets_are_solved),
       cmocka_unit_test(results_do_not_depend_on_what_was_asked_before_in_another_operator),
       cmocka_unit_test(memory_limit_is_kept_and_explained),
+      cmocka_unit_test(memory_limit_with_a_callers_matrix),
+      cmocka_unit_test(results_are_the_same_without_room_for_everything),
+      cmocka_unit_test(the_shifted_factor_stays_as_long_as_set_and_shift),
+      cmocka_unit_test(too_little_shift_for_an_indefinite_matrix_is_reported),
       cmocka_unit_test(indefinite_matrix_is_reported_and_the_factor_dropped),
       cmocka_unit_test(periodic_grid_without_zero_mode_is_singular_as_a_whole),
       cmocka_unit_test(failures_of_the_host_pass_through),

@@ -33,6 +33,8 @@ struct Walk {
     if (status == RC_OK) status = backend.field(self, x.data(), y.data());
     for (const Positions* a : {&half, &fewer, &everywhere, &other})
       if (status == RC_OK) status = backend.subset(self, static_cast<std::int64_t>(a->size()), a->data(), x.data(), y.data());
+    if (status == RC_OK) status = backend.shifted(self, 0.5, x.data(), y.data());
+    if (status == RC_OK) status = backend.norm(self, y.data());
     const rc_domain part = {sizeof(rc_domain), 54, half.data(), 0.0};
     if (status == RC_OK) status = backend.bind(self, &part);
     if (status == RC_OK) status = backend.apply(self, x.data(), y.data());

@@ -221,6 +221,8 @@ Job jobs[] = {
     {"dense*nnls, periodic", "nnls", "dense", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_PERIODIC},
     {"callback*nnls", "nnls", "callback", RC_OPERATOR_CALLBACK, RC_BOUNDARY_FREE},
     {"callback*polonsky-keer", "polonsky-keer", "callback", RC_OPERATOR_CALLBACK, RC_BOUNDARY_FREE},
+    {"cholmod*nnls", "nnls", "cholmod", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE},
+    {"cholmod*nnls, the caller's matrix", "nnls", "cholmod", RC_OPERATOR_DENSE, RC_BOUNDARY_FREE},
     {"fft*polonsky-keer", "polonsky-keer", "fft", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE},
     {"fft*nnls, periodic", "nnls", "fft", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_PERIODIC},
 };

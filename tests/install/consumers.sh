@@ -31,7 +31,7 @@ build_and_run() {  # build_and_run PREFIX KIND...
   local prefix=$1 kind flags libs rpath run
   shift
   pc=$(dirname "$(find "$prefix" -name roughcontact.pc)")
-  pkg --validate roughcontact roughcontact-fortran
+  pkg --validate roughcontact roughcontact-fortran roughcontact-surface
   [[ $(pkg --variable=libdir roughcontact) -ef $pc/.. ]] || fail "libdir is not where the library is"
   rpath=-Wl,-rpath,$(pkg --variable=libdir roughcontact)
   out=$(mktemp -d "$scratch/out.XXXX")
@@ -52,6 +52,17 @@ build_and_run() {  # build_and_run PREFIX KIND...
       clean "$fc" -J "$out" "$(pkg --variable=fortran_source roughcontact-fortran)" "$source/examples/press_sphere.f90" -o "$out/f" "${libs[@]}"
       expect "Fortran $kind" "${run[@]}" "$out/f"
     fi
+    # Only a program that makes surfaces links the GNU Scientific Library.
+    ! readelf -d "$out/c" | grep -q 'NEEDED.*libgsl' || fail "$kind: the solver's consumer links GSL"
+    if [ "$kind" = shared ]; then
+      read -ra libs <<<"$(pkg --libs roughcontact roughcontact-surface) $rpath"
+    else
+      read -ra libs <<<"$(pkg --variable=static_libs roughcontact-surface) $(pkg --variable=static_libs roughcontact)"
+    fi
+    clean "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/examples/press_rough.c" -o "$out/rough" "${libs[@]}"
+    line=$(clean "${run[@]}" "$out/rough") || fail "surfaces $kind"
+    [[ $line == *"proven to lie in"*" 0 undecided"* ]] || fail "surfaces $kind: $line"
+    echo "surfaces $kind: $(tail -1 <<<"$line")"
     [ "$kind" = shared ] || ! readelf -d "$out/c" | grep -q 'NEEDED.*roughcontact' || fail "the static consumer needs the shared library"
   done
 
@@ -59,6 +70,7 @@ build_and_run() {  # build_and_run PREFIX KIND...
     -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" >"$out/log" 2>&1 || { cat "$out/log"; fail "find_package"; }
   clean cmake --build "$out/cmake" >"$out/log" 2>&1 || { cat "$out/log"; fail "the CMake consumer does not build"; }
   expect "CMake shared" "$out/cmake/shared"
+  clean "$out/cmake/rough" >/dev/null || fail "CMake surfaces"
   expect "CMake static" env RC_PLUGIN_PATH="$(pkg --variable=plugindir roughcontact)" "$out/cmake/static"
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "registry.h"
+
 namespace pairs {
 
 namespace {
@@ -64,7 +66,10 @@ Options make_options(const Pair& pair, const std::string& kernel, const Settings
 
 Contact::Contact(const Problem& problem, const Pair& pair, const Settings& settings, rc_context* context)
     : points_(problem.points()) {
-  const Options options = make_options(pair, problem.kernel, settings, context);
+  Settings all;
+  if (may_fail(pair, problem)) all.push_back({"greedy.repair", "1"});
+  all.insert(all.end(), settings.begin(), settings.end());
+  const Options options = make_options(pair, problem.kernel, all, context);
   rc_contact* made = nullptr;
   require(rc_contact_create(&problem.system, options.get(), &made), "rc_contact_create");
   contact_.reset(made);

@@ -60,6 +60,8 @@ using Context = std::unique_ptr<rc_context, DestroyContext>;
 /** Solver and backend of the pair, tol 1e-12, then the settings. */
 Options make_options(const Pair& pair, const std::string& kernel, const Settings& settings = {}, rc_context* context = nullptr);
 
+/** Where a solver may fail, see may_fail() of registry.h, it is given the means to repair it, unless the settings say otherwise.
+ */
 class Contact {
  public:
   Contact(const Problem& problem, const Pair& pair, const Settings& settings = {}, rc_context* context = nullptr);

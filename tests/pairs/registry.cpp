@@ -44,6 +44,21 @@ std::string group_name(const Pair& pair, const rc_system& system, std::int32_t c
   return pair.name() + "/" + kind_of(system) + "/" + (control == RC_CONTROL_LOAD ? "load" : "displacement");
 }
 
+bool multiplies_often(const Pair& pair) { return pair.solver == "gp" || pair.solver == "admm" || pair.solver == "greedy"; }
+
+bool gains_from_a_start(const Pair& pair) { return pair.solver != "greedy"; }
+
+bool may_fail(const Pair& pair, const Problem& problem) {
+  if (pair.solver != "greedy") return false;
+  const bool inverse_m = problem.kernel == "love" || problem.kernel == "disc" || problem.kernel == "auto";
+  return problem.system.op != RC_OPERATOR_HALFSPACE || problem.periodic() || !inverse_m;
+}
+
+bool is_told_failure(const Pair& pair, const Problem& problem, const Answer& answer) {
+  return may_fail(pair, problem) && answer.status == RC_STOP_UNCERTIFIED &&
+         std::string(answer.result.note).find("overlap") != std::string::npos;
+}
+
 void add_for_pairs(std::vector<Test>& tests, const std::string& name, std::int32_t boundary,
                    const std::function<void(const Pair&)>& body) {
   rc_system system = RC_SYSTEM_INIT;

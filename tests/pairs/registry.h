@@ -25,6 +25,15 @@ std::string kind_of(const rc_system& system);
 /** "nnls*fft/free/load" */
 std::string group_name(const Pair& pair, const rc_system& system, std::int32_t control);
 
+/** First-order methods and those that solve without a factor: too slow for large stored matrices. */
+bool multiplies_often(const Pair& pair);
+/** Not the greedy method, which brings all points into contact first, unless the start is the solution. */
+bool gains_from_a_start(const Pair& pair);
+/** The greedy method is exact only where H^-1 has no positive entry off its diagonal: love and disc with free boundaries. */
+bool may_fail(const Pair& pair, const Problem& problem);
+/** An answer that is not certified, of a solver that may fail on this problem and whose note says that it has. */
+bool is_told_failure(const Pair& pair, const Problem& problem, const Answer& answer);
+
 /** One test per pair that supports this kind of half-space grid in displacement and in load control. */
 void add_for_pairs(std::vector<Test>& tests, const std::string& name, std::int32_t boundary,
                    const std::function<void(const Pair&)>& body);

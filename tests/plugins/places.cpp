@@ -125,6 +125,10 @@ void a_missing_backend_says_how_to_get_it(void**) {
   assert_int_equal(registry.names("fft"), RC_ERR_NO_BACKEND);
   assert_message_has("backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (needs FFTW");
   assert_message_has("available: ");
+  if (registry.lists("cholmod")) skip();
+  assert_int_equal(registry.names("cholmod"), RC_ERR_NO_BACKEND);
+  assert_message_has(
+      "backend \"cholmod\" is not installed: its plugin rcb_cholmod.so is in no plugin directory (needs SuiteSparse");
 }
 
 void a_plugin_cannot_replace_what_is_built_in(void**) {

@@ -1,3 +1,6 @@
+#ifdef RC_SEAM_SUITESPARSE
+#include "allocators.h"
+#endif
 #include "cases.h"
 #include "fixtures.h"
 #include "support/cmocka.hpp"
@@ -7,6 +10,9 @@ namespace seam {
 
 // Until a run gets through, one allocation later each time.
 void any_allocation_may_fail(const rc_backend& backend) {
+#ifdef RC_SEAM_SUITESPARSE
+  let_dependencies_use_operator_new();
+#endif
   for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
     if (!(backend.caps & (boundary == RC_BOUNDARY_FREE ? RC_CAP_FREE : RC_CAP_PERIODIC))) continue;
     const rc_system system = halfspace(boundary, 9, 8, 1.0, 1.0);
@@ -21,7 +27,7 @@ void any_allocation_may_fail(const rc_backend& backend) {
       for (std::int64_t k = 1; failed; ++k) {
         assert_true(k < 1000);
         support::fail_allocation(k);
-        const rc_status status = status_of_products(backend, host, spec, domain, x.data(), y.data());
+        const rc_status status = status_of_operations(backend, host, spec, domain, x.data(), y.data());
         failed = support::allocation_failed();
         support::fail_allocation(0);
         assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
@@ -39,7 +45,7 @@ void impossible_sizes_are_refused(const rc_backend& backend) {
     const Index corners{0, side * side - 1};
     const Vector x(2, 1.0);
     Vector y(2);
-    const rc_status status = status_of_products(backend, host, spec_of(system, host), corners, x.data(), y.data());
+    const rc_status status = status_of_operations(backend, host, spec_of(system, host), corners, x.data(), y.data());
     assert_true(status == RC_ERR_MEMORY || status == RC_ERR_SHAPE);
     assert_true(StandInHost::message().find(backend.name) == 0);
   }

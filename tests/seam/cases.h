@@ -32,6 +32,11 @@ void operators_work_side_by_side(const rc_backend&);
 void subset_solves_its_equations(const rc_backend&);
 void subset_after_changes_equals_a_fresh_solve(const rc_backend&);
 
+// shifted.cpp
+void shifted_solves_its_equations(const rc_backend&);
+void shifted_does_not_depend_on_what_was_asked_before(const rc_backend&);
+void norm_is_that_of_the_matrix(const rc_backend&);
+
 // failures.cpp
 void host_failure_is_passed_on(const rc_backend&);
 

@@ -15,7 +15,7 @@ void host_failure_is_passed_on(const rc_backend& backend) {
     const Vector x(3, 1.0);
     Vector y(20);
     host.answer_with(RC_ERR_NUMERIC);
-    assert_int_equal(status_of_products(backend, host, spec_of(system, host), domain, x.data(), y.data()), RC_ERR_NUMERIC);
+    assert_int_equal(status_of_operations(backend, host, spec_of(system, host), domain, x.data(), y.data()), RC_ERR_NUMERIC);
 
     // An operator that failed to bind, or in field(), can be used again.
     void* self = nullptr;

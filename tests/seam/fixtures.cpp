@@ -88,6 +88,18 @@ Vector Operator::subset(const Index& positions, const Vector& b) {
   return x;
 }
 
+Vector Operator::shifted(double rho, const Vector& b) {
+  Vector x(b.size(), std::numeric_limits<double>::quiet_NaN());
+  check(backend_.shifted(self_, rho, b.data(), x.data()));
+  return x;
+}
+
+double Operator::norm() {
+  double norm = std::numeric_limits<double>::quiet_NaN();
+  check(backend_.norm(self_, &norm));
+  return norm;
+}
+
 std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed) {
   std::mt19937 generator(seed);
   std::vector<Index> all;
@@ -114,8 +126,8 @@ rc_operator_spec spec_of(const rc_system& system, const StandInHost& host) {
   return {sizeof(rc_operator_spec), &system, kernel_name(system.boundary), host.options()};
 }
 
-rc_status status_of_products(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,
-                             const double* x, double* y) {
+rc_status status_of_operations(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,
+                               const double* x, double* y) {
   void* self = nullptr;
   rc_status status = backend.create(&host, &spec, &self);
   if (status != RC_OK) return status;
@@ -123,6 +135,10 @@ rc_status status_of_products(const rc_backend& backend, const rc_host& host, con
   status = backend.bind(self, &bound);
   if (status == RC_OK) status = backend.apply(self, x, y);
   if (status == RC_OK) status = backend.field(self, x, y);
+  const std::int64_t first = 0;
+  if (status == RC_OK && backend.subset) status = backend.subset(self, 1, &first, x, y);
+  if (status == RC_OK && backend.shifted) status = backend.shifted(self, 0.5, x, y);
+  if (status == RC_OK && backend.norm) status = backend.norm(self, y);
   backend.destroy(self);
   return status;
 }

@@ -47,6 +47,8 @@ class Operator {
   Vector apply(const Vector& x);
   Vector field(const Vector& x);
   Vector subset(const Index& positions, const Vector& b);
+  Vector shifted(double rho, const Vector& b);
+  double norm();
   std::int64_t modelled() { return backend_.modelled(self_); }
 
  private:
@@ -64,9 +66,9 @@ std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed);
 // What a StandInHost hands to create().
 rc_operator_spec spec_of(const rc_system& system, const StandInHost& host);
 
-// The first failure of create, bind, apply and field, without assertions in between.
-rc_status status_of_products(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,
-                             const double* x, double* y);
+// The first failure of create, bind and every operation that the backend has, without assertions in between.
+rc_status status_of_operations(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,
+                               const double* x, double* y);
 
 // Whether the backend takes half-space grids.
 inline bool takes_grids(const rc_backend& backend) { return backend.caps & (RC_CAP_FREE | RC_CAP_PERIODIC); }

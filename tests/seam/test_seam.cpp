@@ -21,6 +21,8 @@ void caps_agree_with_functions(const rc_backend& backend) {
   assert_true(backend.struct_size == sizeof(rc_backend));
   assert_true(backend.create && backend.destroy && backend.bind && backend.apply && backend.field && backend.modelled);
   assert_true((backend.caps & RC_CAP_SUBSET) ? backend.subset != nullptr : backend.subset == nullptr);
+  assert_true((backend.caps & RC_CAP_SHIFTED) ? backend.shifted != nullptr : backend.shifted == nullptr);
+  assert_true((backend.caps & RC_CAP_NORM) ? backend.norm != nullptr : backend.norm == nullptr);
   assert_true(backend.caps & (RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_CALLBACK));
   assert_true(std::strlen(backend.summary) > 0 && std::strlen(backend.license) > 0);
   const std::string prefix = std::string(backend.name) + ".";
@@ -34,6 +36,8 @@ namespace {
 
 bool takes_periodic(const rc_backend& backend) { return backend.caps & RC_CAP_PERIODIC; }
 bool has_subset(const rc_backend& backend) { return backend.caps & RC_CAP_SUBSET; }
+bool has_shifted(const rc_backend& backend) { return backend.caps & RC_CAP_SHIFTED; }
+bool has_norm(const rc_backend& backend) { return backend.caps & RC_CAP_NORM; }
 bool claims_thread_invariance(const rc_backend& backend) { return backend.caps & RC_CAP_THREAD_INVARIANT; }
 
 #define RC_CASE(function, applies) \
@@ -50,6 +54,9 @@ const Case cases[] = {
     RC_CASE(operators_work_side_by_side, takes_grids),
     RC_CASE(subset_solves_its_equations, has_subset),
     RC_CASE(subset_after_changes_equals_a_fresh_solve, has_subset),
+    RC_CASE(shifted_solves_its_equations, has_shifted),
+    RC_CASE(shifted_does_not_depend_on_what_was_asked_before, has_shifted),
+    RC_CASE(norm_is_that_of_the_matrix, has_norm),
     RC_CASE(host_failure_is_passed_on, takes_grids),
 #ifdef RC_SEAM_FAILING_NEW
     RC_CASE(any_allocation_may_fail, takes_grids),

@@ -1,13 +1,10 @@
-#include "influence.h"
+#include "common/influence.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
-#include <vector>
 
-#include "failure.h"
-
-namespace rc_dense {
+namespace rc_common {
 
 namespace {
 
@@ -22,8 +19,7 @@ class HalfSpace final : public Influence {
     my = std::max(my, my_);
     mx_ = my_ = 0;
     table_.resize(static_cast<std::size_t>(mx) * static_cast<std::size_t>(my));
-    const rc_status status = host_->coefficients(host_, system_, kernel_, mx, my, table_.data());
-    if (status != RC_OK) throw Failure{status, {}};
+    roughcontact::check(host_->coefficients(host_, system_, kernel_, mx, my, table_.data()));
     mx_ = mx;
     my_ = my;
   }
@@ -38,26 +34,26 @@ class HalfSpace final : public Influence {
     for (const Point& row : rows) *out++ = shift_ + table_row(row.y - column.y)[std::abs(row.x - column.x)];
   }
 
-  // Rows of y are the outer loop: a row of y and the table's row for all loads of one grid row stay in cache.
-  void field(std::span<const Point> points, const double* x, double* y) override {
-    prepare(system_->nx, system_->ny);
+  // Runs are the outer loop: a run of y and the table's row for all loads of one grid row stay in cache.
+  void multiply(std::span<const Point> points, const double* x, std::span<const Run> targets, double* y) const override {
     const double mean = shift_ * std::accumulate(x, x + points.size(), 0.0);
-    for (std::int64_t iy = 0; iy < system_->ny; ++iy) {
-      double* row = y + iy * system_->nx;
-      std::fill_n(row, system_->nx, mean);
+    for (const Run& run : targets) {
+      double* const out = y + run.position;
+      std::fill_n(out, run.count, mean);
       for (std::size_t j = 0; j < points.size(); ++j)
-        if (x[j] != 0.0) add_load(x[j], points[j].x, table_row(iy - points[j].y), row);
+        if (x[j] != 0.0) add_load(x[j], points[j].x - run.first.x, table_row(run.first.y - points[j].y), run.count, out);
     }
   }
 
  private:
   const double* table_row(std::int64_t dy) const { return table_.data() + std::abs(dy) * mx_; }
 
-  // Two contiguous halves, to the right of the load and to its left, so that both are vector loops.
-  void add_load(double p, std::int64_t x, const double* __restrict h, double* __restrict row) const {
-    const std::int64_t right = system_->nx - x;
-    for (std::int64_t k = 0; k < right; ++k) row[x + k] += p * h[k];
-    for (std::int64_t k = 0; k < x; ++k) row[k] += p * h[x - k];
+  // A load at x cells from the run's first point. Two contiguous halves, to the left of the load and from it on, so that both are
+  // vector loops.
+  static void add_load(double p, std::int64_t x, const double* __restrict h, std::int64_t count, double* __restrict out) {
+    const std::int64_t left = std::clamp<std::int64_t>(x, 0, count);
+    for (std::int64_t k = 0; k < left; ++k) out[k] += p * h[x - k];
+    for (std::int64_t k = left; k < count; ++k) out[k] += p * h[k - x];
   }
 
   const rc_host* host_;
@@ -81,11 +77,13 @@ class CallersMatrix final : public Influence {
     for (const Point& row : rows) *out++ = h[number(row)];
   }
 
-  void field(std::span<const Point> points, const double* x, double* y) override {
-    const std::int64_t n = system_.nx * system_.ny;
-    std::fill_n(y, n, 0.0);
-    for (std::size_t j = 0; j < points.size(); ++j)
-      if (x[j] != 0.0) add_scaled(x[j], matrix_row(points[j]), n, y);
+  void multiply(std::span<const Point> points, const double* x, std::span<const Run> targets, double* y) const override {
+    for (const Run& run : targets) std::fill_n(y + run.position, run.count, 0.0);
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (x[j] == 0.0) continue;
+      const double* h = matrix_row(points[j]);
+      for (const Run& run : targets) add_scaled(x[j], h + number(run.first), run.count, y + run.position);
+    }
   }
 
  private:
@@ -101,15 +99,28 @@ class CallersMatrix final : public Influence {
 
 }  // namespace
 
-std::unique_ptr<Influence> make_influence(const rc_host* host, const rc_operator_spec& spec) {
+std::vector<Run> runs_of(std::span<const Point> points) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point point = points[i];
+    if (!runs.empty() && runs.back().first.y == point.y && runs.back().first.x + runs.back().count == point.x)
+      ++runs.back().count;
+    else
+      runs.push_back({point, 1, static_cast<std::int64_t>(i)});
+  }
+  return runs;
+}
+
+std::unique_ptr<Influence> make_influence(const rc_host* host, const rc_operator_spec& spec,
+                                          const roughcontact::Component& component) {
   switch (spec.system->op) {
     case RC_OPERATOR_HALFSPACE:
       return std::make_unique<HalfSpace>(host, spec);
     case RC_OPERATOR_DENSE:
       return std::make_unique<CallersMatrix>(*spec.system);
     default:
-      fail(RC_ERR_INCOMPATIBLE, "the operator has no entries; only half-space grids and matrices do");
+      roughcontact::fail(component, RC_ERR_INCOMPATIBLE, "the operator has no entries; only half-space grids and matrices do");
   }
 }
 
-}  // namespace rc_dense
+}  // namespace rc_common

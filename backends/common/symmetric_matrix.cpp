@@ -1,12 +1,12 @@
-#include "symmetric_matrix.h"
+#include "common/symmetric_matrix.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "serial_eigen.h"
+#include "common/serial_eigen.h"
 
-namespace rc_dense {
+namespace rc_common {
 
 namespace {
 
@@ -76,4 +76,4 @@ void SymmetricMatrix::multiply(const double* x, double* y) const {
   }
 }
 
-}  // namespace rc_dense
+}  // namespace rc_common

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-namespace rc_dense {
+namespace rc_common {
 
 // Writes the entries (first_row + k, column), 0 <= k < rows, to out[k].
 using ColumnSource = std::function<void(std::int64_t first_row, std::int64_t rows, std::int64_t column, double* out)>;
@@ -31,4 +31,4 @@ class SymmetricMatrix {
   std::unique_ptr<double[]> numbers_;
 };
 
-}  // namespace rc_dense
+}  // namespace rc_common

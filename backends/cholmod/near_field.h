@@ -1,0 +1,30 @@
+// A sparse positive definite neighbour of H on a set of points, factored: a preconditioner that takes O(n radius^2).
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "common/influence.h"
+#include "common/memory_limit.h"
+#include "session.h"
+
+namespace rc_cholmod {
+
+class NearField {
+ public:
+  // Of H[points, points] plus `shift` times the identity, with entries up to `radius` cells apart.
+  NearField(Session&, const rc_common::MemoryLimit&, const rc_system&, const rc_common::Influence&,
+            std::span<const rc_common::Point> points, double radius, double shift);
+
+  // r = M^-1 r
+  void solve(double* r) { session_.solve(*L_, r); }
+
+ private:
+  Session& session_;
+  Session::Factor L_{nullptr, {nullptr}};
+};
+
+}  // namespace rc_cholmod

@@ -1,0 +1,55 @@
+// H of one system: products, and solves by a factor of all entries or by conjugate gradients with a factor of the near ones.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <roughcontact/plugin.hpp>
+#include <span>
+#include <vector>
+
+#include "common/memory_limit.h"
+#include "common/products.h"
+#include "failure.h"
+#include "near_field.h"
+#include "working_set.h"
+
+namespace rc_cholmod {
+
+inline constexpr const char *memory_limit_key = "cholmod.memory_limit", *near_field_key = "cholmod.near_field";
+
+class Operator {
+ public:
+  static constexpr roughcontact::Component component = rc_cholmod::component;
+
+  Operator(const rc_host*, const rc_operator_spec&);
+
+  const rc_host* host() const { return host_; }
+  std::int64_t modelled() const { return products_.size(); }
+
+  void bind(const rc_domain&);
+  void apply(const double* x, double* y);
+  void field(const double* x, double* y) { products_.field(x, y); }
+  void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
+  void shifted(double rho, const double* b, double* x);
+  double norm() { return products_.norm(); }
+
+ private:
+  bool exact() const { return radius_ == 0.0; }
+  void require_factor(std::int64_t points, std::int64_t slots) const;
+  void iterate(std::span<const rc_common::Point> points, double rho, const double* b, double* x);
+  void forget_factors();
+
+  const rc_host* host_;
+  const rc_system* system_;
+  double radius_;  // of the near field; 0: all entries are factored
+  rc_common::MemoryLimit limit_;
+  rc_common::Products products_;
+  Session session_;  // before what was made with it
+  WorkingSet set_;
+  std::optional<Factor> shifted_;
+  std::optional<NearField> near_;
+  std::vector<rc_common::Point> near_points_;
+  double rho_ = 0.0;  // of shifted_ or near_
+};
+
+}  // namespace rc_cholmod

@@ -1,0 +1,47 @@
+#include "common/memory_limit.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace rc_common {
+
+namespace {
+
+double machine_bytes() {
+  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(pages) * static_cast<double>(page);
+}
+
+std::int64_t whole(double bytes) { return static_cast<std::int64_t>(std::min(bytes, 9e18)); }
+
+}  // namespace
+
+MemoryLimit::MemoryLimit(const rc_host* host, const rc_operator_spec& spec, const roughcontact::Component& component,
+                         const char* key)
+    : component_(component),
+      key_(key),
+      mebibytes_(roughcontact::option_real(host, spec.options, key)),
+      machine_(machine_bytes()),
+      limit_(std::min(mebibytes_ * 1048576.0, machine_)),
+      grid_(spec.system->op == RC_OPERATOR_HALFSPACE) {}
+
+// A matrix of the caller's has no other backend that takes it and needs less: there, fewer factors are the way out.
+void MemoryLimit::require(const char* what, std::int64_t unknowns, double bytes, double held) const {
+  if (bytes + held <= limit_) return;
+  const bool machine = bytes + held > machine_;
+  const char* const elsewhere =
+      grid_ ? "use a backend that stores no matrix (\"fft\")" : "use a solver that only multiplies (\"polonsky-keer\")";
+  const std::string beside = held > 0.0 ? " beside the " + std::to_string(whole(held)) + " that are held" : "";
+  const auto with = [&](const auto&... reason) {
+    roughcontact::fail(component_, RC_ERR_MEMORY, what, " of ", unknowns, " unknowns needs ", whole(bytes), " bytes", beside,
+                       ", ", reason..., elsewhere);
+  };
+  if (machine) with("this machine has ", whole(machine_), "; ");
+  with("the limit ", key_, " is ", mebibytes_, " MiB; raise it or ");
+}
+
+}  // namespace rc_common

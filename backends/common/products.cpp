@@ -1,0 +1,89 @@
+#include "common/products.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/serial_eigen.h"
+
+namespace rc_common {
+
+Products::Products(const rc_host* host, const rc_operator_spec& spec, const roughcontact::Component& component)
+    : system_(spec.system), influence_(make_influence(host, spec, component)) {}
+
+bool Products::is_bound(const rc_domain& domain) const {
+  if (domain.n != size()) return false;
+  for (std::int64_t i = 0; i < domain.n; ++i)
+    if (points_[static_cast<std::size_t>(i)] != point(domain.index ? domain.index[i] : i)) return false;
+  return true;
+}
+
+// Nothing is changed before everything is there.
+Products::Change Products::bind(const rc_domain& domain) {
+  const bool same_entries = domain.zero_mode == zero_mode_;
+  if (same_entries && is_bound(domain)) return Change::none;
+  std::vector<Point> points(static_cast<std::size_t>(domain.n));
+  for (std::int64_t i = 0; i < domain.n; ++i) points[static_cast<std::size_t>(i)] = point(domain.index ? domain.index[i] : i);
+  runs_ = runs_of(points);
+  points_ = std::move(points);
+  influence_->set_zero_mode(domain.zero_mode);
+  zero_mode_ = domain.zero_mode;
+  matrix_.reset();
+  return same_entries ? Change::points : Change::entries;
+}
+
+std::vector<Point> Products::points_at(std::span<const std::int64_t> positions) const {
+  std::vector<Point> points(positions.size());
+  std::transform(positions.begin(), positions.end(), points.begin(),
+                 [this](std::int64_t i) { return points_[static_cast<std::size_t>(i)]; });
+  return points;
+}
+
+// Entries are needed for offsets within the domain's bounding box.
+const Influence& Products::entries() {
+  const auto [left, right] = std::minmax_element(points_.begin(), points_.end(), [](Point a, Point b) { return a.x < b.x; });
+  influence_->prepare(right->x - left->x + 1, points_.back().y - points_.front().y + 1);
+  return *influence_;
+}
+
+ColumnSource Products::source() {
+  return [&influence = entries(), points = std::span<const Point>(points_)](std::int64_t first_row, std::int64_t rows,
+                                                                            std::int64_t column, double* out) {
+    influence.column(points.subspan(static_cast<std::size_t>(first_row), static_cast<std::size_t>(rows)),
+                     points[static_cast<std::size_t>(column)], out);
+  };
+}
+
+void Products::store() {
+  if (!matrix_) matrix_.emplace(size(), source());
+}
+
+void Products::apply(const double* x, double* y) {
+  if (matrix_)
+    matrix_->multiply(x, y);
+  else
+    entries().multiply(points_, x, runs_, y);
+}
+
+void Products::field(const double* x, double* y) {
+  const std::int64_t nx = system_->nx, ny = system_->ny;
+  influence_->prepare(nx, ny);
+  std::vector<Run> rows(static_cast<std::size_t>(ny));
+  for (std::int64_t iy = 0; iy < ny; ++iy) rows[static_cast<std::size_t>(iy)] = {{iy, 0}, nx, iy * nx};
+  influence_->multiply(points_, x, rows, y);
+}
+
+// Row by row of the upper triangle, so that rounding grows with one row's length and the number of rows, not with their product.
+double Products::norm() {
+  const ColumnSource column = source();
+  std::vector<double> entries_of_row(points_.size());
+  double sum = 0.0;
+  for (std::int64_t j = 0; j < size(); ++j) {
+    double* const h = entries_of_row.data();
+    column(j, size() - j, j, h);
+    sum += h[0] * h[0] + 2.0 * Eigen::Map<const Eigen::VectorXd>(h + 1, size() - j - 1).squaredNorm();
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace rc_common

@@ -1,0 +1,54 @@
+// Products with H on the points of a domain, from a stored matrix or from the entries themselves.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <roughcontact/plugin.hpp>
+#include <span>
+#include <vector>
+
+#include "common/influence.h"
+#include "common/symmetric_matrix.h"
+
+namespace rc_common {
+
+class Products {
+ public:
+  enum class Change { none, points, entries };
+
+  Products(const rc_host*, const rc_operator_spec&, const roughcontact::Component&);
+
+  // What is not as it was. The stored matrix goes with any change.
+  Change bind(const rc_domain&);
+
+  std::int64_t size() const { return static_cast<std::int64_t>(points_.size()); }
+  std::span<const Point> points() const { return points_; }
+  std::vector<Point> points_at(std::span<const std::int64_t> positions) const;
+  // Entries between points of the domain.
+  const Influence& entries();
+  // Those of H[T,T] for positions in the domain.
+  ColumnSource source();
+
+  void store();
+  void forget() { matrix_.reset(); }
+  bool stored() const { return matrix_.has_value(); }
+  double stored_bytes() const { return matrix_ ? SymmetricMatrix::bytes(static_cast<double>(size())) : 0.0; }
+
+  void apply(const double* x, double* y);  // y = H[T,T] x
+  void field(const double* x, double* y);  // y = H[all points, T] x
+  double norm();                           // Frobenius, of H[T,T]
+
+ private:
+  Point point(std::int64_t number) const { return {number / system_->nx, number % system_->nx}; }
+  bool is_bound(const rc_domain&) const;
+
+  const rc_system* system_;
+  std::unique_ptr<Influence> influence_;
+  double zero_mode_ = 0.0;
+  std::vector<Point> points_;  // of the domain, ascending
+  std::vector<Run> runs_;      // of points_
+  std::optional<SymmetricMatrix> matrix_;
+};
+
+}  // namespace rc_common

@@ -1,0 +1,48 @@
+// H of one system: a stored matrix, a factor that follows a set of points, a factor of H + rho I, and what of them is held at a
+// time.
+#pragma once
+
+#include <cstdint>
+#include <roughcontact/plugin.hpp>
+
+#include "common/memory_limit.h"
+#include "common/products.h"
+#include "failure.h"
+#include "updatable_cholesky.h"
+#include "working_set.h"
+
+namespace rc_dense {
+
+inline constexpr const char* memory_limit_key = "dense.memory_limit";
+
+class Operator {
+ public:
+  static constexpr roughcontact::Component component = rc_dense::component;
+
+  Operator(const rc_host*, const rc_operator_spec&);
+
+  const rc_host* host() const { return host_; }
+  std::int64_t modelled() const { return products_.size(); }
+
+  void bind(const rc_domain&);
+  void apply(const double* x, double* y);
+  void field(const double* x, double* y) { products_.field(x, y); }
+  void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
+  void shifted(double rho, const double* b, double* x);
+  double norm() { return products_.norm(); }
+
+ private:
+  double budget() const;
+  bool fits(double bytes) const { return bytes <= budget(); }
+  void factor_shifted(double rho);
+
+  const rc_host* host_;
+  bool grid_;
+  rc_common::MemoryLimit limit_;
+  rc_common::Products products_;
+  WorkingSet set_;  // belongs to grid points, so that it outlives a change of domain
+  UpdatableCholesky shifted_;
+  double rho_ = 0.0;  // of shifted_
+};
+
+}  // namespace rc_dense

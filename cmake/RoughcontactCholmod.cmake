@@ -1,0 +1,15 @@
+# Leaves the backend cholmod out of the plugins where SuiteSparse is not there: Debian's package has neither a CMake package nor a
+# pkg-config file for it.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig)
+mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSECONFIG_LIBRARY)
+if(NOT (CHOLMOD_INCLUDE_DIR AND CHOLMOD_LIBRARY AND SUITESPARSECONFIG_LIBRARY))
+  if(cholmod IN_LIST RC_BUILTIN_BACKENDS)
+    message(FATAL_ERROR "RC_BUILTIN_BACKENDS names cholmod, but SuiteSparse's CHOLMOD was not found (Debian: libsuitesparse-dev)")
+  endif()
+  if(cholmod IN_LIST RC_MODULE_BACKENDS)
+    message(STATUS "The backend cholmod is left out: SuiteSparse's CHOLMOD was not found (Debian: libsuitesparse-dev)")
+    list(REMOVE_ITEM RC_MODULE_BACKENDS cholmod)
+  endif()
+endif()

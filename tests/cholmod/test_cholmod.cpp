@@ -1,0 +1,219 @@
+// Near field, limits and rows added and deleted in the cholmod backend.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include "common/products.h"
+#include "conjugate_gradients.h"
+#include "failure.h"
+#include "fixtures.h"
+#include "near_field.h"
+#include "support/cmocka.hpp"
+#include "working_set.h"
+
+RC_PLUGIN_LINKAGE rc_status rc_builtin_cholmod(const rc_host*, const rc_plugin**);
+
+namespace {
+
+using seam::Index;
+using seam::StandInHost;
+using seam::Vector;
+
+const rc_backend& backend() {
+  const rc_plugin* plugin = nullptr;
+  rc_builtin_cholmod(nullptr, &plugin);
+  return *plugin->backends[0];
+}
+
+Index every_third(std::int64_t n) {
+  Index positions;
+  for (std::int64_t i = 0; i < n; ++i)
+    if (i % 3 != 1) positions.push_back(i);
+  return positions;
+}
+
+void assert_solves(const seam::Problem& problem, const Index& points, double rho, const Vector& b, const Vector& x) {
+  Vector left = problem.matrix().product(points, points, x);
+  double largest = 1.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    left[i] += rho * x[i];
+    largest = std::max(largest, std::abs(x[i]));
+  }
+  assert_true(seam::largest_difference(left, b) <= 1e-11 * (problem.matrix().norm() + rho) * largest);
+}
+
+void near_field_solves_the_whole_system(void**) {
+  for (const char* radius : {"0.4", "1.5", "3", "1000"})
+    seam::for_each_problem(backend(), 13, 10, 1.0, 0.8, [&](const seam::Problem& problem) {
+      StandInHost host(backend());
+      host.set("cholmod.near_field", radius);
+      seam::Operator op(backend(), host, problem.system());
+      op.bind(problem.all(), problem.zero_mode());
+      const Index some = every_third(130);
+      const Vector b = seam::random_vector(some.size(), 1), all = seam::random_vector(130, 2);
+      for (int repeat = 0; repeat < 2; ++repeat) {
+        assert_solves(problem, some, 0.0, b, op.subset(some, b));
+        assert_solves(problem, problem.all(), 0.3, all, op.shifted(0.3, all));
+      }
+    });
+}
+
+struct Iterations {
+  std::int64_t plain, preconditioned;
+};
+
+Iterations iterations(const rc_backend& tested, std::int32_t boundary, std::int64_t side, double radius) {
+  StandInHost host(tested);
+  const rc_system system = seam::halfspace(boundary, side, side, 1.0, 1.0);
+  const rc_operator_spec spec = seam::spec_of(system, host);
+  rc_common::Products products(&host, spec, rc_cholmod::component);
+  Index index;
+  for (std::int64_t i = 0; i < side * side; ++i)
+    if (std::hypot(static_cast<double>(i % side - side / 2), static_cast<double>(i / side - side / 2)) <
+        0.4 * static_cast<double>(side))
+      index.push_back(i);
+  const rc_domain domain{sizeof(rc_domain), static_cast<std::int64_t>(index.size()), index.data(), 0.0};
+  products.bind(domain);
+  const rc_common::MemoryLimit limit(&host, spec, rc_cholmod::component, "cholmod.memory_limit");
+  rc_cholmod::Session session;
+  rc_cholmod::NearField near(session, limit, system, products.entries(), products.points(), radius, 0.0);
+  const auto multiply = [&](const double* x, double* y) { products.apply(x, y); };
+  const Vector b(index.size(), 1.0);
+  Vector x(index.size());
+  const auto n = static_cast<std::int64_t>(index.size());
+  const auto plain = rc_cholmod::conjugate_gradients(n, multiply, {}, b.data(), x.data());
+  const auto faster = rc_cholmod::conjugate_gradients(
+      n, multiply, [&](double* r) { near.solve(r); }, b.data(), x.data());
+  assert_true(plain.residual < 1e-13 && faster.residual < 1e-13);
+  return {plain.iterations, faster.iterations};
+}
+
+void near_field_saves_iterations(void**) {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const double radius : {3.0, 6.0}) {
+      const Iterations count = iterations(backend(), boundary, 48, radius);
+      print_message("%s, disc in 48x48, radius %g: %lld iterations instead of %lld\n",
+                    boundary == RC_BOUNDARY_FREE ? "free" : "periodic", radius, static_cast<long long>(count.preconditioned),
+                    static_cast<long long>(count.plain));
+      assert_true(count.preconditioned < count.plain);
+    }
+}
+
+// The factor of all entries would take 22 GB; that of the near field is a few megabytes.
+void near_field_works_where_a_full_factor_does_not_fit(void**) {
+  constexpr std::int64_t side = 200, n = side * side;
+  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, side, side, 1.0, 1.0);
+  Index all(n);
+  std::iota(all.begin(), all.end(), 0);
+  const rc_domain domain{sizeof(rc_domain), n, nullptr, 0.0};
+  const Vector b(n, 1.0);
+  Vector x(n);
+  for (const bool near : {false, true}) {
+    StandInHost host(backend());
+    if (near) host.set("cholmod.near_field", "4");
+    const rc_operator_spec spec = seam::spec_of(system, host);
+    void* self = nullptr;
+    assert_int_equal(backend().create(&host, &spec, &self), RC_OK);
+    assert_int_equal(backend().bind(self, &domain), RC_OK);
+    if (!near) {
+      assert_int_equal(backend().subset(self, n, all.data(), b.data(), x.data()), RC_ERR_MEMORY);
+      assert_true(StandInHost::message().find("cholmod: the Cholesky factor of 40000 unknowns needs 22400000000 bytes") == 0);
+    } else {
+      // Every 40th point is enough for the products; the points are as far apart as the grid is wide.
+      Index some;
+      for (std::int64_t i = 0; i < n; ++i)
+        if (i % 200 < 30 && i / 200 < 30) some.push_back(i);
+      some.push_back(n - 1);
+      assert_int_equal(backend().subset(self, static_cast<std::int64_t>(some.size()), some.data(), b.data(), x.data()), RC_OK);
+      assert_true(x[0] > 0.0);
+    }
+    backend().destroy(self);
+  }
+}
+
+void a_near_field_takes_memory_that_grows_with_the_points(void**) {
+  StandInHost host(backend());
+  host.set("cholmod.memory_limit", "64");
+  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 200, 200, 1.0, 1.0);
+  const rc_operator_spec spec = seam::spec_of(system, host);
+  rc_common::Products products(&host, spec, rc_cholmod::component);
+  const rc_domain domain{sizeof(rc_domain), 40000, nullptr, 0.0};
+  products.bind(domain);
+  const rc_common::MemoryLimit limit(&host, spec, rc_cholmod::component, "cholmod.memory_limit");
+  rc_cholmod::Session session;
+  const rc_cholmod::NearField near(session, limit, system, products.entries(), products.points(), 3.0, 0.0);
+  print_message("40000 points, radius 3: CHOLMOD's peak %zu bytes\n", session.common()->memory_usage);
+  assert_true(session.common()->memory_usage < 128u << 20);
+}
+
+// A set that changes by single rows gives what a fresh factor gives, and is not factored anew for it.
+void rows_are_added_and_deleted(void**) {
+  StandInHost host(backend());
+  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 20, 20, 1.0, 1.0);
+  const seam::Problem problem(RC_CAP_FREE, 20, 20, 1.0, 1.0, 0.0);
+  seam::Operator op(backend(), host, system);
+  op.bind(problem.all());
+  std::mt19937 generator(5);
+  std::vector<bool> in(400, false);
+  for (std::size_t i = 0; i < 400; ++i) in[i] = generator() % 2;
+  for (int step = 0; step < 150; ++step) {
+    for (unsigned change = 0; change < (step % 30 == 29 ? 150 : generator() % 8); ++change) {
+      const std::size_t i = generator() % 400;
+      in[i] = !in[i];
+    }
+    Index points;
+    for (std::int64_t i = 0; i < 400; ++i)
+      if (in[static_cast<std::size_t>(i)]) points.push_back(i);
+    const Vector b = seam::random_vector(points.size(), static_cast<unsigned>(step));
+    assert_solves(problem, points, 0.0, b, op.subset(points, b));
+  }
+}
+
+void indefinite_matrices_are_reported(void**) {
+  for (const char* radius : {"0", "2"}) {
+    StandInHost host(backend());
+    host.set("cholmod.near_field", radius);
+    Vector H(900, 0.0);
+    for (std::size_t i = 0; i < 30; ++i) H[31 * i] = i == 17 ? -0.25 : 1.0;
+    rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 30, 1, 1.0, 1.0);
+    system.op = RC_OPERATOR_DENSE;
+    system.dense = H.data();
+    system.dense_ld = 30;
+    const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "", host.options()};
+    void* self = nullptr;
+    const rc_domain domain{sizeof(rc_domain), 30, nullptr, 0.0};
+    assert_int_equal(backend().create(&host, &spec, &self), RC_OK);
+    assert_int_equal(backend().bind(self, &domain), RC_OK);
+    Index all(30);
+    std::iota(all.begin(), all.end(), 0);
+    Vector b(30, 1.0), x(30);
+    assert_int_equal(backend().subset(self, 30, all.data(), b.data(), x.data()), RC_ERR_NUMERIC);
+    assert_true(StandInHost::message().find("cholmod: the ") == 0);
+    assert_true(StandInHost::message().find("positive definite") != std::string::npos);
+    assert_int_equal(backend().subset(self, 15, all.data(), b.data(), x.data()), RC_OK);
+    assert_true(std::abs(x[3] - 1.0) < 1e-14);
+    assert_int_equal(backend().shifted(self, 1.0, b.data(), x.data()), RC_OK);
+    assert_true(std::abs(x[17] - 4.0 / 3.0) < 1e-14);
+    // One row at a time.
+    assert_int_equal(backend().subset(self, 17, all.data(), b.data(), x.data()), RC_OK);
+    assert_int_equal(backend().subset(self, 18, all.data(), b.data(), x.data()), RC_ERR_NUMERIC);
+    assert_int_equal(backend().subset(self, 17, all.data(), b.data(), x.data()), RC_OK);
+    backend().destroy(self);
+  }
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(near_field_solves_the_whole_system),
+      cmocka_unit_test(near_field_saves_iterations),
+      cmocka_unit_test(near_field_works_where_a_full_factor_does_not_fit),
+      cmocka_unit_test(a_near_field_takes_memory_that_grows_with_the_points),
+      cmocka_unit_test(rows_are_added_and_deleted),
+      cmocka_unit_test(indefinite_matrices_are_reported),
+  };
+  return cmocka_run_group_tests_name("cholmod", tests, nullptr, nullptr);
+}
