@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::int64_t patience = 1000;            // iterations in which the residual must fall by a tenth
 constexpr std::int64_t first_balance = 10;         // iteration; each later one twice as far, so that a factor is reused
-constexpr double imbalance = 5;                    // of the residuals, above which rho changes
+constexpr double imbalance = 2.5;                  // of the residuals, above which rho changes
 constexpr double floor_of_smallest = 1e-6;         // of the largest eigenvalue
 constexpr double accuracy = 0.05;                  // of a solve, relative to the residual at hand
 constexpr double finest = 1e-15, coarsest = 1e-3;  // relative residuals asked of a solve
@@ -90,8 +90,7 @@ class Alternation {
     }
   }
 
-  // Geometric mean of the extreme eigenvalues, the best for a quadratic (Ghadimi et al. 2015), a little smaller as the contact
-  // set sees less than all of the spectrum.
+  // Geometric mean of the extreme eigenvalues, the best for a quadratic (Ghadimi et al. 2015).
   void choose_penalty() {
     rho_ = problem_.option_real("admm.rho");
     automatic_ = rho_ == 0;
@@ -100,7 +99,7 @@ class Alternation {
     if (!(largest > 0) || std::isinf(largest))
       problem_.fail("admm: the operator is not positive definite, or returned values that are not finite");
     const double smallest = problem_.lambda_min() > 0 ? problem_.lambda_min() : smallest_eigenvalue(problem_, largest);
-    rho_ = 0.7 * std::sqrt(std::max(smallest, floor_of_smallest * largest) * largest);
+    rho_ = std::sqrt(std::max(smallest, floor_of_smallest * largest) * largest);
   }
 
   void minimise(const Residual& residual) {
