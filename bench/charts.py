@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""charts.py RESULTS IMAGES: draws speed-accuracy.png and scaling.png into the folder IMAGES from accuracy.json and scaling.json in
+"""charts.py RESULTS IMAGES: draws speed-accuracy.png, scaling.png and failures.png into the folder IMAGES from the JSON files in
 the folder RESULTS, with gnuplot."""
 import math
 import os
@@ -136,11 +136,50 @@ def scaling(results, file):
     drawing.draw(file, entries, 3)
 
 
+def failures(results, file):
+    data = load(results, 'failures')['data']
+    drawing = Panels(800, 530, 2, 1, 150)
+    drawing.script.append('unset logscale\nset format "%g"\n')
+    kernels = list(groups(data['greedy'], 'kernel'))
+    curves = []
+    for number, (kernel,) in enumerate(kernels):
+        line = [r for r in data['greedy'] if r['kernel'] == kernel and r['spacing'] == 1]
+        shift = 1 + 0.05 * (number - 2)  # so that the kernels that never fail do not hide each other
+        name = f'$greedy{number}'
+        drawing.script.append(f'{name} << EOD\n' + ''.join(
+            f'{shift * r["n"]!r} {100 * r["share"]!r} {100 * r["lower"]!r} {100 * r["upper"]!r}\n' for r in line) + 'EOD\n')
+        look = style(number).replace('linespoints', '')
+        curves += [f'{name} with linespoints {look}', f'{name} using 1:2:3:4 with yerrorbars {look}']
+    drawing.panel(0, 0, 'greedy: share of wrong answers, Example 1',
+                  'set logscale x\nset xrange [18:560]\nset yrange [-3:100]\nset xtics (25,100,400)\n'
+                  'set xlabel "points n" offset 0,0.4\nset ylabel "% of draws" offset 1.5,0', curves)
+
+    surfaces = [name for (name,) in groups(data['cmr'], 'surface')]
+    tics = ', '.join(f'"{name}" {i}' for i, name in enumerate(surfaces))
+
+    def largest(surface, kind, key):
+        return 100 * max(abs(r[key]) for r in data['cmr'] if r['surface'] == surface and r['filter'] == kind)
+
+    looks = [('subsample', 'plain_error'), ('mean', 'plain_error'), ('max', 'plain_error'), ('max', 'certified_error')]
+    styles = ['pt 9 lc rgb "#D55E00"', 'pt 5 lc rgb "#0072B2"', 'pt 13 lc rgb "#E69F00"', 'pt 7 lc rgb "#000000"']
+    curves = [drawing.block([(i, max(largest(surface, kind, key), 1e-8)) for i, surface in enumerate(surfaces)]) +
+              f' with points ps 1.3 {styles[number]}' for number, (kind, key) in enumerate(looks)]
+    drawing.panel(1, 0, 'cascade multi-resolution: error of the load',
+                  f'unset logscale x\nset logscale y\nset format y "10^{{%T}}"\nset xrange [-0.6:{len(surfaces) - 0.4}]\nset yrange [1e-8:200]\n'
+                  f'set ytics 1e-8,100,100\nset xtics ({tics}) rotate by 25 right font ",8" noenhanced\nset bmargin at screen {(150 + 85) / 530}\n'
+                  'unset xlabel\nset ylabel "% of the load" offset 1,0', curves)
+    entries = [(f'kernel {kernel}', style(number)) for number, (kernel,) in enumerate(kernels)]
+    names = ['as published, sub-sampled', 'as published, mean', 'as published, max', 'certified']
+    entries += [(name, f'points ps 1.3 {look}') for name, look in zip(names, styles)]
+    drawing.draw(file, entries, 2)
+
+
 def main():
     results, images = sys.argv[1:]
     os.makedirs(images, exist_ok=True)
     speed_accuracy(results, os.path.join(images, 'speed-accuracy.png'))
     scaling(results, os.path.join(images, 'scaling.png'))
+    failures(results, os.path.join(images, 'failures.png'))
 
 
 if __name__ == '__main__':

@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "accuracy.h"
+#include "failures.h"
+#include "histories.h"
 #include "provenance.h"
 #include "scaling.h"
 
@@ -51,7 +53,28 @@ int main(int argc, char** argv) try {
   accurate->add_option("--threads", accuracy.threads, "threads")->check(CLI::Range(1, 1024));
   accurate->add_option("--budget", accuracy.budget, "seconds for repeats of each solve");
   accurate->add_option("--time-limit", accuracy.time_limit, "seconds for one solve; 0: none");
-  for (CLI::App* const command : {scale, accurate}) command->add_option("--json", file, "also write the results to this file");
+
+  bench::HistoriesRequest histories;
+  CLI::App* const history = app.add_subcommand("histories", "loading histories: warm starts against cold ones");
+  history->add_option("--levels", histories.levels, "2^levels points a side")->check(CLI::Range(4, 13));
+  history->add_option("--steps", histories.steps, "of increasing approach")->check(CLI::Range(2, 1000));
+  history->add_option("--seeds", histories.seeds, "of the surfaces")->delimiter(',');
+  history->add_option("--solvers", histories.solvers, "by name, or name+key=value+...; every one that runs on the backend")
+      ->delimiter(',');
+  history->add_option("--backend", histories.backend, "by name");
+  history->add_option("--tol", histories.tol, "certified tolerance");
+  history->add_option("--threads", histories.threads, "threads")->check(CLI::Range(1, 1024));
+  history->add_option("--time-limit", histories.time_limit, "seconds for one step; 0: none");
+
+  bench::FailuresRequest failures;
+  CLI::App* const failure = app.add_subcommand("failures", "the failure atlas: where methods fail, how that shows, what helps");
+  failure->add_option("--row", failures.rows, "families of rows")
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench::failure_families()));
+  failure->add_option("--surface", failures.surface, "a measured surface for the rows of cmr")->check(CLI::ExistingFile);
+  failure->add_flag("--quick", failures.quick, "fewer draws, smaller surfaces");
+  for (CLI::App* const command : {scale, accurate, history, failure})
+    command->add_option("--json", file, "also write the results to this file");
   CLI11_PARSE(app, argc, argv);
 
   if (scale->parsed()) {
@@ -64,6 +87,14 @@ int main(int argc, char** argv) try {
     }
     bench::Json document = {{"benchmark", "scaling"}, {"provenance", bench::provenance(scaling.threads)}};
     document.update(bench::run_scaling(scaling));
+    write(file, document);
+  } else if (failure->parsed()) {
+    bench::Json document = {{"benchmark", "failures"}, {"provenance", bench::provenance(1)}};
+    document.update(bench::run_failures(failures));
+    write(file, document);
+  } else if (history->parsed()) {
+    bench::Json document = {{"benchmark", "histories"}, {"provenance", bench::provenance(histories.threads)}};
+    document.update(bench::run_histories(histories));
     write(file, document);
   } else {
     bench::Json document = {{"benchmark", "accuracy"}, {"provenance", bench::provenance(accuracy.threads)}};

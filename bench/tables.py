@@ -75,11 +75,8 @@ def grid_table(document):
     return table(['scene', 'against', 'load error', 'area error', 'pressure error'], rows)
 
 
-def main():
-    results, file = sys.argv[1:]
-    scaling, accuracy = load(results, 'scaling'), load(results, 'accuracy')
-    sections = {'provenance': provenance(scaling), 'products': product_table(scaling), 'solves': solve_table(scaling),
-                'accuracy': accuracy_table(accuracy), 'discretisation': grid_table(accuracy)}
+def fill(file, sections):
+    """Replaces what stands between the markers of each section of a document."""
     with open(file, encoding='utf-8') as source:
         text = source.read()
     for name, body in sections.items():
@@ -89,6 +86,13 @@ def main():
             sys.exit(f'{file}: no markers "begin {name}" and "end {name}"')
     with open(file, 'w', encoding='utf-8') as out:
         out.write(text)
+
+
+def main():
+    results, file = sys.argv[1:]
+    scaling, accuracy = load(results, 'scaling'), load(results, 'accuracy')
+    fill(file, {'provenance': provenance(scaling), 'products': product_table(scaling), 'solves': solve_table(scaling),
+                'accuracy': accuracy_table(accuracy), 'discretisation': grid_table(accuracy)})
 
 
 if __name__ == '__main__':

@@ -37,3 +37,13 @@ assert len(accuracy['rows']) % 3 == 0 and accuracy['rows']
 for row in accuracy['rows']:
     check_certified(row, row['tol'])
     assert row['load_error'] < max(0.01, 10 * row['tol']), row
+
+failures = run('failures', '--quick')
+assert len(failures['atlas']) > 20 and all(all(row.values()) for row in failures['atlas'])
+assert all(row['dishonest'] == 0 for row in failures['data']['greedy'] + failures['data']['cmr'])
+for row in failures['data']['cmr']:
+    assert row['certified_status'] == 'RC_OK' and abs(row['certified_error']) < 1e-7, row
+
+histories = run('histories', '--levels', '6', '--steps', '4')
+for row in histories['histories']:
+    assert row['status'] == 'RC_OK' and row['load_difference'] < 1e-6, row

@@ -109,7 +109,8 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   Session& session = *outer.session;
   const SolverRun& run = session.run;
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
-  const rc_solver& solver = run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
+  const rc_solver& solver =
+      run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, missing);
 

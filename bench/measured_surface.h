@@ -1,0 +1,26 @@
+// Surfaces from files, and the library's verdict on how well a cascade can see them.
+#pragma once
+
+#include <string>
+
+#include "failure_scenes.h"
+
+namespace bench {
+
+struct MeasuredSurface {
+  std::string name;
+  std::int64_t nx = 0, ny = 0;
+  double hx = 1, hy = 1;
+  Field heights;
+};
+
+// Any format that the command reads; throws.
+MeasuredSurface read_measured(const std::string& file);
+
+struct CmrVerdict {
+  bool trustworthy = false;
+  double unresolved = 0;
+};
+CmrVerdict cmr_verdict(const Scene& scene, std::int32_t halvings);
+
+}  // namespace bench
