@@ -85,7 +85,7 @@ def conditioning_table(document):
 
 def history_table(document):
     rows = []
-    for (solver,), lines in groups([r for r in document['histories'] if 'error' not in r], 'solver').items():
+    for (solver, _), lines in groups([r for r in document['histories'] if 'error' not in r], 'solver', 'backend').items():
         rows.append([f'`{solver}`', f'{lines[0]["n"]}², {lines[0]["backend"]}', str(len(lines)),
                      f'{mean(lines, "cold_products"):.0f}', f'{mean(lines, "warm_products"):.0f}', f'{mean(lines, "ratio"):.2f}',
                      error(max(r['load_difference'] for r in lines)), ', '.join(sorted({r['status'] for r in lines}))])

@@ -29,8 +29,14 @@ History history_of(const HistoriesRequest& request, std::uint64_t seed) {
   return history;
 }
 
-// "solver+key=value+key=value"
-std::vector<std::string> parts_of(const std::string& variant) {
+// "solver+key=value+key=value@backend"
+std::string backend_of(const HistoriesRequest& request, const std::string& variant) {
+  const auto at = variant.find('@');
+  return at == std::string::npos ? request.backend : variant.substr(at + 1);
+}
+
+std::vector<std::string> parts_of(const std::string& named) {
+  const std::string variant = named.substr(0, named.find('@'));
   std::vector<std::string> parts(1);
   for (const char c : variant) {
     if (c == '+')
@@ -44,7 +50,7 @@ std::vector<std::string> parts_of(const std::string& variant) {
 std::vector<rc_result> run(const HistoriesRequest& request, const History& history, const std::string& variant, bool warm) {
   Options options;
   const std::vector<std::string> parts = parts_of(variant);
-  options.set(RC_OPT_SOLVER, parts.front()).set(RC_OPT_BACKEND, request.backend).set(RC_OPT_TOL, request.tol);
+  options.set(RC_OPT_SOLVER, parts.front()).set(RC_OPT_BACKEND, backend_of(request, variant)).set(RC_OPT_TOL, request.tol);
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const auto equals = parts[k].find('=');
     if (equals == std::string::npos) throw Failure("\"" + parts[k] + "\" is not key=value");
@@ -52,6 +58,7 @@ std::vector<rc_result> run(const HistoriesRequest& request, const History& histo
   }
   options.set(RC_OPT_THREADS, static_cast<double>(request.threads)).set(RC_OPT_TIME_LIMIT, request.time_limit);
   options.set(RC_OPT_MAX_ITER, "100000");
+  if (backend_of(request, variant) == "dense") options.set("dense.memory_limit", "16384");
   Contact contact(unit_square(history.n), options);
   std::vector<rc_result> results;
   rc_step step = RC_STEP_INIT;
@@ -102,8 +109,8 @@ Json measure(const HistoriesRequest& request, std::uint64_t seed, const std::str
                      {"warm_status", rc_status_name(warm[k].status)}});
   }
   const bool sound = certified(cold, history) && certified(warm, history);
-  return {{"solver", solver},
-          {"backend", request.backend},
+  return {{"solver", solver.substr(0, solver.find('@'))},
+          {"backend", backend_of(request, solver)},
           {"n", history.n},
           {"seed", seed},
           {"tol", request.tol},
@@ -140,12 +147,19 @@ const std::vector<Column> columns = {{"solver", "solver"},
 Json run_histories(const HistoriesRequest& request) {
   const rc_system system = unit_square(std::int64_t{1} << request.levels);
   Json totals = Json::array(), steps = Json::array();
-  for (const std::string& solver : request.solvers.empty() ? solver_names() : request.solvers) {
-    if (rc_pair_supported(nullptr, parts_of(solver).front().c_str(), request.backend.c_str(), &system, RC_CONTROL_DISPLACEMENT,
+  std::vector<std::string> solvers = request.solvers;
+  if (solvers.empty()) {
+    // The paper's method with the paper's matrix first.
+    solvers = solver_names();
+    if (request.backend != "dense") solvers.insert(solvers.begin(), "nnls@dense");
+  }
+  for (const std::string& solver : solvers) {
+    const std::string backend = backend_of(request, solver);
+    if (rc_pair_supported(nullptr, parts_of(solver).front().c_str(), backend.c_str(), &system, RC_CONTROL_DISPLACEMENT,
                           nullptr) != RC_OK)
       continue;
     for (const std::uint64_t seed : request.seeds) {
-      std::cerr << solver << " on " << request.backend << ", seed " << seed << "\n";
+      std::cerr << parts_of(solver).front() << " on " << backend << ", seed " << seed << "\n";
       Json row = in_child([&] { return measure(request, seed, solver); });
       if (!row.contains("error")) {
         for (const Json& step : row.at("steps")) steps.push_back(step);

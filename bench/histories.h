@@ -14,7 +14,7 @@ struct HistoriesRequest {
   double hurst = 0.7;
   double tol = 1e-8;
   std::vector<std::uint64_t> seeds{1};
-  std::vector<std::string> solvers;  // by name, or name+key=value+...; empty: every one that runs on the backend
+  std::vector<std::string> solvers;  // name, name+key=value+..., either with @backend; empty: every one, and nnls@dense
   std::string backend = "fft";
   std::int64_t threads = 1;
   double time_limit = 120;  // seconds for one step; 0: none

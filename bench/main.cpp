@@ -59,7 +59,7 @@ int main(int argc, char** argv) try {
   history->add_option("--levels", histories.levels, "2^levels points a side")->check(CLI::Range(4, 13));
   history->add_option("--steps", histories.steps, "of increasing approach")->check(CLI::Range(2, 1000));
   history->add_option("--seeds", histories.seeds, "of the surfaces")->delimiter(',');
-  history->add_option("--solvers", histories.solvers, "by name, or name+key=value+...; every one that runs on the backend")
+  history->add_option("--solvers", histories.solvers, "name, name+key=value+..., either with @backend; every one, and nnls@dense")
       ->delimiter(',');
   history->add_option("--backend", histories.backend, "by name");
   history->add_option("--tol", histories.tol, "certified tolerance");

@@ -143,7 +143,7 @@ struct rc_problem {
   rc_status (*poll)(const rc_problem *, int64_t iteration, double kkt);
   double lambda_min;   /* a lower bound of the eigenvalues of H; 0: none is known                              */
   int32_t positive;    /* 1: no entry of H is negative                                                         */
-  int32_t reserved1;
+  int32_t factors;     /* 1: subset() is the backend's factorisation; 0: iterations with products              */
   const rc_grid *grid; /* NULL for the caller's matrix and product                                             */
   /** (H + rho I) x = b: the backend's, or conjugate gradients to a relative residual of tol. x: start in, answer
    *  out. NULL if fallbacks are off and the backend has none. */

@@ -167,6 +167,7 @@ void Session::connect(BoundProblem& problem) {
   problem.poll = poll;
   problem.lambda_min = run.lambda_min;
   problem.positive = run.positive;
+  problem.factors = (caps & RC_CAP_SUBSET) != 0;
   problem.shifted = run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
   problem.norm = (caps & RC_CAP_NORM) ? norm : nullptr;
   problem.inner = inner;

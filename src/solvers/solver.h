@@ -39,6 +39,7 @@ class Problem {
   void shifted(double rho, double tol, const Vector& b, Vector& x) const {
     check(problem_.shifted(&problem_, rho, tol, b.data(), x.data()));
   }
+  bool factors() const { return problem_.factors != 0; }  // systems on subsets cost no products
   bool has_norm() const { return problem_.norm != nullptr; }
   double norm() const {  // of H, Frobenius
     double value = 0;

@@ -286,7 +286,7 @@ AT(rc_problem, subset, 56);
 AT(rc_problem, poll, 64);
 AT(rc_problem, lambda_min, 72);
 AT(rc_problem, positive, 80);
-AT(rc_problem, reserved1, 84);
+AT(rc_problem, factors, 84);
 AT(rc_problem, grid, 88);
 AT(rc_problem, shifted, 96);
 AT(rc_problem, norm, 104);
