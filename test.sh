@@ -54,7 +54,7 @@ if [ "$quick" != --quick ]; then
 
   stage "clang, warnings are errors, quick tests"
   if build clang; then
-    run_tests clang -LE slow
+    RC_TEST_QUICK=1 run_tests clang -LE slow
     check .ci/tidy.sh build-clang
   fi
 
