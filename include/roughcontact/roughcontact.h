@@ -149,7 +149,7 @@ typedef struct rc_result {
   char note[160];      /* operations the core had to substitute and remarks of the solver; "" if none       */
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
                           this and the bounds below: NaN (counts: -1) where no proof is known or option
-                          bounds is 0                                                                       */
+                          bounds is 0. Full periodic contact: NaN, and intervals that exclude nothing       */
   double load_lower, load_upper; /* the exact load at this approach lies between [force]                    */
   double area_lower, area_upper; /* and the exact contact area [length^2]                                   */
   int64_t proven_contacts; /* points proven to be in contact                                                */
@@ -344,7 +344,8 @@ RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_s
 /** @} */
 
 /** @defgroup contact Contact: one system, many steps  @{ */
-/** Checks the system, the options and the names in them; a caller's matrix is read and a caller's product is tried
+/** Checks the system, the options and the names in the core's; those in options of components (cmr.inner) are
+ *  looked up by the step that uses them. A caller's matrix is read and a caller's product is tried
  *  once. Operators are built by the steps that need them. options may be NULL (defaults, default context); they are
  *  copied. Errors: ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, NO_BACKEND, NO_SOLVER, PLUGIN, MEMORY, NUMERIC, EXTERNAL. */
 RC_API rc_status rc_contact_create(const rc_system *system, const rc_options *options, rc_contact **out);
@@ -399,7 +400,7 @@ RC_API rc_status rc_admm(int64_t n, const double *H, int64_t ld, const double *u
 /** Cascade multi-resolution (Algorithm 6) on a height map of nx*ny cells hx x hy, free boundaries, tolerance 1e-8.
  *  heights: the largest touches first; delta: compression below it; levels: grids of the cascade, the given one
  *  included; h: radius of influence in coarse cells, >= 1; inner: solver on every level, NULL: chosen by the core;
- *  p [nx*ny]: pressures out [force/length^2]. Errors: as above, and NO_SOLVER. */
+ *  p [nx*ny]: pressures out [force/length^2]. Errors: as above, and NO_SOLVER, INCOMPATIBLE. */
 RC_API rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, const double *heights, double delta,
                         int64_t levels, double h, const char *inner, double *p, rc_direct *result);
 /** @} */

@@ -99,7 +99,7 @@ class Contact {
                              rc_result& result);
   void deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
   double fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const;
-  void name_components(const Answer& answer, rc_result& result) const;
+  void name_components(const Answer& answer, rc_result& result);
   double stiffness(const Answer& answer) const;
   std::int64_t applications() const;
 

@@ -16,29 +16,37 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
 
-std::string explain(rc_status status, const rc_result& result, double tol) {
+std::string explain(rc_status status, const rc_result& result, double tol, const std::vector<std::string>& remarks) {
+  std::string whole;
+  for (const std::string& remark : remarks) whole += "; " + remark;
   return join(rc_status_text(status), ": kkt_primal ", result.kkt_primal, ", kkt_dual ", result.kkt_dual,
               ", kkt_complementarity ", result.kkt_complementarity, ", kkt_control ", result.kkt_control, ", tol ", tol,
-              ", after ", result.iterations, " iterations", result.note[0] ? "; " : "", result.note);
+              ", after ", result.iterations, " iterations", whole);
 }
 
 }  // namespace
 
-void Contact::name_components(const Answer& answer, rc_result& result) const {
+void Contact::name_components(const Answer& answer, rc_result& result) {
   copy_text(result.kernel, system_.kernel.c_str());
   copy_text(result.solver, answer.choice.solver ? answer.choice.solver->name : "none");
   copy_text(result.backend, answer.choice.backend ? answer.choice.backend->name : "none");
+  const std::uint64_t needs = answer.choice.solver ? answer.choice.solver->needs : 0;
+  const auto replaced = [&](std::uint64_t operation, const char* systems) {
+    if (answer.op && !(answer.op->capabilities() & operation))
+      remarks_.push_back(join(systems, " by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor"));
+  };
+  if (answer.handed_over) remarks_.push_back("load control of the solver stalled: iteration on the approach instead");
+  if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
+  if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
+  // Whole remarks only, the solver's first.
   std::string note;
-  if (answer.handed_over) note = "load control of the solver stalled: iteration on the approach instead";
-  const bool needs_subset = answer.handed_over || (answer.choice.solver && (answer.choice.solver->needs & RC_CAP_SUBSET) != 0);
-  if (answer.op && needs_subset && !answer.op->has_subset())
-    note += join(note.empty() ? "" : "; ", "systems on subsets by conjugate gradients: backend \"", answer.op->name(),
-                 "\" cannot factor");
-  const bool needs_shifted = answer.choice.solver && (answer.choice.solver->needs & RC_CAP_SHIFTED) != 0;
-  if (answer.op && needs_shifted && !(answer.op->capabilities() & RC_CAP_SHIFTED))
-    note += join(note.empty() ? "" : "; ", "shifted systems by conjugate gradients: backend \"", answer.op->name(),
-                 "\" cannot factor");
-  for (const std::string& remark : remarks_) note += (note.empty() ? "" : "; ") + remark;
+  for (const std::string& remark : remarks_) {
+    if (note.size() + remark.size() + 6 > sizeof result.note) {
+      note += note.empty() ? remark : "; ...";
+      break;
+    }
+    note += (note.empty() ? "" : "; ") + remark;
+  }
   copy_text(result.note, note.c_str());
 }
 
@@ -140,7 +148,7 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
   result.applications = applications() - applications_before_;
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
-  if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL), remarks_).c_str());
   deliver(std::move(p), product, result);
   return result.status;
 }
@@ -159,14 +167,17 @@ double Contact::fitting_approach(const std::vector<double>& p, const std::vector
 
 rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   if (!result.p) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
-  begin(step);
-  const Monitor monitor(cancelled_, {}, 0, 1);
   const std::vector<double> p(result.p, result.p + system_.points());
-  TrialSet trial;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p[i], " is not finite");
+    if (p[i] != 0 && (step.mask ? step.mask[i] == 0 : !step.gap && !surface_.empty() && !surface_.included(i)))
+      fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p[i], " but this point is excluded by the mask");
+  }
+  begin(step);
+  const Monitor monitor(cancelled_, {}, 0, 1);
+  TrialSet trial;
+  for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i] == 0) continue;
-    if (!surface_.included(i)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p[i], " but this point is excluded by the mask");
     trial.index.push_back(static_cast<std::int64_t>(i));
   }
   trial.n = static_cast<std::int64_t>(trial.index.size());
@@ -196,7 +207,7 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   result.applications = applications() - applications_before_;
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
-  if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL)).c_str());
+  if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL), remarks_).c_str());
   if (result.gap) std::copy(product.begin(), product.end(), result.gap);
   return result.status;
 }

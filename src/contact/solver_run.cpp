@@ -11,6 +11,14 @@ namespace rc {
 
 namespace {
 
+// Throws where this solver cannot run inside this run.
+void require(const rc_solver& solver, const SolverRun& run, const char* as) {
+  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.gap)
+    fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
+  if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
+    fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
+}
+
 struct Session;
 
 // What the callbacks of rc_problem find behind it.
@@ -111,8 +119,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
   const rc_solver& solver =
       run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
-  if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
-    fail(RC_ERR_INCOMPATIBLE, missing);
+  require(solver, run, "a solver inside a solver");
 
   BoundProblem problem{};
   problem.session = &session;
@@ -190,7 +197,11 @@ rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d)
   const std::string& name = session.run.options.text(RC_OPT_WARMUP);
   if (name == "none" || name == session.run.solver.name) return RC_OK;
   const rc_solver& solver = session.run.context.solver(name);
-  if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) return RC_OK;
+  if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
+    session.run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
+    return RC_OK;
+  }
+  require(solver, session.run, "warmup");
   problem.most_iterations = session.run.options.integer(RC_OPT_WARMUP_ITERATIONS);
   const rc_status status = session.solve(solver, problem, p, d);
   problem.most_iterations = std::numeric_limits<std::int64_t>::max();

@@ -127,26 +127,40 @@ class Cascade {
   Mask near_contacts(const Level& level, const Vector& p, std::int64_t nx, std::int64_t ny) const {
     // A coarse point stands where its one fine point is, or in the middle of the block it was made of.
     const double offset = filter_ == Filter::subsample ? 0 : 0.5, reach = 2 * radius_;
-    const auto span = static_cast<std::int64_t>(std::ceil(reach + offset));
+    const auto rows = std::min(static_cast<std::int64_t>(std::ceil(reach + offset)), ny);
     Mask near(static_cast<std::size_t>(nx * ny), 0);
     bool any = false;
     for (std::int64_t j = 0; j < level.ny; ++j)
       for (std::int64_t i = 0; i < level.nx; ++i) {
         if (!(p[static_cast<std::size_t>(j * level.nx + i)] > 0)) continue;
         any = true;
-        for (std::int64_t dy = -span; dy <= span; ++dy)
-          for (std::int64_t dx = -span; dx <= span; ++dx) {
-            const double x = static_cast<double>(dx) - offset, y = static_cast<double>(dy) - offset;
-            if (x * x + y * y > reach * reach * (1 + 1e-12)) continue;
-            std::int64_t ix = 2 * i + dx, iy = 2 * j + dy;
-            if (periodic()) {
-              ix = (ix % nx + nx) % nx;
-              iy = (iy % ny + ny) % ny;
-            }
-            if (ix >= 0 && ix < nx && iy >= 0 && iy < ny) near[static_cast<std::size_t>(iy * nx + ix)] = 1;
-          }
+        for (std::int64_t dy = -rows; dy <= rows; ++dy) {
+          const double y = static_cast<double>(dy) - offset, squared = reach * reach * (1 + 1e-12) - y * y;
+          if (squared < 0) continue;
+          const double center = static_cast<double>(2 * i) + offset, half = std::sqrt(squared);
+          mark_row(near, nx, ny, 2 * j + dy, static_cast<std::int64_t>(std::ceil(center - half)),
+                   static_cast<std::int64_t>(std::floor(center + half)));
+        }
       }
     return any ? near : Mask{};
+  }
+
+  // Points first .. last of a row, which may lie beyond the grid.
+  void mark_row(Mask& near, std::int64_t nx, std::int64_t ny, std::int64_t row, std::int64_t first, std::int64_t last) const {
+    const auto fill = [&](std::int64_t from, std::int64_t to) {
+      if (from <= to) std::fill(near.begin() + row * nx + from, near.begin() + row * nx + to + 1, std::uint8_t{1});
+    };
+    if (!periodic()) {
+      if (row >= 0 && row < ny) fill(std::max<std::int64_t>(first, 0), std::min(last, nx - 1));
+      return;
+    }
+    row = (row % ny + ny) % ny;
+    if (last - first + 1 >= nx) return fill(0, nx - 1);
+    first = (first % nx + nx) % nx;
+    last = (last % nx + nx) % nx;
+    if (first <= last) return fill(first, last);
+    fill(0, last);
+    fill(first, nx - 1);
   }
 
   // The candidates of the trial set only; product: null, or H p over all unknowns.

@@ -46,7 +46,9 @@ class Iteration {
 
   rc_status run() {
     start();
-    return iterate();
+    const rc_status status = iterate();
+    d_ -= mean_ * load();  // back to the operator as given
+    return status;
   }
 
  private:
@@ -76,16 +78,25 @@ class Iteration {
       const double longest = std::max(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
       const double mean = longest / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
       for (double& value : table.k) value += mean;
+      if (load_control()) mean_ = mean;
     }
     trees_.emplace_back(mx, my, table, false);
     trees_.emplace_back(mx, my, table, true);
   }
 
+  // The operator with the trees' mean: while the load is prescribed that only shifts the approach, and without it the load of a
+  // periodic contact would have no curvature.
+  void apply(const Vector& x, Vector& y) const {
+    problem_.apply(x, y);
+    if (mean_ == 0) return;
+    const double mean = mean_ * sum_of(n_, [&](std::size_t i) { return x[i]; });
+    for (double& value : y) value += mean;
+  }
   bool load_control() const { return problem_.load_control(); }
-  double scale() const { return load_control() ? std::max(d_ + highest_, 1e-300) : 1.0; }
+  double scale() const { return load_control() ? std::max(d_ - mean_ * problem_.load() + highest_, 1e-300) : 1.0; }
 
   void refresh() {
-    problem_.apply(p_, w_);
+    apply(p_, w_);
     for (std::size_t i = 0; i < n_; ++i) w_[i] -= u_[i] + shift();
     since_refresh_ = 0;
   }
@@ -94,6 +105,7 @@ class Iteration {
   void start() {
     const bool warm = std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
     if (load_control() && !(d_ > 0)) d_ = 0.5;
+    if (load_control()) d_ += mean_ * problem_.load();
     if (!warm) {
       for (std::size_t i = 0; i < n_; ++i) w_[i] = -(u_[i] + shift());
     } else {
@@ -157,7 +169,7 @@ class Iteration {
       beta = tq > 0 ? std::max(0.0, -on_set(z_, q_) / tq) : 0;
     }
     for (std::size_t i = 0; i < n_; ++i) t_[i] = set_[i] ? z_[i] + beta * t_[i] : 0.0;
-    problem_.apply(t_, q_);
+    apply(t_, q_);
     conjugate_ = true;
     const double curvature = on_set(t_, q_), slope = on_set(w_, t_);
     if (std::isnan(curvature)) problem_.fail("haar-cg: the operator returned values that are not finite");
@@ -185,7 +197,7 @@ class Iteration {
     }
     if (++since_refresh_ >= refresh_every) return refresh();
     if (!any) return;
-    problem_.apply(z_, hz_);
+    apply(z_, hz_);
     for (std::size_t i = 0; i < n_; ++i) w_[i] += hz_[i];
   }
 
@@ -197,8 +209,8 @@ class Iteration {
     const double pending = sum_of(n_, [&](std::size_t i) { return z_[i] * w_[i]; });
     if (!(sum > 0)) return;
     const double depth = scale();
-    const double change =
-        std::clamp((problem_.load() - load() + slope_excess * pending) / (slope_excess * sum), -0.5 * depth, depth);
+    const double change = std::clamp((problem_.load() - load() + slope_excess * pending) / (slope_excess * sum), -0.5 * depth,
+                                     std::max(depth, mean_ * problem_.load()));
     d_ += change;
     for (double& value : w_) value -= change;
   }
@@ -270,6 +282,7 @@ class Iteration {
   double& d_;  // approach, in load control
   const Vector u_;
   Vector w_, t_, q_, z_, hz_;       // H p - u, direction, H t, preconditioned residual or what was cut off, its product
+  double mean_ = 0;                 // what the trees' operator adds to every coefficient, in periodic load control
   double highest_ = 0;              // largest u
   std::vector<std::size_t> cell_;   // of each unknown in the box
   std::vector<char> set_, active_;  // contact set: of the unknowns, of the cells
