@@ -18,7 +18,7 @@ bool supported(const std::string& solver, const std::string& backend, const rc_s
 
 // Backends whose cost grows with a power of the candidates instead of the grid model the candidates only.
 bool affordable(const AccuracyRequest& request, const std::string& backend, const AccuracyScene& scene) {
-  return backend != "dense" || scene.candidates() <= request.most_factored;
+  return backend == "fft" || scene.candidates() <= request.most_factored;
 }
 
 Json measure(const AccuracyRequest& request, const AccuracyScene& scene, const std::string& solver, const std::string& backend,
@@ -82,7 +82,7 @@ Json run_accuracy(const AccuracyRequest& request) {
     for (const Json& grid : scene.discretisation) grids.push_back(grid);
     const rc_system system = unit_square(scene.n);
     for (const std::string& backend : backend_names())
-      for (const std::string& solver : solver_names())
+      for (const std::string& solver : request.solvers)
         if (supported(solver, backend, system) && affordable(request, backend, scene))
           measure_pair(request, scene, solver, backend, rows);
   }

@@ -1,4 +1,4 @@
-// Speed against accuracy: every solver on every backend it can run on, at a sequence of tolerances, against the truth.
+// Speed against accuracy: solvers on every backend they can run on, at a sequence of tolerances, against the truth.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@ namespace bench {
 
 struct AccuracyRequest {
   std::vector<std::string> scenes{"hertz", "self-affine-256", "self-affine-512"};
+  std::vector<std::string> solvers{"haar-cg", "nnls", "polonsky-keer"};
   std::vector<int> digits{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};  // tolerances 10^-digits
   std::int64_t threads = 1;
   double budget = 0.5;                // seconds for repeats of a solve

@@ -47,8 +47,9 @@ int main(int argc, char** argv) try {
 
   bench::AccuracyRequest accuracy;
   accuracy.threads = available;
-  CLI::App* const accurate = app.add_subcommand("accuracy", "speed against accuracy of every solver on every backend");
+  CLI::App* const accurate = app.add_subcommand("accuracy", "speed against accuracy of solvers on every backend");
   accurate->add_option("--scenes", accuracy.scenes, "hertz, self-affine-N")->delimiter(',');
+  accurate->add_option("--solvers", accuracy.solvers, "by name")->delimiter(',');
   accurate->add_option("--digits", accuracy.digits, "tolerances 10^-digits")->delimiter(',')->check(CLI::Range(1, 15));
   accurate->add_option("--threads", accuracy.threads, "threads")->check(CLI::Range(1, 1024));
   accurate->add_option("--budget", accuracy.budget, "seconds for repeats of each solve");
