@@ -138,7 +138,8 @@ typedef struct rc_result {
   double stiffness;    /* dW/dd of the contact set [force/length], infinite in full periodic contact;
                           NaN unless option stiffness is 1                                                  */
   double kkt_primal;   /* max(0, -min p) / max|p|                                                           */
-  double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h)                                */
+  double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h); periodic: s is at least a quarter of
+                          max p sqrt(hx hy) / E*                                                            */
   double kkt_complementarity; /* max over all points of min(p / max p, |g| / s)                             */
   double kkt_control;  /* |load - W| / W, 0 in displacement control                                         */
   double seconds;      /* solving and certifying                                                            */

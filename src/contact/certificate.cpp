@@ -21,7 +21,7 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 double load_imbalance(double load, double wanted) { return relative(std::abs(load - wanted), wanted); }
 
 Certificate certify(const SurfaceState& surface, double approach, std::span<const double> p, std::span<const double> product,
-                    std::span<double> gap) {
+                    double least_deflection, std::span<double> gap) {
   const std::span<const double> h = surface.gap();
   double largest_p = 0, least_p = 0, least_gap = 0, worst = 0;
   bool finite = true;
@@ -29,7 +29,7 @@ Certificate certify(const SurfaceState& surface, double approach, std::span<cons
     largest_p = std::max(largest_p, std::abs(p[i]));
     least_p = std::min(least_p, p[i]);
   }
-  const double scale = std::max(0.0, approach - surface.lowest());
+  const double scale = std::max(least_deflection * largest_p, approach - surface.lowest());
   for (std::size_t i = 0; i < p.size(); ++i) {
     gap[i] = product[i] - (approach - h[i]);
     if (!surface.included(i)) continue;

@@ -18,8 +18,10 @@ struct Certificate {
 };
 
 // p and product = H p over all points [pressure, length], gap out: g = H p + h - d. Excluded points have p = 0 and do not count.
+// least_deflection: of a cell under unit pressure on it alone; in full periodic contact the compenetration may vanish under any
+// pressure, and residuals are relative to what the largest pressure does by itself.
 Certificate certify(const SurfaceState& surface, double approach, std::span<const double> p, std::span<const double> product,
-                    std::span<double> gap);
+                    double least_deflection, std::span<double> gap);
 
 // |load - wanted| / wanted; 0 if both are 0.
 double load_imbalance(double load, double wanted);

@@ -100,6 +100,7 @@ class Contact {
   void deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
   double fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const;
   void name_components(const Answer& answer, rc_result& result);
+  double least_deflection() const;
   double stiffness(const Answer& answer) const;
   std::int64_t applications() const;
 

@@ -93,7 +93,9 @@ class Iteration {
     for (double& value : y) value += mean;
   }
   bool load_control() const { return problem_.load_control(); }
-  double scale() const { return load_control() ? std::max(d_ - mean_ * problem_.load() + highest_, 1e-300) : 1.0; }
+  double scale() const {
+    return load_control() ? std::max({d_ - mean_ * problem_.load() + highest_, problem_.least_scale(), 1e-300}) : 1.0;
+  }
 
   void refresh() {
     apply(p_, w_);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int block_attempts = 10;           // exchanges without a smaller number of infeasible points
 constexpr std::int64_t start_directly = 64;  // up to so many points the first set is {u > 0}; beyond, gradient steps find it
-constexpr std::int64_t gradient_steps = 30;
+constexpr std::int64_t gradient_steps = 30, warm_gradient_steps = 25;
 constexpr double round_off = 1e-15;  // of a pressure that has vanished, relative to the largest
 
 class Pivoting {
@@ -91,7 +91,7 @@ class Pivoting {
     if ((cold || !problem_.factors()) && problem_.size() > start_directly) {
       GradientSettings settings;
       settings.lipschitz = largest_eigenvalue(problem_);
-      settings.steps = gradient_steps;
+      settings.steps = cold ? gradient_steps : warm_gradient_steps;
       settings.polls = false;
       double unused = 0;
       if (settings.lipschitz > 0) gradient_projection(problem_, p_, unused, settings);

@@ -106,7 +106,7 @@ class Iteration {
       for (std::size_t i = 0; i < n_; ++i) count += p_[i] > 0;
       approach_ = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? hp_[i] - u_[i] : 0.0; }) / count;
       d_ = approach_;
-      scale = approach_ + highest_;
+      scale = std::max(approach_ + highest_, problem_.least_scale());
       if (!(scale > 0)) return infinite;
     }
     double largest = 0;

@@ -15,7 +15,7 @@ Residual residual_of(const Problem& problem, const Vector& p, const Vector& hp) 
   if (problem.load_control()) {
     const double count = sum_of(n, [&](std::size_t i) { return p[i] > 0 ? 1.0 : 0.0; });
     result.approach = sum_of(n, [&](std::size_t i) { return p[i] > 0 ? hp[i] - u[i] : 0.0; }) / count;
-    result.scale = result.approach + *std::max_element(u, u + n);
+    result.scale = std::max(result.approach + *std::max_element(u, u + n), problem.least_scale());
   }
   for (std::size_t i = 0; i < n; ++i) {
     const double gap = hp[i] - u[i] - result.approach, violation = p[i] > 0 ? std::abs(gap) : -gap;

@@ -27,6 +27,11 @@ class Problem {
   const double* u() const { return problem_.u; }
   double load() const { return problem_.load; }
   double tol() const { return problem_.tol; }
+  // What residuals are at least relative to: in full periodic contact the compenetration may vanish under any load.
+  double least_scale() const {
+    const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;
+    return periodic && load_control() ? 0.25 * problem_.load / static_cast<double>(problem_.n) : 0.0;
+  }
 
   // y = H x
   void apply(const Vector& x, Vector& y) const { check(problem_.apply(&problem_, x.data(), y.data())); }

@@ -70,6 +70,22 @@ void periodic_load_control_needs_no_hand_over() {
   }
 }
 
+// The compenetration of the flattest contact is 0 under any load.
+void flat_on_flat_is_certified() {
+  for (const char* solver : {"haar-cg", "polonsky-keer", "nnls", "gp"})
+    for (const double bump : {0.0, 1e-9, 1e-3}) {
+      Problem problem;
+      problem.system.nx = 16;
+      problem.system.ny = 12;
+      problem.system.boundary = RC_BOUNDARY_PERIODIC;
+      problem.gap.assign(problem.points(), 0.1);
+      for (std::size_t i = 0; i < problem.points(); i += 5) problem.gap[i] += bump;
+      const double load = 3.7;
+      const Answer answer = solved(at_load(problem, load), {solver, "fft"}, {{"tol", "1e-9"}});
+      check_equal(answer.result.contacts, static_cast<std::int64_t>(problem.points()), "contacts");
+    }
+}
+
 void refused_certificate_changes_nothing() {
   const Problem problem = rough_problem(16, 16);
   const Contact contact(problem, {"nnls", "dense"});
@@ -113,6 +129,7 @@ int main(int argc, char** argv) {
                     {"every_solver_warms_up_every_other", every_solver_warms_up_every_other},
                     {"warm_up_without_load_control_is_named", warm_up_without_load_control_is_named},
                     {"periodic_load_control_needs_no_hand_over", periodic_load_control_needs_no_hand_over},
+                    {"flat_on_flat_is_certified", flat_on_flat_is_certified},
                     {"refused_certificate_changes_nothing", refused_certificate_changes_nothing},
                     {"note_is_never_cut", note_is_never_cut},
                     {"area_wider_than_the_grid_keeps_everything", area_wider_than_the_grid_keeps_everything}},
