@@ -10,7 +10,7 @@ mkdir -p bench/results
 "$build/bin/roughcontact-bench" scaling --json bench/results/scaling.json
 "$build/bin/roughcontact-bench" accuracy --time-limit 60 --json bench/results/accuracy.json
 "$build/bin/roughcontact-bench" failures ${surface:+--surface "$surface"} --json bench/results/failures.json
-"$build/bin/roughcontact-bench" histories --seeds 1,2,3 --json bench/results/histories.json
+"$build/bin/roughcontact-bench" histories --seeds 1,2 --json bench/results/histories.json
 printed=nnls+nnls.pivoting=single
 "$build/bin/roughcontact-bench" histories --levels 7 --backend dense --json bench/results/paper.json --solvers \
   "polonsky-keer,nnls,$printed,$printed+warmup=gp+warmup.iterations=100,greedy,greedy+greedy.inner=cholesky,admm,gp,cmr,haar-cg"
