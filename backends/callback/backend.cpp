@@ -73,6 +73,8 @@ const rc_backend backend = {sizeof(rc_backend),
                             Functions::modelled,
                             nullptr,
                             nullptr,
+                            nullptr,
+                            nullptr,
                             nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {

@@ -43,7 +43,9 @@ const rc_backend backend = {sizeof(rc_backend),
                             Functions::modelled,
                             Functions::subset,
                             Functions::shifted,
-                            Functions::norm};
+                            Functions::norm,
+                            nullptr,
+                            nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {
     sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "cholmod", "0.1.0", 1, 0, backends, nullptr};

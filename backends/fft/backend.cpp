@@ -35,7 +35,9 @@ const rc_backend backend = {sizeof(rc_backend),
                             Functions::modelled,
                             nullptr,
                             nullptr,
-                            Functions::norm};
+                            Functions::norm,
+                            nullptr,
+                            nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "fft", "0.1.0", 1, 0, backends, nullptr};
 

@@ -23,7 +23,7 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
       spec_(spec),
       effort_(planning_effort(host, spec.options)),
-      workers_(roughcontact::option_int(host, spec.options, "threads")),
+      team_(*spec.team),
       whole_(spec.system->nx, spec.system->ny) {
   const rc_system& system = *spec.system;
   if (system.op != RC_OPERATOR_HALFSPACE)
@@ -60,7 +60,7 @@ void Operator::field(const double* x, double* y) { field_transform().multiply(po
 double Operator::norm() {
   const Lengths lengths =
       periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
-  Transform squares(host_, lengths, box_.ny, effort_, workspace_, workers_);
+  Transform squares(host_, lengths, box_.ny, effort_, workspace_, team_);
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
   squares.load_squares(host_, spec_, periodic() ? mean : 0.0);
   const std::vector<double> ones(static_cast<std::size_t>(points_.count()), 1.0);
@@ -85,7 +85,7 @@ Transform& Operator::field_transform() {
 void Operator::build(std::optional<Transform>& transform, Lengths lengths, std::int64_t rows) {
   if (transform && transform->lengths() == lengths) return;
   transform.reset();
-  transform.emplace(host_, lengths, rows, effort_, workspace_, workers_);
+  transform.emplace(host_, lengths, rows, effort_, workspace_, team_);
   try {
     if (periodic())
       transform->load_periodic(host_, spec_);

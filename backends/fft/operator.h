@@ -8,7 +8,6 @@
 #include "failure.h"
 #include "points.h"
 #include "transform.h"
-#include "workers.h"
 
 namespace rc_fft {
 
@@ -35,7 +34,7 @@ class Operator {
   const rc_host* host_;
   rc_operator_spec spec_;
   unsigned effort_;
-  Workers workers_;
+  const rc_team& team_;
   Workspace workspace_;
 
   Box box_;        // that the domain's products are made on

@@ -30,7 +30,7 @@ void Transform::load_coefficients(const rc_host* host, const rc_operator_spec& s
 
   // From the table, kept where the eigenvalues will be, along x into rows of half_x, then along y.
   double* const table = workspace_.rows.data();
-  workers_.for_each(my, parallel_, [&](std::int64_t iy, std::int64_t thread) {
+  roughcontact::for_each(team_, my, parallel_, [&](std::int64_t iy, std::int64_t thread) {
     double* const line = scratch(thread);
     double* const transformed = line + aligned(nx);
     extend_evenly(spectrum_.data() + iy * mx, 1, mx, line, 1, nx);
@@ -38,7 +38,7 @@ void Transform::load_coefficients(const rc_host* host, const rc_operator_spec& s
     for (std::int64_t kx = 0; kx < half_x; ++kx) table[iy * half_x + kx] = transformed[2 * kx];
   });
   const double factor = scale();
-  workers_.for_each(layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
+  roughcontact::for_each(team_, layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
     const std::int64_t first = block * columns_per_block, last = std::min(first + columns_per_block, half_x);
     double* const column = scratch(thread);
     for (std::int64_t kx = first; kx < last; ++kx) {

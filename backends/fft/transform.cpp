@@ -44,10 +44,10 @@ Layout::Layout(Lengths l) : lengths(l), half_x(l.x / 2 + 1), half_y(l.y / 2 + 1)
 }
 
 Transform::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, unsigned effort, Workspace& workspace,
-                     Workers& workers)
+                     const rc_team& team)
     : layout_(lengths),
       workspace_(workspace),
-      workers_(workers),
+      team_(team),
       parallel_(static_cast<double>(lengths.x) * static_cast<double>(lengths.y) >= least_parallel) {
   reserve(rows);
   spectrum_.reserve(layout_.half_x, layout_.half_y, lengths);
@@ -57,7 +57,7 @@ Transform::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, un
 void Transform::reserve(std::int64_t rows) {
   // While eigenvalues are made, the rows hold half_y rows of half_x real values.
   workspace_.rows.reserve(std::max(rows, (layout_.half_y + 1) / 2), layout_.row_stride, layout_.lengths);
-  workspace_.scratch.reserve(workers_.threads(), layout_.scratch, layout_.lengths);
+  workspace_.scratch.reserve(team_.threads, layout_.scratch, layout_.lengths);
 }
 
 void Transform::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x, const Points& targets,
@@ -70,7 +70,7 @@ void Transform::multiply(const Points& sources, std::int64_t x0, std::int64_t y0
 
 void Transform::rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x) {
   const std::int64_t items = (sources.rows() + rows_per_item - 1) / rows_per_item;
-  workers_.for_each(items, parallel_, [&](std::int64_t item, std::int64_t thread) {
+  roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
     double* const line = scratch(thread);
     std::fill_n(line, layout_.lengths.x, 0.0);
     const std::int64_t end = std::min((item + 1) * rows_per_item, sources.rows());
@@ -86,7 +86,7 @@ void Transform::rows_forward(const Points& sources, std::int64_t x0, std::int64_
 }
 
 void Transform::columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows) {
-  workers_.for_each(layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
+  roughcontact::for_each(team_, layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
     const std::int64_t first = block * columns_per_block;
     const std::int64_t stride = layout_.column_stride, length = layout_.lengths.y;
     double* const block_columns = scratch(thread);
@@ -119,7 +119,7 @@ void Transform::columns(std::int64_t y0, std::int64_t source_rows, std::int64_t 
 
 void Transform::rows_backward(const Points& targets, double* y) {
   const std::int64_t items = (targets.rows() + rows_per_item - 1) / rows_per_item;
-  workers_.for_each(items, parallel_, [&](std::int64_t item, std::int64_t thread) {
+  roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
     double* const line = scratch(thread);
     const std::int64_t end = std::min((item + 1) * rows_per_item, targets.rows());
     for (std::int64_t i = item * rows_per_item; i < end; ++i) {

@@ -9,7 +9,6 @@
 #include "lengths.h"
 #include "plan.h"
 #include "points.h"
-#include "workers.h"
 
 namespace rc_fft {
 
@@ -38,7 +37,7 @@ struct Workspace {
 class Transform {
  public:
   // Makes room for targets in `rows` rows; more is made when asked for.
-  Transform(const rc_host* host, Lengths lengths, std::int64_t rows, unsigned effort, Workspace& workspace, Workers& workers);
+  Transform(const rc_host* host, Lengths lengths, std::int64_t rows, unsigned effort, Workspace& workspace, const rc_team& team);
 
   Lengths lengths() const { return layout_.lengths; }
 
@@ -67,7 +66,7 @@ class Transform {
 
   Layout layout_;
   Workspace& workspace_;
-  Workers& workers_;
+  const rc_team& team_;
   bool parallel_;
   std::optional<Plans> plans_;
   Buffer spectrum_;  // eigenvalues / (x y lengths), [column][wave number along y]

@@ -13,7 +13,7 @@
 #include "roughcontact.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 1u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 2u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -41,12 +41,23 @@ struct rc_host {
   rc_status (*symbol)(const rc_host *, const rc_system *, const char *kernel, double *out);
 };
 
+/** The threads of one contact (option threads). Used by one thread at a time, not from inside a task. */
+typedef struct rc_team rc_team;
+struct rc_team {
+  size_t struct_size;
+  int64_t threads; /* >= 1, the calling one included                                                          */
+  /** task(argument, item, thread) once for each 0 <= item < items, with 0 <= thread < threads; returns when all are done.
+   *  Any thread may take any item, so what an item computes must not depend on its thread. task must not throw. */
+  void (*share)(const rc_team *, int64_t items, void (*task)(void *argument, int64_t item, int64_t thread), void *argument);
+};
+
 /** What an operator is built for. Valid as long as the operator. */
 typedef struct rc_operator_spec {
   size_t struct_size;
   const rc_system *system;   /* dimensionless for HALFSPACE; as the caller gave it for DENSE and CALLBACK      */
   const char *kernel;        /* resolved name; "" for DENSE and CALLBACK                                       */
   const rc_options *options; /* read through rc_host                                                           */
+  const rc_team *team;       /* the contact's threads                                                          */
 } rc_operator_spec;
 
 /** The points that may carry pressure (the trial set T). Valid until the next bind or destroy. */
@@ -66,6 +77,21 @@ typedef struct rc_domain {
 #define RC_CAP_THREAD_INVARIANT (UINT64_C(1) << 5) /* bitwise equal results for any number of threads         */
 #define RC_CAP_SHIFTED (UINT64_C(1) << 6)          /* has shifted()                                           */
 #define RC_CAP_NORM (UINT64_C(1) << 7)             /* has norm()                                              */
+#define RC_CAP_FLOAT (UINT64_C(1) << 8)            /* has apply_float()                                       */
+#define RC_CAP_SCREEN (UINT64_C(1) << 9)           /* has screen()                                            */
+
+/** The surface against which a product over all points is compared. */
+typedef struct rc_screen {
+  size_t struct_size;
+  double approach, unit; /* a point overlaps where unit (H x) < approach - gap                                 */
+  const double *gap;     /* [nx*ny]                                                                            */
+  const uint8_t *mask;   /* [nx*ny] 0: not looked at; NULL: all points are                                     */
+  double *y;             /* [n] out: H[T,T] x                                                                  */
+  int64_t room;          /* entries of found and depth                                                         */
+  int64_t *found;        /* [room] out: overlapping points outside T, as many as there is room for             */
+  double *depth;         /* [room] out: approach - gap - unit (H x) of each                                    */
+  int64_t n_found;       /* out: all that overlap, also where there is no room for them                        */
+} rc_screen;
 
 /** A backend: products with H. All vectors are over the domain's points unless said otherwise. One operator is
  *  used by one thread at a time; several operators may be used at the same time. */
@@ -96,6 +122,11 @@ typedef struct rc_backend {
   rc_status (*shifted)(void *self, double rho, const double *b, double *x);
   /** RC_CAP_NORM, else NULL: the Frobenius norm of H[T,T]. */
   rc_status (*norm)(void *self, double *out);
+  /** RC_CAP_FLOAT, else NULL: y = H[T,T] x in single precision, much faster than apply(). x and y do not overlap. */
+  rc_status (*apply_float)(void *self, const float *x, float *y);
+  /** RC_CAP_SCREEN, else NULL: for x >= 0, H[T,T] x and the points outside T that overlap, without a product for points that
+   *  are proven to stay apart. */
+  rc_status (*screen)(void *self, const double *x, rc_screen *);
 } rc_backend;
 
 /** Where the unknowns of a half-space problem lie, in the caller's units. */
@@ -111,16 +142,20 @@ typedef struct rc_grid {
   int32_t reserved;
 } rc_grid;
 
-/** A problem on a coarser grid of the same surface, in displacement control. */
+/** A problem on a coarser grid of the same surface. */
 typedef struct rc_coarse {
   size_t struct_size;
   int64_t nx, ny;      /* points                                                                               */
   int64_t factor;      /* its cells are this many cells of the problem's grid wide and high                    */
   const double *gap;   /* [nx*ny] undeformed gap [length]                                                      */
   const uint8_t *mask; /* [nx*ny] 0: no pressure here; NULL: every point                                       */
-  double approach;     /* [length]                                                                             */
+  double approach;     /* [length] in displacement control; LOAD: out                                          */
   const char *solver;  /* by name                                                                              */
-  double *p;           /* [nx*ny] pressures out [force/length^2]; the core keeps a copy for the caller         */
+  double *p;           /* [nx*ny] pressures out [force/length^2]                                               */
+  int32_t control;     /* RC_CONTROL_*                                                                         */
+  int32_t keep;        /* 1: the core keeps a copy of p for the caller, and what it set up for the next step   */
+  double load;         /* LOAD: prescribed [force]                                                             */
+  double tol;          /* 0: that of the step                                                                  */
 } rc_coarse;
 
 /** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (displacement
@@ -155,13 +190,17 @@ struct rc_problem {
   rc_status (*inner)(const rc_problem *, const char *solver, int64_t na, const int64_t *a, double tol, double *p,
                      double *product);
   /** Solves on a coarser grid; NULL without a grid. RC_OK: certified. */
-  rc_status (*coarse)(const rc_problem *, const rc_coarse *);
+  rc_status (*coarse)(const rc_problem *, rc_coarse *);
   /** Adds a remark to rc_result.note, "solver: what was done instead, what is wrong with the answer". A later one that
    *  begins with the same words up to the colon replaces it. */
   void (*note)(const rc_problem *, const char *text);
   /** H at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my, into out[iy*mx + ix]; periodic: without its mean. NULL without
    *  a grid. */
   rc_status (*coefficients)(const rc_problem *, int64_t mx, int64_t my, double *out);
+  /** y = H x in single precision. NULL if the backend has none. */
+  rc_status (*apply_float)(const rc_problem *, const float *x, float *y);
+  const rc_team *team;     /* the contact's threads                                                            */
+  double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */
 };
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */

@@ -117,6 +117,18 @@ class HostLock {
   const char* resource_;
 };
 
+// task(item, thread) for 0 <= item < items, by the team if `parallel`. task must not throw.
+template <class Task> void for_each(const rc_team& team, std::int64_t items, bool parallel, const Task& task) {
+  if (!parallel) {
+    for (std::int64_t item = 0; item < items; ++item) task(item, 0);
+    return;
+  }
+  const auto call = [](void* argument, std::int64_t item, std::int64_t thread) {
+    (*static_cast<const Task*>(argument))(item, thread);
+  };
+  team.share(&team, items, call, const_cast<Task*>(&task));
+}
+
 // The functions of an rc_backend over a C++ class; those that are not named are not instantiated.
 template <class Operator> struct Functions {
   static rc_status create(const rc_host* host, const rc_operator_spec* spec, void** self) noexcept {
@@ -141,6 +153,12 @@ template <class Operator> struct Functions {
   }
   static rc_status norm(void* self, double* out) noexcept {
     return with(self, [&](Operator& op) { *out = op.norm(); });
+  }
+  static rc_status apply_float(void* self, const float* x, float* y) noexcept {
+    return with(self, [&](Operator& op) { op.apply_float(x, y); });
+  }
+  static rc_status screen(void* self, const double* x, rc_screen* request) noexcept {
+    return with(self, [&](Operator& op) { op.screen(x, *request); });
   }
 
  private:

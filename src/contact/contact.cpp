@@ -7,9 +7,13 @@
 
 namespace rc {
 
-Contact::Contact(const rc_system& system, const rc_options& options)
-    : system_(checked_system(system, options.text(RC_OPT_KERNEL), true)), options_(options) {
+Contact::Contact(const rc_system& system, const rc_options& options, const rc_team* team)
+    : system_(checked_system(system, options.text(RC_OPT_KERNEL), true)), options_(options), team_(team) {
   check_names(options_);
+  if (!team_) {
+    own_team_ = std::make_unique<Team>(options_.integer(RC_OPT_THREADS));
+    team_ = own_team_.get();
+  }
 }
 
 // Names are checked before a step needs them, and a pair that is fully named must go together.
@@ -127,7 +131,7 @@ Operator& Contact::bound_operator(const rc_backend& backend, const TrialSet& tri
   const auto begun = Clock::now();
   auto it = operators_.find(backend.name);
   if (it == operators_.end()) {
-    auto made = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_,
+    auto made = std::make_unique<Operator>(backend, options_.context->host(), system_.unit, system_.kernel, options_, *team_,
                                            system_.operator_scale);
     it = operators_.emplace(backend.name, std::move(made)).first;
   }
@@ -158,16 +162,20 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
             0,
             system_.given.boundary,
             0};
+  const bool grid_units = system_.halfspace();
   return {*answer.choice.solver,
           *options_.context,
           options_,
+          *team_,
           *answer.op,
           monitor,
           options_.integer(RC_OPT_ALLOW_FALLBACK) != 0,
           system_.lambda_min,
           system_.positive,
           grid,
-          [this, &monitor](const rc_coarse& request) { return solve_coarse(request, monitor); },
+          grid_units ? answer.length_unit : 0,
+          grid_units ? answer.pressure_unit : 0,
+          [this, &monitor](rc_coarse& request) { return solve_coarse(request, monitor); },
           [this](std::int64_t mx, std::int64_t my, double* out) {
             const rc_host& host = options_.context->host();
             return host.coefficients(&host, &system_.unit, system_.kernel.c_str(), mx, my, out);

@@ -15,6 +15,7 @@
 #include "contact/spectrum.h"
 #include "contact/surface_state.h"
 #include "contact/system.h"
+#include "core/team.h"
 #include "operator/operator.h"
 #include "registry/options_handle.h"
 
@@ -35,7 +36,8 @@ struct Answer {
 
 class Contact {
  public:
-  Contact(const rc_system& system, const rc_options& options);
+  // team: null, or one to work with instead of its own.
+  Contact(const rc_system& system, const rc_options& options, const rc_team* team = nullptr);
 
   void set_options(const rc_options& options);
   void on_progress(const ProgressCallback& progress) { progress_ = progress; }
@@ -46,6 +48,12 @@ class Contact {
   // A coarse solution of the last step, the coarsest first.
   void level(std::int64_t i, rc_level& out) const;
   void reset();
+  // As new: operators, too, may remember what they served (the lengths of transforms that a larger set called for), and answers
+  // would differ by round-off.
+  void forget() {
+    reset();
+    operators_.clear();
+  }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
   // True for the one thread that may use the contact now.
@@ -86,7 +94,7 @@ class Contact {
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   Answer prepare(const TrialSet& trial, std::int32_t control, double length_unit);
   SolverRun run(const Answer& answer, Monitor& monitor);
-  rc_status solve_coarse(const rc_coarse& request, const Monitor& monitor);
+  rc_status solve_coarse(rc_coarse& request, const Monitor& monitor);
 
   Answer at_displacement(const rc_step& step, Monitor& monitor);
   Answer at_load(const rc_step& step, Monitor& monitor);
@@ -106,6 +114,8 @@ class Contact {
 
   System system_;
   rc_options options_;
+  std::unique_ptr<Team> own_team_;
+  const rc_team* team_;
   SurfaceState surface_;
   Last last_, before_;                // the last certified step, and the one before it
   std::optional<Spectrum> spectrum_;  // once bounds were asked for

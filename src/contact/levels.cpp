@@ -15,7 +15,7 @@ std::int32_t ask(const rc_progress*, void* monitor) { return static_cast<const M
 
 }  // namespace
 
-rc_status Contact::solve_coarse(const rc_coarse& request, const Monitor& monitor) {
+rc_status Contact::solve_coarse(rc_coarse& request, const Monitor& monitor) {
   rc_system system = system_.given;
   system.nx = request.nx;
   system.ny = request.ny;
@@ -27,29 +27,36 @@ rc_status Contact::solve_coarse(const rc_coarse& request, const Monitor& monitor
   set(RC_OPT_STIFFNESS, std::int64_t{0});
   set(RC_OPT_BOUNDS, std::int64_t{0});
   set(RC_OPT_TIME_LIMIT, monitor.time_left());
+  if (request.tol > 0) set(RC_OPT_TOL, request.tol);
 
   Level& level = levels_[system.nx * system.ny];
   if (level.contact && level.summary.nx == system.nx)
     level.contact->set_options(options);
   else
-    level.contact = std::make_unique<Contact>(system, options);
+    level.contact = std::make_unique<Contact>(system, options, team_);
   level.contact->on_progress({ask, const_cast<Monitor*>(&monitor), 1});
 
-  level.p.resize(static_cast<std::size_t>(system.nx * system.ny));
   rc_step step = RC_STEP_INIT;
-  step.target = request.approach;
+  step.control = request.control;
+  step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
   step.warm_start = warm_;
   step.gap = request.gap;
   step.mask = request.mask;
   rc_result result{};
-  result.p = level.p.data();
+  result.p = request.p;
   level.current = false;
   const rc_status status = level.contact->solve(step, result);
   if (const rc_status stop = monitor.ask(); stop != RC_OK) return stop;
-  level.summary = {sizeof(rc_level), nullptr,   status,      0,           system.nx,         system.ny,
-                   system.hx,        system.hy, step.target, result.load, result.candidates, result.contacts};
+  request.approach = result.displacement;
+  if (!request.keep) {
+    levels_.erase(system.nx * system.ny);
+    return status;
+  }
+  level.summary = {
+      sizeof(rc_level), nullptr,           status,         0, system.nx, system.ny, system.hx, system.hy, result.displacement,
+      result.load,      result.candidates, result.contacts};
+  level.p.assign(request.p, request.p + system.nx * system.ny);
   level.current = true;
-  std::copy(level.p.begin(), level.p.end(), request.p);
   return status;
 }
 

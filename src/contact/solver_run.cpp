@@ -1,6 +1,7 @@
 #include "contact/solver_run.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <new>
 
@@ -78,6 +79,10 @@ rc_status apply(const rc_problem* problem, const double* x, double* y) {
   return contained([&] { return op_of(problem).apply(x, y); });
 }
 
+rc_status apply_float(const rc_problem* problem, const float* x, float* y) {
+  return contained([&] { return op_of(problem).apply_float(x, y); });
+}
+
 rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
   return contained([&] { return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x, 1e-3 * problem->tol); });
 }
@@ -96,8 +101,17 @@ rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
   return iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : RC_OK;
 }
 
-rc_status coarse(const rc_problem* problem, const rc_coarse* request) {
-  return contained([&] { return run_of(problem).coarse(*request); });
+rc_status coarse(const rc_problem* problem, rc_coarse* request) {
+  // A solver may be older than the members after p.
+  rc_coarse today{};
+  today.control = RC_CONTROL_DISPLACEMENT;
+  today.keep = 1;
+  std::memcpy(&today, request, std::min(request->struct_size, sizeof today));
+  return contained([&] {
+    const rc_status status = run_of(problem).coarse(today);
+    request->approach = today.approach;
+    return status;
+  });
 }
 
 rc_status coefficients(const rc_problem* problem, std::int64_t mx, std::int64_t my, double* out) {
@@ -178,6 +192,10 @@ void Session::connect(BoundProblem& problem) {
   problem.shifted = run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
   problem.norm = (caps & RC_CAP_NORM) ? norm : nullptr;
   problem.inner = inner;
+  problem.apply_float = (caps & RC_CAP_FLOAT) ? apply_float : nullptr;
+  problem.team = &run.team;
+  problem.length = run.length_unit;
+  problem.pressure = run.pressure_unit;
   problem.note = note;
   if (run.grid.gap) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();

@@ -15,13 +15,15 @@ struct SolverRun {
   const rc_solver& solver;
   Context& context;
   const rc_options& options;
+  const rc_team& team;
   Operator& op;
   Monitor& monitor;
   bool fallbacks;     // operations that the backend lacks may be replaced
   double lambda_min;  // a lower bound of the operator's eigenvalues; 0: none
   bool positive;      // no entry of H is negative
   rc_grid grid;       // without its index and, in load control, its approach; gap null: there is no grid
-  std::function<rc_status(const rc_coarse&)> coarse;
+  double length_unit, pressure_unit;  // of u and p; 0 without a grid
+  std::function<rc_status(rc_coarse&)> coarse;
   std::function<rc_status(std::int64_t mx, std::int64_t my, double* out)> coefficients;
   std::function<void(const std::string&)> note;
   bool warmed_up = false;  // the warm-up runs once, however often the solver does

@@ -5,9 +5,9 @@
 namespace rc {
 
 Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
-                   const rc_options& options, double scale)
+                   const rc_options& options, const rc_team& team, double scale)
     : backend_(backend), system_(system), kernel_(kernel), scale_(scale) {
-  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options};
+  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team};
   clear_message();
   raise_if_failed(backend_.create(&host, &spec_, &self_), "creating the operator");
 }
@@ -35,6 +35,16 @@ rc_status Operator::apply(const double* x, double* y) {
   const rc_status status = backend_.apply(self_, x, y);
   if (scale_ != 1)
     for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= scale_;
+  return status;
+}
+
+rc_status Operator::apply_float(const float* x, float* y) {
+  if (ask_)
+    if (const rc_status stop = ask_(); stop != RC_OK) return stop;
+  ++applications_;
+  const rc_status status = backend_.apply_float(self_, x, y);
+  if (scale_ != 1)
+    for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= static_cast<float>(scale_);
   return status;
 }
 

@@ -25,9 +25,9 @@ struct TrialSet {
 
 class Operator {
  public:
-  // `options` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
+  // `options`, `team` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
   Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
-           const rc_options& options, double scale);
+           const rc_options& options, const rc_team& team, double scale);
   ~Operator();
   Operator(const Operator&) = delete;
   Operator& operator=(const Operator&) = delete;
@@ -40,6 +40,7 @@ class Operator {
   void watch(std::function<rc_status()> ask) { ask_ = std::move(ask); }
 
   rc_status apply(const double* x, double* y);                 // y = H[T,T] x
+  rc_status apply_float(const float* x, float* y);             // likewise; only with RC_CAP_FLOAT
   void field(std::span<const double> x, std::span<double> y);  // y = H[all,T] x
   std::int64_t modelled() { return backend_.modelled(self_); }
 

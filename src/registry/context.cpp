@@ -51,6 +51,8 @@ void check(const rc_backend& backend) {
   check_bit(backend, RC_CAP_SUBSET, backend.subset != nullptr, "subset");
   check_bit(backend, RC_CAP_SHIFTED, backend.shifted != nullptr, "shifted");
   check_bit(backend, RC_CAP_NORM, backend.norm != nullptr, "norm");
+  check_bit(backend, RC_CAP_FLOAT, backend.apply_float != nullptr, "apply_float");
+  check_bit(backend, RC_CAP_SCREEN, backend.screen != nullptr, "screen");
 }
 
 void check(const rc_solver& solver) {

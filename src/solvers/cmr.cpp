@@ -95,9 +95,18 @@ class Cascade {
       }
       Vector p(level.gap.size());
       const double lowest = lowest_gap(level.gap, level.mask), depth = grid_.approach - lowest_gap(fine_gap(), fine_mask());
-      const rc_coarse request{sizeof(rc_coarse),    level.nx,         level.ny,
-                              std::int64_t{2} << k, level.gap.data(), allowed.empty() ? nullptr : allowed.data(),
-                              lowest + depth,       inner_.c_str(),   p.data()};
+      rc_coarse request{};
+      request.struct_size = sizeof request;
+      request.nx = level.nx;
+      request.ny = level.ny;
+      request.factor = std::int64_t{2} << k;
+      request.gap = level.gap.data();
+      request.mask = allowed.empty() ? nullptr : allowed.data();
+      request.control = RC_CONTROL_DISPLACEMENT;
+      request.approach = lowest + depth;
+      request.solver = inner_.c_str();
+      request.p = p.data();
+      request.keep = 1;
       const rc_status status = problem_.coarse(request);
       if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) throw Leave{status};
       if (status < 0) return {};

@@ -59,11 +59,18 @@ class Problem {
     return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol, p.data(),
                           product ? product->data() : nullptr);
   }
-  rc_status coarse(const rc_coarse& request) const { return problem_.coarse(&problem_, &request); }
+  rc_status coarse(rc_coarse& request) const { return problem_.coarse(&problem_, &request); }
   void coefficients(std::int64_t mx, std::int64_t my, Vector& out) const {
     out.resize(static_cast<std::size_t>(mx * my));
     check(problem_.coefficients(&problem_, mx, my, out.data()));
   }
+  bool has_float() const { return problem_.apply_float != nullptr; }
+  void apply(const std::vector<float>& x, std::vector<float>& y) const {
+    check(problem_.apply_float(&problem_, x.data(), y.data()));
+  }
+  const rc_team& team() const { return *problem_.team; }
+  double length_unit() const { return problem_.length; }
+  double pressure_unit() const { return problem_.pressure; }
   void note(const std::string& text) const { problem_.note(&problem_, text.c_str()); }
   // Once an iteration.
   void poll(std::int64_t iteration, double kkt) const { check(problem_.poll(&problem_, iteration, kkt)); }

@@ -38,6 +38,8 @@ VALUE(RC_BOUNDARY_PERIODIC, 2);
 VALUE(RC_CONTROL_DISPLACEMENT, 1);
 VALUE(RC_CONTROL_LOAD, 2);
 
+VALUE(RC_BATCH_SHARED, -1);
+
 VALUE(RC_LOG_INFO, 1);
 VALUE(RC_LOG_WARNING, 2);
 
@@ -143,6 +145,34 @@ AT(rc_path, fn, 96);
 AT(rc_path, user, 104);
 AT(rc_path, completed, 112);
 
+SIZE(rc_batch, 200);
+AT(rc_batch, struct_size, 0);
+AT(rc_batch, control, 8);
+AT(rc_batch, warm_start, 12);
+AT(rc_batch, n, 16);
+AT(rc_batch, steps, 24);
+AT(rc_batch, targets, 32);
+AT(rc_batch, target_stride, 40);
+AT(rc_batch, gap, 48);
+AT(rc_batch, gap_stride, 56);
+AT(rc_batch, mask, 64);
+AT(rc_batch, mask_stride, 72);
+AT(rc_batch, p0, 80);
+AT(rc_batch, p, 88);
+AT(rc_batch, load, 96);
+AT(rc_batch, displacement, 104);
+AT(rc_batch, contact_area, 112);
+AT(rc_batch, stiffness, 120);
+AT(rc_batch, certificate, 128);
+AT(rc_batch, status, 136);
+AT(rc_batch, iterations, 144);
+AT(rc_batch, applications, 152);
+AT(rc_batch, fn, 160);
+AT(rc_batch, user, 168);
+AT(rc_batch, written, 176);
+AT(rc_batch, certified, 184);
+AT(rc_batch, first, 192);
+
 SIZE(rc_direct, 248);
 AT(rc_direct, struct_size, 0);
 AT(rc_direct, status, 8);
@@ -192,7 +222,7 @@ AT(rc_option_spec, minimum, 48);
 AT(rc_option_spec, maximum, 56);
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 1);
+VALUE(RC_PLUGIN_ABI_MINOR, 2);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -202,6 +232,8 @@ VALUE(RC_CAP_SUBSET, 16);
 VALUE(RC_CAP_THREAD_INVARIANT, 32);
 VALUE(RC_CAP_SHIFTED, 64);
 VALUE(RC_CAP_NORM, 128);
+VALUE(RC_CAP_FLOAT, 256);
+VALUE(RC_CAP_SCREEN, 512);
 
 VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
 
@@ -219,11 +251,17 @@ AT(rc_host, option_text, 64);
 AT(rc_host, coefficients, 72);
 AT(rc_host, symbol, 80);
 
-SIZE(rc_operator_spec, 32);
+SIZE(rc_team, 24);
+AT(rc_team, struct_size, 0);
+AT(rc_team, threads, 8);
+AT(rc_team, share, 16);
+
+SIZE(rc_operator_spec, 40);
 AT(rc_operator_spec, struct_size, 0);
 AT(rc_operator_spec, system, 8);
 AT(rc_operator_spec, kernel, 16);
 AT(rc_operator_spec, options, 24);
+AT(rc_operator_spec, team, 32);
 
 SIZE(rc_domain, 32);
 AT(rc_domain, struct_size, 0);
@@ -231,7 +269,19 @@ AT(rc_domain, n, 8);
 AT(rc_domain, index, 16);
 AT(rc_domain, zero_mode, 24);
 
-SIZE(rc_backend, 128);
+SIZE(rc_screen, 80);
+AT(rc_screen, struct_size, 0);
+AT(rc_screen, approach, 8);
+AT(rc_screen, unit, 16);
+AT(rc_screen, gap, 24);
+AT(rc_screen, mask, 32);
+AT(rc_screen, y, 40);
+AT(rc_screen, room, 48);
+AT(rc_screen, found, 56);
+AT(rc_screen, depth, 64);
+AT(rc_screen, n_found, 72);
+
+SIZE(rc_backend, 144);
 AT(rc_backend, struct_size, 0);
 AT(rc_backend, name, 8);
 AT(rc_backend, summary, 16);
@@ -248,6 +298,8 @@ AT(rc_backend, modelled, 96);
 AT(rc_backend, subset, 104);
 AT(rc_backend, shifted, 112);
 AT(rc_backend, norm, 120);
+AT(rc_backend, apply_float, 128);
+AT(rc_backend, screen, 136);
 
 SIZE(rc_grid, 80);
 AT(rc_grid, struct_size, 0);
@@ -262,7 +314,7 @@ AT(rc_grid, approach, 64);
 AT(rc_grid, boundary, 72);
 AT(rc_grid, reserved, 76);
 
-SIZE(rc_coarse, 72);
+SIZE(rc_coarse, 96);
 AT(rc_coarse, struct_size, 0);
 AT(rc_coarse, nx, 8);
 AT(rc_coarse, ny, 16);
@@ -272,8 +324,12 @@ AT(rc_coarse, mask, 40);
 AT(rc_coarse, approach, 48);
 AT(rc_coarse, solver, 56);
 AT(rc_coarse, p, 64);
+AT(rc_coarse, control, 72);
+AT(rc_coarse, keep, 76);
+AT(rc_coarse, load, 80);
+AT(rc_coarse, tol, 88);
 
-SIZE(rc_problem, 144);
+SIZE(rc_problem, 176);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -294,6 +350,10 @@ AT(rc_problem, inner, 112);
 AT(rc_problem, coarse, 120);
 AT(rc_problem, note, 128);
 AT(rc_problem, coefficients, 136);
+AT(rc_problem, apply_float, 144);
+AT(rc_problem, team, 152);
+AT(rc_problem, length, 160);
+AT(rc_problem, pressure, 168);
 
 SIZE(rc_solver, 72);
 AT(rc_solver, struct_size, 0);

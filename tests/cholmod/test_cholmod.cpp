@@ -181,7 +181,7 @@ void indefinite_matrices_are_reported(void**) {
     system.op = RC_OPERATOR_DENSE;
     system.dense = H.data();
     system.dense_ld = 30;
-    const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "", host.options()};
+    const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "", host.options(), host.alone()};
     void* self = nullptr;
     const rc_domain domain{sizeof(rc_domain), 30, nullptr, 0.0};
     assert_int_equal(backend().create(&host, &spec, &self), RC_OK);

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <string>
 
+#include "core/team.h"
+
 namespace seam {
 
 class StandInHost : public rc_host {
@@ -22,6 +24,9 @@ class StandInHost : public rc_host {
   void answer_with(rc_status status) { answer_ = status; }
 
   const rc_options* options() const { return reinterpret_cast<const rc_options*>(&options_); }
+  // What operators that do not bring their own team use.
+  const rc_team* alone() const { return &alone_; }
+  std::int64_t threads() const { return std::stoll(options_.at("threads")); }
   // Of the last fail() in this thread.
   static const std::string& message();
 
@@ -30,6 +35,7 @@ class StandInHost : public rc_host {
   static rc_status value(const rc_options* options, const char* key, const std::string*& out);
 
   std::map<std::string, std::string> options_;
+  rc::Team alone_{1};
   std::atomic<rc_status> answer_{RC_OK};
   mutable std::mutex lock_;  // one for all resources
 };

@@ -23,6 +23,8 @@ void caps_agree_with_functions(const rc_backend& backend) {
   assert_true((backend.caps & RC_CAP_SUBSET) ? backend.subset != nullptr : backend.subset == nullptr);
   assert_true((backend.caps & RC_CAP_SHIFTED) ? backend.shifted != nullptr : backend.shifted == nullptr);
   assert_true((backend.caps & RC_CAP_NORM) ? backend.norm != nullptr : backend.norm == nullptr);
+  assert_true((backend.caps & RC_CAP_FLOAT) ? backend.apply_float != nullptr : backend.apply_float == nullptr);
+  assert_true((backend.caps & RC_CAP_SCREEN) ? backend.screen != nullptr : backend.screen == nullptr);
   assert_true(backend.caps & (RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_CALLBACK));
   assert_true(std::strlen(backend.summary) > 0 && std::strlen(backend.license) > 0);
   const std::string prefix = std::string(backend.name) + ".";

@@ -1,0 +1,113 @@
+#include "core/team.h"
+
+#include <system_error>
+
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+// A task often follows the one before within microseconds, where going to sleep and being woken costs more than watching. It is a
+// short watch: on a busy machine it takes a processor from another program.
+constexpr int watches = 4000;
+
+inline void pause_briefly() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+template <class Condition> bool watch(const Condition& changed) {
+  for (int i = 0; i < watches; ++i) {
+    if (changed()) return true;
+    pause_briefly();
+  }
+  return false;
+}
+
+}  // namespace
+
+Team::Team(std::int64_t count) : rc_team{} {
+  struct_size = sizeof(rc_team);
+  share = [](const rc_team* team, std::int64_t items, Task task, void* argument) {
+    const_cast<Team*>(static_cast<const Team*>(team))->run(items, task, argument);
+  };
+  threads = 1;
+  if (count <= 1) return;
+  helpers_.reserve(static_cast<std::size_t>(count) - 1);
+  try {
+    for (std::int64_t thread = 1; thread < count; ++thread) helpers_.emplace_back([this, thread] { help(thread); });
+  } catch (const std::system_error&) {
+    stop();
+    fail(RC_ERR_MEMORY, "the system refused to start thread ", helpers_.size() + 2, " of ", count, "; lower the option threads");
+  } catch (...) {
+    stop();
+    throw;
+  }
+  threads = count;
+}
+
+Team::~Team() { stop(); }
+
+void Team::stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    ++round_;
+  }
+  wake_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+}
+
+void Team::run(std::int64_t items, Task task, void* argument) {
+  if (items < 2 || helpers_.empty()) {
+    for (std::int64_t item = 0; item < items; ++item) task(argument, item, 0);
+    return;
+  }
+  bool wake = false;
+  {
+    const std::lock_guard lock(mutex_);
+    task_ = task;
+    argument_ = argument;
+    items_ = items;
+    next_ = 0;
+    open_ = true;
+    ++round_;
+    wake = asleep_ > 0;
+  }
+  if (wake) wake_.notify_all();
+  work(0);
+  {
+    const std::lock_guard lock(mutex_);
+    open_ = false;  // a helper that comes only now has nothing left to do and is not waited for
+  }
+  if (watch([&] { return busy_ == 0; })) return;
+  std::unique_lock lock(mutex_);
+  idle_.wait(lock, [this] { return busy_ == 0; });
+}
+
+void Team::work(std::int64_t thread) {
+  for (std::int64_t item; (item = next_.fetch_add(1, std::memory_order_relaxed)) < items_;) task_(argument_, item, thread);
+}
+
+void Team::help(std::int64_t thread) {
+  std::uint64_t seen = 0;
+  for (;;) {
+    watch([&] { return round_ != seen; });
+    std::unique_lock lock(mutex_);
+    ++asleep_;
+    wake_.wait(lock, [&] { return stopping_ || round_ != seen; });
+    --asleep_;
+    if (stopping_) return;
+    seen = round_;
+    if (!open_) continue;
+    ++busy_;
+    lock.unlock();
+    work(thread);
+    lock.lock();
+    if (--busy_ == 0) idle_.notify_one();
+  }
+}
+
+}  // namespace rc
