@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "accuracy.h"
+#include "batch.h"
+#include "dilute.h"
 #include "failures.h"
 #include "histories.h"
 #include "provenance.h"
@@ -42,6 +44,7 @@ int main(int argc, char** argv) try {
   scale->add_option("--backend", scaling.backend, "backend by name, or auto");
   scale->add_option("--threads", scaling.threads, "threads; products are timed with 1 as well")->check(CLI::Range(1, 1024));
   scale->add_option("--budget", scaling.budget, "seconds for repeats of each solve");
+  scale->add_flag("--products-only", scaling.products_only, "no solves");
   scale->add_option("--planning-limit", scaling.planning_limit, "seconds for FFTW_MEASURE of the padded transform");
   scale->add_flag("--quick", quick, "up to 512^2, few repeats");
 
@@ -74,7 +77,31 @@ int main(int argc, char** argv) try {
       ->check(CLI::IsMember(bench::failure_families()));
   failure->add_option("--surface", failures.surface, "a measured surface for the rows of cmr")->check(CLI::ExistingFile);
   failure->add_flag("--quick", failures.quick, "fewer draws, smaller surfaces");
-  for (CLI::App* const command : {scale, accurate, history, failure})
+  bench::BatchRequest batch;
+  batch.threads = available;
+  CLI::App* const many =
+      app.add_subcommand("batch", "histories of many small contacts in one call, with one thread and with several");
+  CLI::Option* const surfaces = many->add_option("--surfaces", batch.surfaces, "contacts")->check(CLI::Range(1, 1000000));
+  many->add_option("--points", batch.points, "points per side")->check(CLI::Range(16, 4096));
+  many->add_option("--steps", batch.steps, "of each history")->check(CLI::Range(1, 1000));
+  many->add_option("--threads", batch.threads, "threads, against one")->check(CLI::Range(1, 1024));
+  many->add_option("--control", batch.control, "displacement, or load")->check(CLI::IsMember({"displacement", "load"}));
+  many->add_option("--solver", batch.solver, "solver by name, or auto");
+  many->add_option("--backend", batch.backend, "backend by name, or auto");
+  many->add_option("--tol", batch.tol, "certified tolerance");
+  many->add_flag("--quick", quick, "40 surfaces");
+  bench::DiluteRequest dilute;
+  dilute.threads = available;
+  CLI::App* const sparse = app.add_subcommand("dilute", "one product of a dilute contact by backends split and fft");
+  sparse->add_option("--sizes", dilute.sizes, "points per side")->delimiter(',')->check(CLI::Range(16, 16384));
+  std::vector<double> in_contact{0.1, 1, 10};
+  sparse->add_option("--contacts", in_contact, "contact areas in percent of the grid")
+      ->delimiter(',')
+      ->check(CLI::Range(0.001, 25.0));
+  sparse->add_option("--threads", dilute.threads, "threads, besides one")->check(CLI::Range(1, 1024));
+  sparse->add_option("--seed", dilute.seed, "of the surface");
+  sparse->add_option("--budget", dilute.budget, "seconds for repeats of each product");
+  for (CLI::App* const command : {scale, accurate, history, failure, many, sparse})
     command->add_option("--json", file, "also write the results to this file");
   CLI11_PARSE(app, argc, argv);
 
@@ -88,6 +115,17 @@ int main(int argc, char** argv) try {
     }
     bench::Json document = {{"benchmark", "scaling"}, {"provenance", bench::provenance(scaling.threads)}};
     document.update(bench::run_scaling(scaling));
+    write(file, document);
+  } else if (many->parsed()) {
+    if (quick && surfaces->empty()) batch.surfaces = 40;
+    bench::Json document = {{"benchmark", "batch"}, {"provenance", bench::provenance(batch.threads)}};
+    document.update(bench::run_batch(batch));
+    write(file, document);
+  } else if (sparse->parsed()) {
+    dilute.contacts.clear();
+    for (const double value : in_contact) dilute.contacts.push_back(value / 100);
+    bench::Json document = {{"benchmark", "dilute"}, {"provenance", bench::provenance(dilute.threads)}};
+    document.update(bench::run_dilute(dilute));
     write(file, document);
   } else if (failure->parsed()) {
     bench::Json document = {{"benchmark", "failures"}, {"provenance", bench::provenance(1)}};

@@ -1,5 +1,7 @@
 #include "product_timer.h"
 
+#include <algorithm>
+
 namespace bench {
 
 namespace {
@@ -7,6 +9,7 @@ namespace {
 // rc_solver::solve has no user pointer.
 struct Request {
   double budget = 0;
+  bool single = false;
   CallTimes times;
   std::vector<double> y;
 };
@@ -15,9 +18,15 @@ thread_local Request request;
 rc_status multiply(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
   request.y.resize(static_cast<std::size_t>(problem->n));
   rc_status status = RC_OK;
+  if (request.single && !problem->apply_float) return RC_ERR_INCOMPATIBLE;
+  const std::vector<float> u(problem->u, problem->u + problem->n);
+  std::vector<float> y(u.size());
   request.times = time_calls(request.budget, [&] {
-    if (status == RC_OK) status = problem->apply(problem, problem->u, request.y.data());
+    if (status != RC_OK) return;
+    status = request.single ? problem->apply_float(problem, u.data(), y.data())
+                            : problem->apply(problem, problem->u, request.y.data());
   });
+  if (request.single) std::copy(y.begin(), y.end(), request.y.begin());
   return status == RC_OK ? RC_STOP_CANCELLED : status;
 }
 
@@ -39,6 +48,7 @@ CallTimes time_products(const rc_system& system, const rc_step& step, const Prod
   if (!setup.planning.empty()) options.set("fft.planning", setup.planning);
   request = {};
   request.budget = setup.budget;
+  request.single = setup.single;
   Contact(system, options).solve(step);
   if (y) *y = std::move(request.y);
   return request.times;

@@ -14,6 +14,7 @@ struct ProductSetup {
   std::string planning;  // of backend fft; empty: its default
   std::int64_t threads = 1;
   double budget = 0.3;  // seconds to spend, three products at least
+  bool single = false;  // precision
 };
 
 // T is the trial set of this step, which must be in displacement control. x is the compenetration over T, positive everywhere;

@@ -18,6 +18,7 @@ struct ScalingRequest {
   std::string solver = "auto", backend = "auto";
   double budget = 2;           // seconds for repeats of a solve and of a product
   double planning_limit = 30;  // seconds for FFTW_MEASURE of the baseline
+  bool products_only = false;
 };
 
 // Prints progress on stderr and tables on stdout.

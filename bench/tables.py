@@ -38,11 +38,13 @@ def provenance(document):
 def product_table(document):
     rows = []
     for row in document['products']:
-        times = [row[key] for key in ('estimate_best', 'measure_best', 'padded_estimate_best', 'padded_measure_best')]
-        rows.append([f'{row["n"]}²', str(row['threads'])] + [f'{1000 * t:.3g}' for t in times] +
-                    [f'{row["ratio_estimate"]:.2f}', f'{row["ratio_measure"]:.2f}', error(row['difference'])])
-    return table(['grid', 'threads', 'fft [ms]', 'fft, measured plan', 'padded [ms]', 'padded, measured plan', 'ratio',
-                  'ratio, measured plans', 'difference'], rows)
+        rows.append([f'{row["n"]}²', str(row['threads'])])
+        for of in ('', 'single_') if 'single_ratio' in row else ('',):
+            times = [row[of + key] for key in ('estimate_best', 'measure_best', 'padded_estimate_best', 'padded_measure_best')]
+            rows[-1] += [f'{1000 * t:.3g}' for t in times] + [f'{times[3] / times[0]:.2f}', error(row[of + 'difference'])]
+    names = ['fft [ms]', 'fft, measured plan', 'padded [ms]', 'padded, measured plan', 'ratio', 'difference']
+    both = 'single_ratio' in document['products'][0]
+    return table(['grid', 'threads'] + names + ([f'single: {name}' for name in names] if both else []), rows)
 
 
 def solve_table(document):

@@ -30,7 +30,7 @@ for row in scaling['solves']:
     assert abs(row['area_found'] / row['area_wanted'] - 1) < 0.1, row
     assert row['bytes_per_point'] > 0 and row['product_seconds_best'] > 0
 for row in scaling['products']:
-    assert row['difference'] < 1e-12, row
+    assert row['difference'] < 1e-12 and row['single_difference'] < 1e-5, row
 
 accuracy = run('accuracy', '--scenes', 'hertz', '--digits', '2,5,8', '--budget', '0')
 assert len(accuracy['rows']) % 3 == 0 and accuracy['rows']
@@ -43,6 +43,15 @@ assert len(failures['atlas']) > 20 and all(all(row.values()) for row in failures
 assert all(row['dishonest'] == 0 for row in failures['data']['greedy'] + failures['data']['cmr'])
 for row in failures['data']['cmr']:
     assert row['certified_status'] == 'RC_OK' and abs(row['certified_error']) < 1e-7, row
+
+batch = run('batch', '--quick', '--surfaces', '5', '--points', '32', '--steps', '3', '--threads', '2')
+for row in batch['batch']:
+    assert row['status'] == 'RC_OK' and row['certified'] == 5 and row['products'] > 15, row
+assert [row['threads'] for row in batch['batch']] == [1, 2] and batch['scaling'] > 0 and batch['cpu_growth'] > 0
+
+dilute = run('dilute', '--sizes', '256', '--contacts', '1', '--threads', '1', '--budget', '0')
+for row in dilute['dilute']:
+    assert row['difference'] < 1e-10 and row['split_ms'] > 0, row
 
 histories = run('histories', '--levels', '6', '--steps', '4')
 for row in histories['histories']:

@@ -19,13 +19,23 @@ const rc_option_spec planning = {
     1,
     0.0,
     0.0};
-const rc_option_spec* const options[] = {&planning};
+const rc_option_spec wisdom = {
+    sizeof(rc_option_spec),
+    "fft.wisdom",
+    "",
+    nullptr,
+    "file of FFTW's measurements, read before plans are made, written after measuring; single precision: with .float appended",
+    RC_TYPE_TEXT,
+    1,
+    0.0,
+    0.0};
+const rc_option_spec* const options[] = {&planning, &wisdom};
 const rc_backend backend = {sizeof(rc_backend),
                             "fft",
                             "fast Fourier transforms (FFTW) on the box of the points that may carry pressure",
                             "GPL-2.0-or-later",
-                            RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT | RC_CAP_NORM,
-                            1,
+                            RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT | RC_CAP_NORM | RC_CAP_FLOAT,
+                            2,
                             options,
                             Functions::create,
                             Functions::destroy,
@@ -36,7 +46,7 @@ const rc_backend backend = {sizeof(rc_backend),
                             nullptr,
                             nullptr,
                             Functions::norm,
-                            nullptr,
+                            Functions::apply_float,
                             nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "fft", "0.1.0", 1, 0, backends, nullptr};

@@ -1,5 +1,7 @@
-// Aligned arrays of doubles.
+// Aligned memory without a type, for arrays of either precision.
 #pragma once
+
+#include <sys/mman.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -11,40 +13,57 @@
 
 namespace rc_fft {
 
-// Rows, lines and columns start at multiples of this many doubles, so that every array has the alignment it was planned with.
-inline constexpr std::int64_t alignment = 8;
+// Every array, row and block of columns starts at a multiple of this many bytes: two cache lines, more than any alignment that
+// a plan is made for.
+inline constexpr std::int64_t alignment = 128;
 
-inline std::int64_t aligned(std::int64_t doubles) { return (doubles + alignment - 1) / alignment * alignment; }
+inline constexpr std::int64_t round_up(std::int64_t count, std::int64_t to) { return (count + to - 1) / to * to; }
 
 class Buffer {
  public:
-  // Makes room for a*b doubles; the contents are lost if it has to grow.
-  void reserve(std::int64_t a, std::int64_t b, Lengths transform) {
-    constexpr std::int64_t limit = PTRDIFF_MAX / static_cast<std::int64_t>(sizeof(double));
+  // Makes room for a*b elements; the contents are lost if it has to grow.
+  template <class T> void reserve(std::int64_t a, std::int64_t b, Lengths transform) {
+    constexpr std::int64_t limit = PTRDIFF_MAX / static_cast<std::int64_t>(sizeof(T));
     if (a > limit / b)
       fail(RC_ERR_MEMORY, "a ", transform.x, "x", transform.y,
            " transform needs more bytes than a pointer can reach; use a coarser grid");
-    if (a * b <= size_) return;
+    const std::size_t bytes = static_cast<std::size_t>(a * b) * sizeof(T);
+    if (bytes <= size_) return;
     data_.reset();
     size_ = 0;
-    const std::size_t bytes = static_cast<std::size_t>(a * b) * sizeof(double);
-    data_.reset(static_cast<double*>(::operator new(bytes, align, std::nothrow)));
+    const std::align_val_t align{bytes >= huge_page ? huge_page : std::size_t{alignment}};
+    data_ = {static_cast<std::byte*>(::operator new(bytes, align, std::nothrow)), Release{align}};
     if (!data_)
       fail(RC_ERR_MEMORY, "cannot allocate ", bytes, " bytes for a ", transform.x, "x", transform.y,
            " transform; use a coarser grid or fewer threads");
-    size_ = a * b;
+    size_ = bytes;
+#ifdef MADV_HUGEPAGE
+    // Blocks of columns touch every row: with small pages each of them costs a look-up of its own. Advice only: it may be
+    // refused.
+    if (bytes >= huge_page) madvise(data_.get(), bytes, MADV_HUGEPAGE);
+#endif
   }
 
-  double* data() const { return data_.get(); }
+  template <class T> T* data() const { return reinterpret_cast<T*>(data_.get()); }
+  std::size_t size() const { return size_; }
 
  private:
-  static constexpr std::align_val_t align{alignment * sizeof(double)};
+  static constexpr std::size_t huge_page = std::size_t{1} << 21;
   struct Release {
-    void operator()(double* p) const { ::operator delete(p, align); }
+    Release() : Release(std::align_val_t{alignment}) {}
+    explicit Release(std::align_val_t of) : align(of) {}
+    std::align_val_t align;
+    void operator()(std::byte* p) const { ::operator delete(p, align); }
   };
 
-  std::unique_ptr<double[], Release> data_;
-  std::int64_t size_ = 0;
+  std::unique_ptr<std::byte[], Release> data_;
+  std::size_t size_ = 0;
+};
+
+// Arrays that the transforms of one operator share, whatever their precision: one product runs at a time.
+struct Workspace {
+  Buffer rows;
+  Buffer scratch;  // one part per thread
 };
 
 }  // namespace rc_fft

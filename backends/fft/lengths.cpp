@@ -51,12 +51,13 @@ std::int64_t fast_length(std::int64_t at_least) {
 
 bool covers(Lengths have, Lengths needed) { return have.x >= needed.x && have.y >= needed.y; }
 
+bool suits(Lengths have, Lengths needed) {
+  return covers(have, needed) && points(have) <= 1.3 * points({fast_length(needed.x), fast_length(needed.y)});
+}
+
 Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present) {
-  const Lengths best{fast_length(needed.x), fast_length(needed.y)};
-  const auto points = [](Lengths l) { return static_cast<double>(l.x) * static_cast<double>(l.y); };
-  const bool none = present.x == 0;
-  if (none || (covers(present, needed) && points(present) > 1.3 * points(best))) return best;
-  if (covers(present, needed)) return present;
+  if (suits(present, needed)) return present;
+  if (present.x == 0 || covers(present, needed)) return {fast_length(needed.x), fast_length(needed.y)};
   return {fast_length(outgrown(needed.x, largest.x, present.x)), fast_length(outgrown(needed.y, largest.y, present.y))};
 }
 

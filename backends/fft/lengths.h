@@ -12,6 +12,8 @@ struct Lengths {
   bool operator==(const Lengths&) const = default;
 };
 
+inline double points(Lengths l) { return static_cast<double>(l.x) * static_cast<double>(l.y); }
+
 // The largest grid along one axis: four times it still fits FFTW's int.
 inline constexpr std::int64_t longest_axis = (std::int64_t{1} << 29) - 1;
 
@@ -22,10 +24,16 @@ std::int64_t exact_length(std::int64_t begin, std::int64_t count, std::int64_t e
 // The length >= at_least that FFTW is expected to transform fastest: 1, or even with no prime factor above 7.
 std::int64_t fast_length(std::int64_t at_least);
 
+// Whether a transform takes long enough to be worth waking other threads for: some tenths of a millisecond.
+inline bool worth_sharing(Lengths l) { return points(l) >= 1e5; }
+
 bool covers(Lengths have, Lengths needed);
 
+// Whether lengths cover what is needed and are not much too long.
+bool suits(Lengths have, Lengths needed);
+
 // Lengths for a transform that has to cover `needed`, never more than what covers `largest`. The present ones are kept
-// while they suffice and are not much too long; if they have been outgrown, the new ones leave room for the next growth.
+// if they suit; if they have been outgrown, the new ones leave room for the next growth.
 Lengths choose_lengths(Lengths needed, Lengths largest, Lengths present);
 
 }  // namespace rc_fft

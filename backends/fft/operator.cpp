@@ -1,20 +1,20 @@
 #include "operator.h"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace rc_fft {
 
 namespace {
 
-unsigned planning_effort(const rc_host* host, const rc_options* options) {
-  const char* const planning = roughcontact::option_text(host, options, "fft.planning");
-  return std::strcmp(planning, "measure") == 0 ? FFTW_MEASURE : FFTW_ESTIMATE;
+// A quarter of what the whole grid's eigenvalues take, and some for small grids, whose boxes differ from one surface to the next.
+std::size_t cache_limit(const rc_system& system) {
+  const double quarter = 2.0 * static_cast<double>(system.nx) * static_cast<double>(system.ny);
+  constexpr double least = 1 << 20, most = 1e18;
+  return static_cast<std::size_t>(std::clamp(quarter, least, most));
 }
 
 }  // namespace
@@ -22,8 +22,9 @@ unsigned planning_effort(const rc_host* host, const rc_options* options) {
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
       spec_(spec),
-      effort_(planning_effort(host, spec.options)),
+      planning_(host, spec.options),
       team_(*spec.team),
+      cache_(cache_limit(*spec.system)),
       whole_(spec.system->nx, spec.system->ny) {
   const rc_system& system = *spec.system;
   if (system.op != RC_OPERATOR_HALFSPACE)
@@ -39,62 +40,82 @@ void Operator::bind(const rc_domain& domain) {
   box_ = periodic() ? grid : bounding_box(domain, nx, ny);
   points_ = domain.index ? Points(domain, box_, nx) : whole_;
   zero_mode_ = domain.zero_mode;
-  if (periodic()) {
-    build(transform_, {nx, ny}, ny);
-    transform_->set_zero_mode(domain.zero_mode);
+  if (!periodic()) {
+    cache_.fit(box_transforms_, box_lengths(), grid_lengths());
     return;
   }
-  const Lengths needed = box_lengths();
-  const Lengths largest{exact_length(0, nx, nx), exact_length(0, ny, ny)};
-  build(transform_, choose_lengths(needed, largest, transform_ ? transform_->lengths() : Lengths{}), box_.ny);
+  if (!box_transforms_) box_transforms_ = std::make_unique<Transforms>(Lengths{nx, ny});
+  if (auto& transform = box_transforms_->in_double) transform->set_zero_mode(zero_mode_);
+  if (auto& transform = box_transforms_->in_float) transform->set_zero_mode(zero_mode_);
 }
 
 Lengths Operator::box_lengths() const { return {exact_length(0, box_.nx, box_.nx), exact_length(0, box_.ny, box_.ny)}; }
 
-void Operator::apply(const double* x, double* y) { transform_->multiply(points_, 0, 0, x, points_, y); }
+Lengths Operator::grid_lengths() const {
+  const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
+  return {exact_length(0, nx, nx), exact_length(0, ny, ny)};
+}
 
-void Operator::field(const double* x, double* y) { field_transform().multiply(points_, box_.x, box_.y, x, whole_, y); }
+void Operator::apply(const double* x, double* y) {
+  made<double>(*box_transforms_, box_.ny).multiply(points_, 0, 0, x, points_, y);
+}
+
+void Operator::apply_float(const float* x, float* y) {
+  made<float>(*box_transforms_, box_.ny).multiply(points_, 0, 0, x, points_, y);
+}
+
+void Operator::field(const double* x, double* y) {
+  made<double>(field_transforms(), spec_.system->ny).multiply(points_, box_.x, box_.y, x, whole_, y);
+}
 
 // The sum of the squares of H's entries between points of the domain is 1' S 1 over the domain, where S(i, j) = H(i, j)^2 depends
 // on offsets only, as H does: one product with the transform of the squared coefficients.
 double Operator::norm() {
   const Lengths lengths =
       periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
-  Transform squares(host_, lengths, box_.ny, effort_, workspace_, team_);
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
-  squares.load_squares(host_, spec_, periodic() ? mean : 0.0);
+  Transform<double> squares(host_, lengths, box_.ny, planning_, workspace_, team_);
+  squares.load(Eigenvalues::squares(host_, spec_, periodic() ? mean : 0.0, lengths, workspace_));
   const std::vector<double> ones(static_cast<std::size_t>(points_.count()), 1.0);
   std::vector<double> sums(ones.size());
   squares.multiply(points_, 0, 0, ones.data(), points_, sums.data());
   return std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0));
 }
 
-Transform& Operator::field_transform() {
+Transforms& Operator::field_transforms() {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
-  if (periodic()) return *transform_;
+  if (periodic()) return *box_transforms_;
   const Lengths needed{exact_length(box_.x, box_.nx, nx), exact_length(box_.y, box_.ny, ny)};
-  if (covers(transform_->lengths(), needed)) {
-    grid_transform_.reset();
-    return *transform_;
+  if (covers(box_transforms_->lengths, needed)) {
+    cache_.retire(grid_transforms_);
+    return *box_transforms_;
   }
-  const Lengths largest{exact_length(0, nx, nx), exact_length(0, ny, ny)};
-  build(grid_transform_, choose_lengths(needed, largest, grid_transform_ ? grid_transform_->lengths() : Lengths{}), ny);
-  return *grid_transform_;
+  cache_.fit(grid_transforms_, needed, grid_lengths());
+  return *grid_transforms_;
 }
 
-void Operator::build(std::optional<Transform>& transform, Lengths lengths, std::int64_t rows) {
-  if (transform && transform->lengths() == lengths) return;
-  transform.reset();
-  transform.emplace(host_, lengths, rows, effort_, workspace_, team_);
+template <class Real> Transform<Real>& Operator::made(Transforms& transforms, std::int64_t rows) {
+  std::optional<Transform<Real>>& transform = transforms.in<Real>();
+  if (transform) return *transform;
+  transform.emplace(host_, transforms.lengths, rows, planning_, workspace_, team_);
   try {
-    if (periodic())
-      transform->load_periodic(host_, spec_);
-    else
-      transform->load_free(host_, spec_);
+    if constexpr (std::is_same_v<Real, float>) {
+      if (transforms.in_double) {
+        transform->load(*transforms.in_double);
+        return *transform;
+      }
+    }
+    if (periodic()) {
+      transform->load(Eigenvalues::periodic(host_, spec_, transforms.lengths, workspace_));
+      transform->set_zero_mode(zero_mode_);
+    } else {
+      transform->load(Eigenvalues::free(host_, spec_, transforms.lengths, workspace_));
+    }
   } catch (...) {
     transform.reset();
     throw;
   }
+  return *transform;
 }
 
 }  // namespace rc_fft

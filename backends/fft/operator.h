@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <roughcontact/plugin.hpp>
 
+#include "cache.h"
 #include "failure.h"
 #include "points.h"
 #include "transform.h"
@@ -22,27 +23,30 @@ class Operator {
 
   void bind(const rc_domain& domain);
   void apply(const double* x, double* y);
+  void apply_float(const float* x, float* y);
   void field(const double* x, double* y);
   double norm();  // Frobenius, of H[T,T]
 
  private:
   bool periodic() const { return spec_.system->boundary == RC_BOUNDARY_PERIODIC; }
-  void build(std::optional<Transform>& transform, Lengths lengths, std::int64_t rows);
-  Transform& field_transform();
-  Lengths box_lengths() const;
+  template <class Real> Transform<Real>& made(Transforms& transforms, std::int64_t rows);
+  Transforms& field_transforms();
+  Lengths box_lengths() const;   // least lengths for products on the box
+  Lengths grid_lengths() const;  // and on the grid
 
   const rc_host* host_;
   rc_operator_spec spec_;
-  unsigned effort_;
+  Planning planning_;
   const rc_team& team_;
+  Cache cache_;
   Workspace workspace_;
 
   Box box_;        // that the domain's products are made on
   Points points_;  // of the domain, in the box
   Points whole_;   // all points of the grid
   double zero_mode_ = 0.0;
-  std::optional<Transform> transform_;       // covers the box
-  std::optional<Transform> grid_transform_;  // covers the grid, where the other does not
+  std::unique_ptr<Transforms> box_transforms_;   // cover the box
+  std::unique_ptr<Transforms> grid_transforms_;  // cover the grid, where the others do not; null where they do
 };
 
 }  // namespace rc_fft

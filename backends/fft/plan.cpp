@@ -4,16 +4,16 @@ namespace rc_fft {
 
 namespace {
 
-class PlannerLock {
+template <class Real> class PlannerLock {
  public:
   explicit PlannerLock(const rc_host* host) : lock_(host, "fftw") {
-    fftw_make_planner_thread_safe();  // the host program may plan without our lock
-    threads_ = fftw_planner_nthreads();
+    Fftw<Real>::make_planner_thread_safe();  // the host program may plan without our lock
+    threads_ = Fftw<Real>::planner_threads();
     // Only where FFTW's threads are in use already: otherwise this call would initialise them and drop all wisdom.
-    if (threads_ != 1) fftw_plan_with_nthreads(1);
+    if (threads_ != 1) Fftw<Real>::plan_with_threads(1);
   }
   ~PlannerLock() {
-    if (threads_ != 1) fftw_plan_with_nthreads(threads_);
+    if (threads_ != 1) Fftw<Real>::plan_with_threads(threads_);
   }
   PlannerLock(const PlannerLock&) = delete;
   PlannerLock& operator=(const PlannerLock&) = delete;
@@ -23,28 +23,72 @@ class PlannerLock {
   int threads_;
 };
 
-}  // namespace
-
-Plans::Plans(const rc_host* host, Lengths lengths, unsigned effort, double* line, double* row, double* column) : host_(host) {
-  const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
-  {
-    const PlannerLock lock(host_);
-    forward_x_ = fftw_plan_dft_r2c_1d(nx, line, as_complex(row), effort | FFTW_PRESERVE_INPUT);
-    backward_x_ = fftw_plan_dft_c2r_1d(nx, as_complex(row), line, effort | FFTW_DESTROY_INPUT);
-    forward_y_ = fftw_plan_dft_1d(ny, as_complex(column), as_complex(column), FFTW_FORWARD, effort);
-    backward_y_ = fftw_plan_dft_1d(ny, as_complex(column), as_complex(column), FFTW_BACKWARD, effort);
-  }
-  if (!forward_x_ || !backward_x_ || !forward_y_ || !backward_y_) {
-    destroy();
-    fail(RC_ERR_INTERNAL, "FFTW made no plan for a ", nx, "x", ny, " transform; check the FFTW installation");
-  }
+[[noreturn]] void no_plan(Lengths lengths) {
+  fail(RC_ERR_INTERNAL, "FFTW made no plan for a ", lengths.x, "x", lengths.y, " transform; check the FFTW installation");
 }
 
-Plans::~Plans() { destroy(); }
+template <class Real>
+typename Fftw<Real>::Plan plan_columns(int n, int columns, int sign, unsigned effort, std::complex<Real>* z) {
+  return Fftw<Real>::plan_complex(1, &n, columns, as_fftw(z), nullptr, columns, 1, as_fftw(z), nullptr, columns, 1, sign, effort);
+}
 
-void Plans::destroy() {
-  const PlannerLock lock(host_);
-  for (fftw_plan plan : {forward_x_, backward_x_, forward_y_, backward_y_})
+}  // namespace
+
+template <class Real>
+Plans<Real>::Plans(const rc_host* host, Lengths lengths, Planning& planning, Real* line, std::complex<Real>* row,
+                   std::complex<Real>* column)
+    : host_(host) {
+  const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
+  const bool own_columns = has_small_factors(lengths.y);
+  try {
+    const PlannerLock<Real> lock(host_);
+    planning.recall<Real>();
+    const unsigned effort = planning.effort();
+    forward_x_ = Fftw<Real>::plan_real(nx, line, as_fftw(row), effort | FFTW_PRESERVE_INPUT);
+    backward_x_ = Fftw<Real>::plan_real_back(nx, as_fftw(row), line, effort | FFTW_DESTROY_INPUT);
+    if (!own_columns) {
+      forward_y_ = plan_columns<Real>(ny, 1, FFTW_FORWARD, effort, column);
+      backward_y_ = plan_columns<Real>(ny, 1, FFTW_BACKWARD, effort, column);
+    }
+    planning.remember<Real>();
+  } catch (...) {
+    destroy();
+    throw;
+  }
+  if (forward_x_ && backward_x_ && (own_columns || (forward_y_ && backward_y_))) return;
+  destroy();
+  no_plan(lengths);
+}
+
+template <class Real> Plans<Real>::~Plans() { destroy(); }
+
+template <class Real> void Plans<Real>::destroy() {
+  const PlannerLock<Real> lock(host_);
+  for (Plan plan : {forward_x_, backward_x_, forward_y_, backward_y_})
+    if (plan) Fftw<Real>::destroy(plan);
+}
+
+template class Plans<double>;
+template class Plans<float>;
+
+EvenPlans::EvenPlans(const rc_host* host, Lengths lengths, std::complex<double>* line, std::complex<double>* block)
+    : host_(host) {
+  const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
+  {
+    const PlannerLock<double> lock(host_);
+    along_x_ = fftw_plan_dft_1d(nx, as_fftw(line), as_fftw(line), FFTW_FORWARD, FFTW_ESTIMATE);
+    along_y_ = plan_columns<double>(ny, columns_per_block<double>, FFTW_FORWARD, FFTW_ESTIMATE, block);
+  }
+  if (along_x_ && along_y_) return;
+  destroy();
+  no_plan(lengths);
+}
+
+EvenPlans::~EvenPlans() { destroy(); }
+
+void EvenPlans::destroy() {
+  const PlannerLock<double> lock(host_);
+  for (fftw_plan plan : {along_x_, along_y_})
     if (plan) fftw_destroy_plan(plan);
 }
 

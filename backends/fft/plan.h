@@ -1,35 +1,59 @@
 // FFTW plans. FFTW's planner is global to the process: plans are made and destroyed under the host's "fftw" lock.
 #pragma once
 
-#include <fftw3.h>
+#include <complex>
 
 #include "buffer.h"
+#include "columns.h"
+#include "fftw.h"
+#include "planning.h"
 
 namespace rc_fft {
 
-inline fftw_complex* as_complex(double* p) { return reinterpret_cast<fftw_complex*>(p); }
-
 // Single-threaded plans of one transform, executed on any arrays with the alignment of Buffer.
-class Plans {
+template <class Real> class Plans {
  public:
-  // Planning may overwrite `line` (x doubles), `row` (x/2+1 complex) and `column` (y complex).
-  Plans(const rc_host* host, Lengths lengths, unsigned effort, double* line, double* row, double* column);
+  // Planning may overwrite `line` (x reals), `row` (x/2+1 complex) and `column` (y complex). Columns that FFTW does not
+  // transform, since their length has small factors only, get no plan.
+  Plans(const rc_host* host, Lengths lengths, Planning& planning, Real* line, std::complex<Real>* row,
+        std::complex<Real>* column);
   ~Plans();
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
 
-  void line_to_row(double* line, double* row) const { fftw_execute_dft_r2c(forward_x_, line, as_complex(row)); }
-  void row_to_line(double* row, double* line) const { fftw_execute_dft_c2r(backward_x_, as_complex(row), line); }
-  void forward(double* column) const { fftw_execute_dft(forward_y_, as_complex(column), as_complex(column)); }
-  void backward(double* column) const { fftw_execute_dft(backward_y_, as_complex(column), as_complex(column)); }
+  void line_to_row(Real* line, std::complex<Real>* row) const { Fftw<Real>::execute_real(forward_x_, line, as_fftw(row)); }
+  void row_to_line(std::complex<Real>* row, Real* line) const { Fftw<Real>::execute_real_back(backward_x_, as_fftw(row), line); }
+  void forward(std::complex<Real>* column) const { Fftw<Real>::execute_complex(forward_y_, as_fftw(column), as_fftw(column)); }
+  void backward(std::complex<Real>* column) const { Fftw<Real>::execute_complex(backward_y_, as_fftw(column), as_fftw(column)); }
+
+ private:
+  using Plan = typename Fftw<Real>::Plan;
+
+  void destroy();
+
+  const rc_host* host_;
+  Plan forward_x_ = nullptr;                         // real to complex, keeps its input
+  Plan backward_x_ = nullptr;                        // complex to real, destroys its input
+  Plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
+};
+
+// The transforms in which the eigenvalues of even kernels are computed, in double precision: complex, forward and in place.
+class EvenPlans {
+ public:
+  // Planning may overwrite `line` (x complex) and `block` (y rows of columns_per_block<double> complex).
+  EvenPlans(const rc_host* host, Lengths lengths, std::complex<double>* line, std::complex<double>* block);
+  ~EvenPlans();
+  EvenPlans(const EvenPlans&) = delete;
+  EvenPlans& operator=(const EvenPlans&) = delete;
+
+  void line(std::complex<double>* line) const { fftw_execute_dft(along_x_, as_fftw(line), as_fftw(line)); }
+  void block(std::complex<double>* block) const { fftw_execute_dft(along_y_, as_fftw(block), as_fftw(block)); }
 
  private:
   void destroy();
 
   const rc_host* host_;
-  fftw_plan forward_x_ = nullptr;                         // real to complex, keeps its input
-  fftw_plan backward_x_ = nullptr;                        // complex to real, destroys its input
-  fftw_plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
+  fftw_plan along_x_ = nullptr, along_y_ = nullptr;
 };
 
 }  // namespace rc_fft

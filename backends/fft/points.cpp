@@ -42,21 +42,21 @@ Points::Points(const rc_domain& domain, const Box& box, std::int64_t grid_nx) : 
   for (std::size_t row = 1; row < begin_.size(); ++row) begin_[row] += begin_[row - 1];
 }
 
-bool Points::row_is_zero(std::int64_t row, const double* x) const {
-  return std::all_of(x + begin(row), x + begin(row + 1), [](double value) { return value == 0.0; });
+template <class Real> bool Points::row_is_zero(std::int64_t row, const Real* x) const {
+  return std::all_of(x + begin(row), x + begin(row + 1), [](Real value) { return value == 0; });
 }
 
-void Points::scatter(std::int64_t row, const double* x, double* line) const {
+template <class Real> void Points::scatter(std::int64_t row, const Real* x, Real* line) const {
   const std::int64_t first = begin(row), last = begin(row + 1);
   if (full()) {
     std::copy(x + first, x + last, line);
     return;
   }
-  std::fill_n(line, nx_, 0.0);
+  std::fill_n(line, nx_, Real{0});
   for (std::int64_t i = first; i < last; ++i) line[columns_[static_cast<std::size_t>(i)]] = x[i];
 }
 
-void Points::gather(std::int64_t row, const double* line, double* y) const {
+template <class Real> void Points::gather(std::int64_t row, const Real* line, Real* y) const {
   const std::int64_t first = begin(row), last = begin(row + 1);
   if (full()) {
     std::copy_n(line, nx_, y + first);
@@ -64,5 +64,12 @@ void Points::gather(std::int64_t row, const double* line, double* y) const {
   }
   for (std::int64_t i = first; i < last; ++i) y[i] = line[columns_[static_cast<std::size_t>(i)]];
 }
+
+template bool Points::row_is_zero(std::int64_t, const double*) const;
+template bool Points::row_is_zero(std::int64_t, const float*) const;
+template void Points::scatter(std::int64_t, const double*, double*) const;
+template void Points::scatter(std::int64_t, const float*, float*) const;
+template void Points::gather(std::int64_t, const double*, double*) const;
+template void Points::gather(std::int64_t, const float*, float*) const;
 
 }  // namespace rc_fft

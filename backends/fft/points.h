@@ -29,10 +29,10 @@ class Points {
   std::int64_t rows() const { return ny_; }
   std::int64_t count() const { return begin(ny_); }
   bool row_is_empty(std::int64_t row) const { return begin(row) == begin(row + 1); }
-  bool row_is_zero(std::int64_t row, const double* x) const;
+  template <class Real> bool row_is_zero(std::int64_t row, const Real* x) const;
   // A row's entries of x into a line of nx() values, zero elsewhere; and back.
-  void scatter(std::int64_t row, const double* x, double* line) const;
-  void gather(std::int64_t row, const double* line, double* y) const;
+  template <class Real> void scatter(std::int64_t row, const Real* x, Real* line) const;
+  template <class Real> void gather(std::int64_t row, const Real* line, Real* y) const;
 
  private:
   bool full() const { return columns_.empty(); }

@@ -1,73 +1,116 @@
-// Eigenvalues of the circular operator: real, because the kernel is even along both axes.
-#include <algorithm>
+#include "spectrum.h"
 
-#include "transform.h"
+#include <algorithm>
+#include <atomic>
+#include <vector>
 
 namespace rc_fft {
 
 namespace {
 
-// Coefficients 0..count-1, of both signs of the offset, every `stride`-th value of a circular array; zero beyond.
-void extend_evenly(const double* half, std::int64_t half_stride, std::int64_t count, double* circle, std::int64_t stride,
-                   std::int64_t length) {
-  for (std::int64_t i = 0; i < length; ++i) {
-    const std::int64_t offset = std::min(i, length - i);
-    circle[i * stride] = offset < count ? half[offset * half_stride] : 0.0;
-  }
-}
+constexpr std::int64_t rows_per_item = 16;
 
 }  // namespace
 
-double Transform::scale() const { return 1.0 / (static_cast<double>(lengths().x) * static_cast<double>(lengths().y)); }
+Eigenvalues::Eigenvalues(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace)
+    : host_(host),
+      workspace_(workspace),
+      lengths_(lengths),
+      half_x_(lengths.x / 2 + 1),
+      half_y_(lengths.y / 2 + 1),
+      columns_(std::min(half_x_, spec.system->nx)),
+      rows_(std::min(half_y_, spec.system->ny)),
+      stride_(round_up(half_x_, width)),
+      scratch_(std::max(round_up(lengths.x, width) + rows_per_item * round_up(columns_, width) / 2, lengths.y * width / 2)) {
+  workspace_.rows.reserve<double>(half_y_, stride_, lengths);
+  workspace_.scratch.reserve<std::complex<double>>(spec.team->threads, scratch_, lengths);
+}
 
-template <class Change>
-void Transform::load_coefficients(const rc_host* host, const rc_operator_spec& spec, const Change& change) {
-  const std::int64_t nx = layout_.lengths.x, ny = layout_.lengths.y;
-  const std::int64_t half_x = layout_.half_x;
-  const std::int64_t mx = std::min(half_x, spec.system->nx), my = std::min(layout_.half_y, spec.system->ny);
-  roughcontact::check(host->coefficients(host, spec.system, spec.kernel, mx, my, spectrum_.data()));
-  change(spectrum_.data(), mx * my);
-
-  // From the table, kept where the eigenvalues will be, along x into rows of half_x, then along y.
-  double* const table = workspace_.rows.data();
-  roughcontact::for_each(team_, my, parallel_, [&](std::int64_t iy, std::int64_t thread) {
-    double* const line = scratch(thread);
-    double* const transformed = line + aligned(nx);
-    extend_evenly(spectrum_.data() + iy * mx, 1, mx, line, 1, nx);
-    plans_->line_to_row(line, transformed);
-    for (std::int64_t kx = 0; kx < half_x; ++kx) table[iy * half_x + kx] = transformed[2 * kx];
+Eigenvalues Eigenvalues::free(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace) {
+  Eigenvalues result(host, spec, lengths, workspace);
+  result.along_x(spec, [&](std::int64_t first, std::int64_t count, double* out) {
+    return host->window(host, spec.system, spec.kernel, 0, first, result.columns_, count, out);
   });
-  const double factor = scale();
-  roughcontact::for_each(team_, layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
-    const std::int64_t first = block * columns_per_block, last = std::min(first + columns_per_block, half_x);
-    double* const column = scratch(thread);
-    for (std::int64_t kx = first; kx < last; ++kx) {
-      std::fill_n(column, 2 * ny, 0.0);
-      extend_evenly(table + kx, half_x, my, column, 2, ny);
-      plans_->forward(column);
-      for (std::int64_t ky = 0; ky < layout_.half_y; ++ky) eigenvalues(kx)[ky] = factor * column[2 * ky];
+  return result;
+}
+
+Eigenvalues Eigenvalues::squares(const rc_host* host, const rc_operator_spec& spec, double constant, Lengths lengths,
+                                 Workspace& workspace) {
+  Eigenvalues result(host, spec, lengths, workspace);
+  const std::int64_t columns = result.columns_;
+  std::vector<double> table(static_cast<std::size_t>(columns * result.rows_));
+  roughcontact::check(host->coefficients(host, spec.system, spec.kernel, columns, result.rows_, table.data()));
+  for (double& value : table) value = (value + constant) * (value + constant);
+  result.along_x(spec, [&](std::int64_t first, std::int64_t count, double* out) {
+    std::copy_n(table.data() + first * columns, count * columns, out);
+    return rc_status{RC_OK};
+  });
+  return result;
+}
+
+Eigenvalues Eigenvalues::periodic(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace) {
+  Eigenvalues result(host, spec, lengths, workspace);
+  double* const table = result.table();
+  roughcontact::check(host->symbol(host, spec.system, spec.kernel, table));
+  // Apart, from the last row on: a row moves towards the end only.
+  for (std::int64_t ky = result.half_y_ - 1; ky >= 0; --ky) {
+    double* const row = table + ky * result.stride_;
+    std::copy_backward(table + ky * result.half_x_, table + (ky + 1) * result.half_x_, row + result.half_x_);
+    std::fill(row + result.half_x_, row + result.stride_, 0.0);
+  }
+  return result;
+}
+
+// rows(first, count, out): coefficients of `count` rows from `first` on, into rows of columns_ values.
+template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, const Rows& rows) {
+  plans_ = std::make_unique<EvenPlans>(host_, lengths_, scratch(0), scratch(0));
+  std::atomic<std::int64_t> failed{-1};
+  const std::int64_t items = (rows_ + rows_per_item - 1) / rows_per_item;
+  roughcontact::for_each(*spec.team, items, worth_sharing(lengths_), [&](std::int64_t item, std::int64_t thread) {
+    std::complex<double>* const line = scratch(thread);
+    double* const coefficients = reinterpret_cast<double*>(line + round_up(lengths_.x, width));
+    const std::int64_t begin = item * rows_per_item, end = std::min(begin + rows_per_item, rows_);
+    if (rows(begin, end - begin, coefficients) != RC_OK) {
+      failed = begin;
+      return;
+    }
+    // Two real rows in one complex transform: what they become is real as well.
+    for (std::int64_t iy = begin; iy < end; iy += 2) {
+      const double* const one = coefficients + (iy - begin) * columns_;
+      const double* const other = iy + 1 < end ? one + columns_ : nullptr;
+      std::fill_n(line, lengths_.x, std::complex<double>{});
+      for (std::int64_t ix = 0; ix < columns_; ++ix) {
+        const std::complex<double> pair{one[ix], other ? other[ix] : 0.0};
+        line[ix] = pair;
+        line[ix == 0 ? 0 : lengths_.x - ix] = pair;
+      }
+      plans_->line(line);
+      double* const row = table() + iy * stride_;
+      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[kx] = line[kx].real();
+      std::fill(row + half_x_, row + stride_, 0.0);
+      if (!other) continue;
+      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[stride_ + kx] = line[kx].imag();
+      std::fill(row + stride_ + half_x_, row + 2 * stride_, 0.0);
     }
   });
+  // Again, for a message: those of other threads are not seen here.
+  if (failed >= 0) {
+    std::vector<double> row(static_cast<std::size_t>(columns_));
+    roughcontact::check(rows(failed, 1, row.data()));
+    fail(RC_ERR_INTERNAL, "influence coefficients could not be computed at first, but were on a second attempt; try again");
+  }
 }
 
-void Transform::load_free(const rc_host* host, const rc_operator_spec& spec) {
-  load_coefficients(host, spec, [](double*, std::int64_t) {});
+// Neighbouring columns are the real and imaginary parts of one complex column.
+void Eigenvalues::transform_block(std::int64_t block, std::complex<double>* waves) const {
+  constexpr std::int64_t pairs = width / 2;
+  std::fill_n(waves, lengths_.y * pairs, std::complex<double>{});
+  for (std::int64_t iy = 0; iy < rows_; ++iy) {
+    const auto* const from = reinterpret_cast<const std::complex<double>*>(table() + iy * stride_ + block * width);
+    std::copy_n(from, pairs, waves + iy * pairs);
+    if (iy > 0) std::copy_n(from, pairs, waves + (lengths_.y - iy) * pairs);
+  }
+  plans_->block(waves);
 }
-
-void Transform::load_squares(const rc_host* host, const rc_operator_spec& spec, double constant) {
-  load_coefficients(host, spec, [constant](double* table, std::int64_t count) {
-    for (std::int64_t i = 0; i < count; ++i) table[i] = (table[i] + constant) * (table[i] + constant);
-  });
-}
-
-void Transform::load_periodic(const rc_host* host, const rc_operator_spec& spec) {
-  double* const table = workspace_.rows.data();
-  roughcontact::check(host->symbol(host, spec.system, spec.kernel, table));
-  const double factor = scale();
-  for (std::int64_t ky = 0; ky < layout_.half_y; ++ky)
-    for (std::int64_t kx = 0; kx < layout_.half_x; ++kx) eigenvalues(kx)[ky] = factor * table[ky * layout_.half_x + kx];
-}
-
-void Transform::set_zero_mode(double eigenvalue) { *eigenvalues(0) = scale() * eigenvalue; }
 
 }  // namespace rc_fft

@@ -1,133 +1,133 @@
 #include "transform.h"
 
 #include <algorithm>
-#include <type_traits>
 
 namespace rc_fft {
 
 namespace {
 
-// Below this many points waking the helpers costs more than they save.
-constexpr double least_parallel = 16384;
-
 // A line is cleared once per so many rows.
 constexpr std::int64_t rows_per_item = 8;
 
-// A constant count for whole blocks lets the compiler unroll.
-template <class Copy> void with_width(std::int64_t width, const Copy& copy) {
-  if (width == columns_per_block)
-    copy(std::integral_constant<std::int64_t, columns_per_block>{});
-  else
-    copy(width);
-}
-
-void scale_column(double* z, const double* factor, std::int64_t n) {
-  const std::int64_t half = n / 2;
-  for (std::int64_t k = 0; k <= half; ++k) {
-    z[2 * k] *= factor[k];
-    z[2 * k + 1] *= factor[k];
-  }
-  for (std::int64_t k = half + 1; k < n; ++k) {
-    z[2 * k] *= factor[n - k];
-    z[2 * k + 1] *= factor[n - k];
-  }
-}
-
 }  // namespace
 
-Layout::Layout(Lengths l) : lengths(l), half_x(l.x / 2 + 1), half_y(l.y / 2 + 1) {
-  row_stride = aligned(2 * half_x);
+template <class Real> Layout<Real>::Layout(Lengths l) : lengths(l), half_x(l.x / 2 + 1), half_y(l.y / 2 + 1) {
+  constexpr std::int64_t width = columns_per_block<Real>;
+  row_stride = round_up(half_x, width);
   // Rows a multiple of 4096 bytes apart would compete for the same cache sets.
-  if (row_stride % 512 == 0) row_stride += 2 * columns_per_block;
-  column_stride = aligned(2 * l.y) + 2 * columns_per_block;
-  scratch = std::max(aligned(l.x) + row_stride, columns_per_block * column_stride);
+  if (row_stride % (32 * width) == 0) row_stride += width;
+  scratch = std::max(round_up(l.x, width), width * ColumnProduct<Real>::scratch_rows(l.y));
 }
 
-Transform::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, unsigned effort, Workspace& workspace,
-                     const rc_team& team)
-    : layout_(lengths),
-      workspace_(workspace),
-      team_(team),
-      parallel_(static_cast<double>(lengths.x) * static_cast<double>(lengths.y) >= least_parallel) {
+template <class Real>
+Transform<Real>::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, Planning& planning, Workspace& workspace,
+                           const rc_team& team)
+    : layout_(lengths), workspace_(workspace), team_(team), parallel_(worth_sharing(lengths)) {
   reserve(rows);
-  spectrum_.reserve(layout_.half_x, layout_.half_y, lengths);
-  plans_.emplace(host, lengths, effort, scratch(0), row(0), scratch(0));
+  spectrum_.reserve<Real>(layout_.blocks() * width, layout_.half_y, lengths);
+  if (has_small_factors(lengths.y)) own_columns_.emplace(lengths.y);
+  plans_.emplace(host, lengths, planning, line(0), row(0), scratch(0));
 }
 
-void Transform::reserve(std::int64_t rows) {
-  // While eigenvalues are made, the rows hold half_y rows of half_x real values.
-  workspace_.rows.reserve(std::max(rows, (layout_.half_y + 1) / 2), layout_.row_stride, layout_.lengths);
-  workspace_.scratch.reserve(team_.threads, layout_.scratch, layout_.lengths);
+template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
+  workspace_.rows.reserve<Complex>(rows, layout_.row_stride, layout_.lengths);
+  workspace_.scratch.reserve<Complex>(team_.threads, layout_.scratch, layout_.lengths);
 }
 
-void Transform::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x, const Points& targets,
-                         double* y) {
+template <class Real> double Transform<Real>::scale() const {
+  return 1.0 / (static_cast<double>(layout_.lengths.x) * static_cast<double>(layout_.lengths.y));
+}
+
+template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
+  const double factor = scale();
+  roughcontact::for_each(team_, source.blocks(), parallel_, [&](std::int64_t wide, std::int64_t thread) {
+    constexpr std::int64_t parts = Eigenvalues::width / width;
+    const std::int64_t first = wide * parts, last = std::min(first + parts, layout_.blocks());
+    source.along_y(wide, thread, [&](std::int64_t ky, const double* values) {
+      for (std::int64_t block = first; block < last; ++block) {
+        Real* const to = eigenvalues(block, ky);
+        const double* const from = values + (block - first) * width;
+        for (std::int64_t c = 0; c < width; ++c) to[c] = static_cast<Real>(factor * from[c]);
+      }
+    });
+  });
+}
+
+template <class Real> template <class Other> void Transform<Real>::load(const Transform<Other>& source) {
+  for (std::int64_t kx = 0; kx < layout_.half_x; ++kx)
+    for (std::int64_t ky = 0; ky < layout_.half_y; ++ky)
+      eigenvalues(kx / width, ky)[kx % width] = static_cast<Real>(source.eigenvalues(kx / source.width, ky)[kx % source.width]);
+}
+
+template <class Real>
+void Transform<Real>::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const Real* x, const Points& targets,
+                               Real* y) {
   reserve(targets.rows());
   rows_forward(sources, x0, y0, x);
   columns(y0, sources.rows(), targets.rows());
   rows_backward(targets, y);
 }
 
-void Transform::rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const double* x) {
+template <class Real> void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Real* x) {
   const std::int64_t items = (sources.rows() + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
-    double* const line = scratch(thread);
-    std::fill_n(line, layout_.lengths.x, 0.0);
+    Real* const padded = line(thread);
+    std::fill_n(padded, layout_.lengths.x, Real{0});
     const std::int64_t end = std::min((item + 1) * rows_per_item, sources.rows());
     for (std::int64_t i = item * rows_per_item; i < end; ++i) {
+      Complex* const transformed = row(y0 + i);
       if (sources.row_is_zero(i, x)) {
-        std::fill_n(row(y0 + i), 2 * layout_.half_x, 0.0);
+        std::fill_n(transformed, layout_.blocks() * width, Complex{});
       } else {
-        sources.scatter(i, x, line + x0);
-        plans_->line_to_row(line, row(y0 + i));
+        sources.scatter(i, x, padded + x0);
+        plans_->line_to_row(padded, transformed);
+        std::fill(transformed + layout_.half_x, transformed + layout_.blocks() * width, Complex{});
       }
     }
   });
 }
 
-void Transform::columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows) {
+template <class Real> void Transform<Real>::columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows) {
   roughcontact::for_each(team_, layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
-    const std::int64_t first = block * columns_per_block;
-    const std::int64_t stride = layout_.column_stride, length = layout_.lengths.y;
-    double* const block_columns = scratch(thread);
-    with_width(std::min(columns_per_block, layout_.half_x - first), [&](auto width) {
-      for (std::int64_t iy = y0; iy < y0 + source_rows; ++iy) {
-        const double* const from = row(iy) + 2 * first;
-        for (std::int64_t c = 0; c < width; ++c) {
-          block_columns[c * stride + 2 * iy] = from[2 * c];
-          block_columns[c * stride + 2 * iy + 1] = from[2 * c + 1];
-        }
-      }
-      for (std::int64_t c = 0; c < width; ++c) {
-        double* const column = block_columns + c * stride;
-        std::fill(column, column + 2 * y0, 0.0);
-        std::fill(column + 2 * (y0 + source_rows), column + 2 * length, 0.0);
-        plans_->forward(column);
-        scale_column(column, eigenvalues(first + c), length);
-        plans_->backward(column);
-      }
-      for (std::int64_t iy = 0; iy < target_rows; ++iy) {
-        double* const to = row(iy) + 2 * first;
-        for (std::int64_t c = 0; c < width; ++c) {
-          to[2 * c] = block_columns[c * stride + 2 * iy];
-          to[2 * c + 1] = block_columns[c * stride + 2 * iy + 1];
-        }
-      }
-    });
+    if (own_columns_)
+      own_columns_->multiply({row(0) + block * width, layout_.row_stride, y0, source_rows, target_rows,
+                              spectrum_.data<Real>() + block * layout_.half_y * width, scratch(thread)});
+    else
+      columns_by_fftw(block, scratch(thread), y0, source_rows, target_rows);
   });
 }
 
-void Transform::rows_backward(const Points& targets, double* y) {
+template <class Real>
+void Transform<Real>::columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows,
+                                      std::int64_t target_rows) {
+  const std::int64_t length = layout_.lengths.y;
+  for (std::int64_t c = 0; c < width; ++c) {
+    Complex* const at = row(0) + block * width + c;
+    std::fill_n(column, length, Complex{});
+    for (std::int64_t iy = y0; iy < y0 + source_rows; ++iy) column[iy] = at[iy * layout_.row_stride];
+    plans_->forward(column);
+    for (std::int64_t k = 0; k < length; ++k) column[k] *= eigenvalues(block, std::min(k, length - k))[c];
+    plans_->backward(column);
+    for (std::int64_t iy = 0; iy < target_rows; ++iy) at[iy * layout_.row_stride] = column[iy];
+  }
+}
+
+template <class Real> void Transform<Real>::rows_backward(const Points& targets, Real* y) {
   const std::int64_t items = (targets.rows() + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
-    double* const line = scratch(thread);
     const std::int64_t end = std::min((item + 1) * rows_per_item, targets.rows());
     for (std::int64_t i = item * rows_per_item; i < end; ++i) {
       if (targets.row_is_empty(i)) continue;
-      plans_->row_to_line(row(i), line);
-      targets.gather(i, line, y);
+      plans_->row_to_line(row(i), line(thread));
+      targets.gather(i, line(thread), y);
     }
   });
 }
+
+template struct Layout<double>;
+template struct Layout<float>;
+template class Transform<double>;
+template class Transform<float>;
+template void Transform<float>::load(const Transform<double>&);
 
 }  // namespace rc_fft

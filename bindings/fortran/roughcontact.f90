@@ -20,6 +20,7 @@ module roughcontact
   integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
   integer(c_int32_t), parameter :: RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2
+  integer(c_int32_t), parameter :: RC_BATCH_SHARED = -1
   integer(c_int32_t), parameter :: RC_LOG_INFO = 1, RC_LOG_WARNING = 2
   integer(c_int32_t), parameter :: RC_CONTEXT_NO_PLUGINS = 1, RC_CONTEXT_NO_ENVIRONMENT = 2
   integer(c_int32_t), parameter :: RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3
@@ -87,6 +88,25 @@ module roughcontact
     integer(c_int64_t) :: completed = 0
   end type
 
+  type, bind(c) :: rc_batch
+    integer(c_size_t) :: struct_size = 200
+    integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
+    integer(c_int64_t) :: n = 0, steps = 0
+    type(c_ptr) :: targets = c_null_ptr
+    integer(c_int64_t) :: target_stride = 0
+    type(c_ptr) :: gap = c_null_ptr
+    integer(c_int64_t) :: gap_stride = 0
+    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+    integer(c_int64_t) :: mask_stride = 0
+    type(c_ptr) :: p0 = c_null_ptr, p = c_null_ptr, load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr
+    type(c_ptr) :: stiffness = c_null_ptr, certificate = c_null_ptr
+    type(c_ptr) :: status = c_null_ptr  ! integer(rc_status)
+    type(c_ptr) :: iterations = c_null_ptr, applications = c_null_ptr  ! integer(c_int64_t)
+    type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c), numbers by value
+    type(c_ptr) :: user = c_null_ptr
+    integer(c_int64_t) :: written = 0, certified = 0, first = -1
+  end type
+
   type, bind(c) :: rc_direct
     integer(c_size_t) :: struct_size = 248
     integer(rc_status) :: status = 0
@@ -148,6 +168,9 @@ module roughcontact
     end subroutine
     subroutine rc_path_init(path) bind(c); import
       type(rc_path), intent(out) :: path
+    end subroutine
+    subroutine rc_batch_init(batch) bind(c); import
+      type(rc_batch), intent(out) :: batch
     end subroutine
     subroutine rc_level_init(level) bind(c); import
       type(rc_level), intent(out) :: level
@@ -295,6 +318,11 @@ module roughcontact
       type(rc_step), intent(in) :: step
       type(c_ptr), value :: options
       type(rc_result), intent(inout) :: result
+    end function
+    integer(rc_status) function rc_batch_solve(system, options, batch) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(c_ptr), value :: options
+      type(rc_batch), intent(inout) :: batch
     end function
 
     ! H(ld, n): a symmetric matrix is the same by rows and by columns.

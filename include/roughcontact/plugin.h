@@ -39,6 +39,10 @@ struct rc_host {
   /** Periodic systems: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx];
    *  those at nx-kx and ny-ky are equal. out[0] (the mean) is 0. */
   rc_status (*symbol)(const rc_host *, const rc_system *, const char *kernel, double *out);
+  /** Free systems: H at the offsets (first_x + ix, first_y + iy), as coefficients() has it. Several threads may call it at
+   *  the same time; a message is seen in the thread that called. */
+  rc_status (*window)(const rc_host *, const rc_system *, const char *kernel, int64_t first_x, int64_t first_y, int64_t mx,
+                      int64_t my, double *out);
 };
 
 /** The threads of one contact (option threads). Used by one thread at a time, not from inside a task. */
@@ -79,6 +83,7 @@ typedef struct rc_domain {
 #define RC_CAP_NORM (UINT64_C(1) << 7)             /* has norm()                                              */
 #define RC_CAP_FLOAT (UINT64_C(1) << 8)            /* has apply_float()                                       */
 #define RC_CAP_SCREEN (UINT64_C(1) << 9)           /* has screen()                                            */
+#define RC_CAP_APPROXIMATE (UINT64_C(1) << 10)     /* products may be off by about 1e-11 of the largest entry */
 
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
@@ -137,7 +142,7 @@ typedef struct rc_grid {
   const double *gap;    /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0                     */
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
-  double approach;      /* DISPLACEMENT: d [length]; where H has no negative entry the unknowns have gap < d    */
+  double approach;      /* DISPLACEMENT: d [length]                                                             */
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
 } rc_grid;
@@ -205,6 +210,7 @@ struct rc_problem {
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
+#define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {
@@ -212,7 +218,7 @@ typedef struct rc_solver {
   const char *name;
   const char *summary;
   const char *license;
-  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID or 0                                      */
+  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID, RC_WANTS_BOX or 0                        */
   uint32_t controls; /* bit RC_CONTROL_*: the controls it handles itself. Load control is added to a
                         displacement solver by the core's iteration on the approach                            */
   uint32_t reserved;

@@ -200,6 +200,50 @@ typedef struct rc_path {
 #define RC_PATH_INIT \
   { sizeof(rc_path), RC_CONTROL_DISPLACEMENT, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
 
+/** Called after each step with status >= 0, on the thread that solves it, with pressures and gap that last until it returns.
+ *  The steps of one contact come in order; those of different contacts in any order and, with several threads, at the same
+ *  time. Return nonzero to end the batch: fn is then not called for further steps. Must not throw. */
+typedef int32_t (*rc_batch_fn)(int64_t contact, int64_t step, const rc_result *result, void *user);
+
+enum { RC_BATCH_SHARED = -1 }; /* as a stride: one array for all contacts                                     */
+
+/** The loading histories of many contacts on one system: surfaces of a Monte Carlo study, Gauss points of a finite element
+ *  code. Values of step k of contact i are at index i*steps + k; output arrays may be NULL. */
+typedef struct rc_batch {
+  size_t struct_size;
+  int32_t control;      /* RC_CONTROL_*                                                                        */
+  int32_t warm_start;   /* as in rc_path, from a contact's second step on                                      */
+  int64_t n;            /* contacts                                                                            */
+  int64_t steps;        /* of each history                                                                     */
+  const double *targets; /* approaches [length] or loads [force]; step k of contact i at i*target_stride + k   */
+  int64_t target_stride; /* 0: steps; RC_BATCH_SHARED; else >= steps                                           */
+  const double *gap;    /* as rc_step.gap; point m of contact i at i*gap_stride + m                            */
+  int64_t gap_stride;   /* 0: nx*ny; RC_BATCH_SHARED; else >= nx*ny                                            */
+  const uint8_t *mask;  /* as rc_step.mask; point m of contact i at i*mask_stride + m; NULL: all points        */
+  int64_t mask_stride;  /* as gap_stride                                                                       */
+  const double *p0;     /* [n*nx*ny] as rc_step.p0, for the first step of each contact; may be p; NULL: none   */
+  double *p;            /* out [n*nx*ny] pressures of a contact's last step with status >= 0 [force/length^2];
+                           untouched for a contact that has none                                               */
+  double *load;         /* out [force]; this and the numbers below: NaN (counts: -1) for a step with status < 0
+                           and those that were not reached                                                     */
+  double *displacement; /* out, approach [length]                                                              */
+  double *contact_area; /* out [length^2]                                                                      */
+  double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is */
+  double *certificate;  /* out, the largest kkt_* residual                                                     */
+  rc_status *status;    /* out; the first step that is not RC_OK ends its contact, and the steps after it have its
+                           status. RC_STOP_CANCELLED or RC_STOP_TIME also where the batch ended before the step */
+  int64_t *iterations;  /* out, of the solver                                                                  */
+  int64_t *applications; /* out, products with H                                                               */
+  rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                          */
+  void *user;           /* handed to fn                                                                        */
+  int64_t written;      /* out: contacts whose outputs are written: n, or 0 if the call itself was refused     */
+  int64_t certified;    /* out: contacts of which every step is certified                                      */
+  int64_t first;        /* out: the contact whose status is returned; -1: none                                 */
+} rc_batch;
+#define RC_BATCH_INIT                                                                                                    \
+  { sizeof(rc_batch), RC_CONTROL_DISPLACEMENT, 1, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, \
+    NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, -1 }
+
 /** What a direct routine tells besides p and w. */
 typedef struct rc_direct {
   size_t struct_size;
@@ -297,6 +341,7 @@ RC_API void rc_step_init(rc_step *step);
 RC_API void rc_result_init(rc_result *result);
 RC_API void rc_context_config_init(rc_context_config *config);
 RC_API void rc_path_init(rc_path *path);
+RC_API void rc_batch_init(rc_batch *batch);
 RC_API void rc_level_init(rc_level *level);
 RC_API void rc_direct_init(rc_direct *result);
 /** @} */
@@ -374,6 +419,19 @@ RC_API void rc_contact_cancel(rc_contact *contact);
 RC_API void rc_contact_destroy(rc_contact *contact);
 /** One shot: create, solve, destroy. options may be NULL. */
 RC_API rc_status rc_solve(const rc_system *system, const rc_step *step, const rc_options *options, rc_result *result);
+/** @} */
+
+/** @defgroup batch Batch: many contacts in one call  @{ */
+/** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_path: the same bits, whatever
+ *  the number of threads. Option threads: contacts that are solved at the same time, each by one thread; where the system
+ *  refuses threads, fewer. Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is
+ *  called from several threads at the same time. All threads have ended when the call returns.
+ *  A contact that fails does not stop the others. RC_OK: every step of every contact is certified. Otherwise the status of the
+ *  first contact that failed (< 0) or, if none did, of the first that is not certified (> 0), and rc_last_error() says how many
+ *  contacts ended with which status. All outputs are then written (rc_batch.written is n). RC_STOP_CANCELLED if fn ended the
+ *  batch and no contact failed: what was finished stays.
+ *  Errors: as rc_contact_create and rc_contact_solve; ARGUMENT and SHAPE for the batch itself, with written = 0. */
+RC_API rc_status rc_batch_solve(const rc_system *system, const rc_options *options, rc_batch *batch);
 /** @} */
 
 /** @defgroup direct Direct routines: one call, plain arguments, no handles

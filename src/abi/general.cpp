@@ -27,6 +27,8 @@ void rc_context_config_init(rc_context_config* config) { give<rc_context_config>
 
 void rc_path_init(rc_path* path) { give<rc_path>(path, RC_PATH_INIT); }
 
+void rc_batch_init(rc_batch* batch) { give<rc_batch>(batch, RC_BATCH_INIT); }
+
 void rc_level_init(rc_level* level) {
   rc_level empty{};
   empty.struct_size = sizeof(rc_level);

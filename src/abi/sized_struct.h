@@ -15,6 +15,7 @@ template <> inline constexpr std::size_t first_size<rc_step> = 48;
 template <> inline constexpr std::size_t first_size<rc_result> = 432;
 template <> inline constexpr std::size_t first_size<rc_level> = 88;
 template <> inline constexpr std::size_t first_size<rc_path> = 120;
+template <> inline constexpr std::size_t first_size<rc_batch> = 200;
 template <> inline constexpr std::size_t first_size<rc_direct> = 248;
 template <> inline constexpr std::size_t first_size<rc_context_config> = 40;
 template <> inline constexpr std::size_t first_size<rc_component> = 40;

@@ -115,16 +115,52 @@ rc_status Contact::solve(const rc_step& step, rc_result& result) {
 rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   Monitor monitor(cancelled_, progress_, options_.real(RC_OPT_TIME_LIMIT), options_.integer(RC_OPT_MAX_ITER));
   if (nothing_touches(step)) return finish(step, {}, monitor, result);
-  const Answer answer = step.control == RC_CONTROL_LOAD ? at_load(step, monitor) : at_displacement(step, monitor);
-  return finish(step, answer, monitor, result);
+  failed_.clear();
+  for (;;) {
+    choice_ = {};
+    try {
+      const Answer answer = step.control == RC_CONTROL_LOAD ? at_load(step, monitor) : at_displacement(step, monitor);
+      const rc_status status = finish(step, answer, monitor, result);
+      const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
+      if (!hopeless || !pass_over(choice_.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
+        return status;
+      clear_message();
+    } catch (const Error& error) {
+      const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN;
+      if (!lacking || !choice_.backend || !pass_over(choice_.backend->name, RC_OPT_BACKEND, error.what())) throw;
+      operators_.erase(choice_.backend->name);
+    }
+  }
 }
 
 TrialSet Contact::trial_below(double limit) const { return system_.positive ? surface_.below(limit) : surface_.all(); }
 
-Choice Contact::choose_for(const TrialSet& trial, std::int32_t control) const {
+Choice Contact::choose_for(const TrialSet& trial, std::int32_t control) {
   const Counts counts{trial.n, box_points(trial, system_.given.nx, system_.given.ny), system_.points(),
                       options_.real(RC_OPT_TOL)};
-  return choose(options_, system_, control, counts);
+  choice_ = choose(options_, system_, control, counts, failed_);
+  return choice_;
+}
+
+// Whether there is something else that "auto" may stand for.
+bool Contact::pass_over(const char* name, const char* option, const std::string& reason) {
+  if (options_.text(option) != "auto" || options_.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
+  failed_.emplace_back(name);
+  try {
+    choose(options_, system_, RC_CONTROL_DISPLACEMENT, {}, failed_);
+  } catch (const Error&) {
+    return false;
+  }
+  remarks_.push_back(join("auto: passed over ", name, ", ", reason));
+  return true;
+}
+
+// A solver that takes every point of a box for an unknown needs no index, where products cost the same.
+TrialSet Contact::widened(TrialSet trial, const Choice& choice) const {
+  constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost by the point
+  if (!(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !surface_.whole()) return trial;
+  const std::int64_t box = box_points(trial, system_.given.nx, system_.given.ny);
+  return trial.n < box && 2 * trial.n >= box ? box_of(trial, system_.given.nx, system_.given.ny) : trial;
 }
 
 Operator& Contact::bound_operator(const rc_backend& backend, const TrialSet& trial) {
@@ -211,8 +247,9 @@ std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, d
 }
 
 Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
-  const TrialSet trial = trial_below(step.target);
+  TrialSet trial = trial_below(step.target);
   Answer answer = prepare(trial, step.control, step.target - surface_.lowest());
+  trial = widened(std::move(trial), answer.choice);
   answer.op = &bound_operator(*answer.choice.backend, trial);
   answer.p = start(step, trial, answer.pressure_unit);
   answer.approach = step.target;

@@ -90,7 +90,9 @@ class Contact {
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit) const;
 
   TrialSet trial_below(double limit) const;
-  Choice choose_for(const TrialSet& trial, std::int32_t control) const;
+  Choice choose_for(const TrialSet& trial, std::int32_t control);
+  bool pass_over(const char* name, const char* option, const std::string& reason);
+  TrialSet widened(TrialSet trial, const Choice& choice) const;
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   Answer prepare(const TrialSet& trial, std::int32_t control, double length_unit);
   SolverRun run(const Answer& answer, Monitor& monitor);
@@ -122,6 +124,8 @@ class Contact {
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   std::map<std::int64_t, Level> levels_;  // by number of points
   std::vector<std::string> remarks_;      // of this step's solver
+  Choice choice_;                         // the latest of this step
+  std::vector<std::string> failed_;       // components that "auto" passes over in this step
   ProgressCallback progress_;
   std::atomic<bool> busy_{false}, cancelled_{false};
   bool warm_ = true;                      // this step may start from earlier ones

@@ -17,6 +17,8 @@ constexpr int most_rounds = 8;       // of enlarging the trial set
 constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
 constexpr double margin = 1.05;
+constexpr double farthest = 4;  // ratio of two loads above which the one's pressures are no help for the other
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -33,16 +35,19 @@ double Contact::approach_estimate(double load, bool warm) const {
 
 Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
   const double lowest = surface_.lowest(), load = step.target / system_.cell_area();
-  const bool warm = step.warm_start != 0 && last_.same_gap && last_.load > 0;
+  const double ratio = last_.load > 0 ? step.target / last_.load : infinite;
+  const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last_.same_gap;
   double height = system_.halfspace() ? approach_estimate(step.target, warm) : surface_.highest() - lowest;
   if (!(height > 0)) height = load * system_.length_per_pressure;
   rc_step from = step;
+  from.warm_start = near;
   std::vector<double> start_pressures;
   bool handed_over = false;
   for (int round = 0;; ++round) {
-    const double limit = std::max(lowest + height, std::nextafter(lowest, std::numeric_limits<double>::infinity()));
+    const double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet trial = system_.halfspace() ? trial_below(limit) : surface_.all();
     Answer answer = prepare(trial, step.control, height);
+    trial = widened(std::move(trial), answer.choice);
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     answer.handed_over = handed_over;
     if (system_.periodic() && !direct) {
@@ -74,10 +79,11 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
       handed_over = true;
       continue;
     }
-    // A stopped solve may not carry the load yet.
-    const double sum = answer.status == RC_OK ? wanted : std::accumulate(answer.p.begin(), answer.p.end(), 0.0);
-    answer.datum_shift = trial.zero_mode * sum / static_cast<double>(system_.points()) * height;
-    answer.approach = lowest + answer.approach * height;
+    // The zero mode is taken out with the load that the pressures have, which is not quite the one wanted.
+    const double sum = std::accumulate(answer.p.begin(), answer.p.end(), 0.0);
+    const double per_load = trial.zero_mode / static_cast<double>(system_.points());
+    answer.datum_shift = per_load * sum * height;
+    answer.approach = lowest + (answer.approach + per_load * (wanted - sum)) * height;
     const bool covered = trial.n == surface_.included_points() || answer.approach <= limit;
     const bool finite = std::isfinite(answer.approach);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_rounds) return answer;
@@ -101,7 +107,7 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     height[i] =
         (surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] - lowest) / answer.length_unit;
 
-  double low = 0, high = std::numeric_limits<double>::infinity(), d = first + shift;
+  double low = 0, high = infinite, d = first + shift;
   for (int k = 0; k < most_approaches; ++k) {
     for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
     double unused = 0;
@@ -130,8 +136,7 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
     for (const double value : rate) slope += value;
     double next = d + (load - sum) / slope;
     if (next == d) return solved;  // as near as double precision comes; the certificate decides
-    if (!(next > low && next < high))
-      next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : std::max(2 * d, 1.0);
+    if (!(next > low && next < high)) next = high < infinite ? 0.5 * (low + high) : std::max(2 * d, 1.0);
     for (std::size_t i = 0; i < contact.size(); ++i) {
       double& p = answer.p[static_cast<std::size_t>(contact[i])];
       p = std::max(0.0, p + (next - d) * rate[i]);

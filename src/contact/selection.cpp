@@ -50,9 +50,13 @@ std::string describe(const std::vector<std::string>& reasons) {
   return text;
 }
 
+bool contains(const std::vector<std::string>& names, const char* name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 // The first of the named backends that can be used; by counts for "auto".
 const rc_backend& choose_backend(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
-                                 const rc_solver* solver) {
+                                 const rc_solver* solver, const std::vector<std::string>& failed) {
   const std::string& wanted = options.text(RC_OPT_BACKEND);
   const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0;
   const auto reason = [&](const rc_backend& backend) {
@@ -77,7 +81,9 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
   }
   const rc_backend *direct = nullptr, *matrix_free = nullptr;
   for (const auto* component : options.context->backends()) {
-    if (!reason(component->vtable).empty()) continue;
+    if ((component->vtable.caps & RC_CAP_APPROXIMATE) != 0 || !reason(component->vtable).empty() ||
+        contains(failed, component->vtable.name))
+      continue;
     const rc_backend*& slot = factors(component->vtable) ? direct : matrix_free;
     const auto repeats = [](const rc_backend& backend) { return (backend.caps & RC_CAP_THREAD_INVARIANT) != 0; };
     // Among equals, one whose results do not depend on the number of threads.
@@ -118,14 +124,19 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
   return {};
 }
 
-Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts) {
+Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
+              const std::vector<std::string>& failed) {
   Choice choice;
   const std::string& wanted = options.text(RC_OPT_SOLVER);
   if (wanted != "auto") choice.solver = &options.context->solver(wanted);
-  choice.backend = &choose_backend(options, system, control, counts, choice.solver);
+  choice.backend = &choose_backend(options, system, control, counts, choice.solver, failed);
   if (!choice.solver) {
     const bool direct = factors(*choice.backend) && (prefers_direct(counts) || system.given.op == RC_OPERATOR_DENSE);
-    choice.solver = &options.context->solver(suited(direct, system.halfspace()));
+    const char* name = suited(direct, system.halfspace());
+    for (const char* next : {"nnls", "polonsky-keer"})
+      if (contains(failed, name)) name = next;
+    if (contains(failed, name)) fail(RC_ERR_NO_SOLVER, "every solver that suits ", kind_of(system), " has failed");
+    choice.solver = &options.context->solver(name);
   }
   return choice;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "contact/system.h"
 #include "registry/options_handle.h"
@@ -33,7 +34,8 @@ std::string missing_operation(const rc_solver& solver, std::uint64_t capabilitie
 std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
                      bool fallbacks);
 
-// Throws Error(NO_SOLVER, NO_BACKEND, INCOMPATIBLE, PLUGIN).
-Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts);
+// Throws Error(NO_SOLVER, NO_BACKEND, INCOMPATIBLE, PLUGIN). "auto" passes over the names of components that failed.
+Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
+              const std::vector<std::string>& failed = {});
 
 }  // namespace rc

@@ -18,10 +18,10 @@ struct SolverRun {
   const rc_team& team;
   Operator& op;
   Monitor& monitor;
-  bool fallbacks;     // operations that the backend lacks may be replaced
-  double lambda_min;  // a lower bound of the operator's eigenvalues; 0: none
-  bool positive;      // no entry of H is negative
-  rc_grid grid;       // without its index and, in load control, its approach; gap null: there is no grid
+  bool fallbacks;                     // operations that the backend lacks may be replaced
+  double lambda_min;                  // a lower bound of the operator's eigenvalues; 0: none
+  bool positive;                      // no entry of H is negative
+  rc_grid grid;                       // without its index and, in load control, its approach; gap null: there is no grid
   double length_unit, pressure_unit;  // of u and p; 0 without a grid
   std::function<rc_status(rc_coarse&)> coarse;
   std::function<rc_status(std::int64_t mx, std::int64_t my, double* out)> coefficients;

@@ -106,14 +106,37 @@ double SurfaceState::bearing_height(double target) const {
   }
 }
 
-std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
-  if (trial.index.empty()) return nx * ny;
-  std::int64_t left = nx, right = -1;
+namespace {
+
+struct Box {
+  std::int64_t left, right, low, high;  // of the points in it
+};
+
+Box box_around(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
+  if (trial.index.empty()) return {0, nx - 1, 0, ny - 1};
+  Box box{nx, -1, trial.index.front() / nx, trial.index.back() / nx};
   for (const std::int64_t point : trial.index) {
-    left = std::min(left, point % nx);
-    right = std::max(right, point % nx);
+    box.left = std::min(box.left, point % nx);
+    box.right = std::max(box.right, point % nx);
   }
-  return (right - left + 1) * (trial.index.back() / nx - trial.index.front() / nx + 1);
+  return box;
+}
+
+}  // namespace
+
+std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
+  const Box box = box_around(trial, nx, ny);
+  return (box.right - box.left + 1) * (box.high - box.low + 1);
+}
+
+TrialSet box_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
+  const Box box = box_around(trial, nx, ny);
+  TrialSet all{(box.right - box.left + 1) * (box.high - box.low + 1), {}, trial.zero_mode};
+  if (all.n == nx * ny) return all;
+  all.index.reserve(static_cast<std::size_t>(all.n));
+  for (std::int64_t y = box.low; y <= box.high; ++y)
+    for (std::int64_t x = box.left; x <= box.right; ++x) all.index.push_back(y * nx + x);
+  return all;
 }
 
 }  // namespace rc

@@ -45,5 +45,7 @@ class SurfaceState {
 
 // Points of the bounding box of a trial set on a grid nx wide and ny high.
 std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny);
+// Every point of that box, or of the grid where it is as large.
+TrialSet box_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny);
 
 }  // namespace rc

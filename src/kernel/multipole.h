@@ -4,6 +4,7 @@
 #include <array>
 
 #include "kernel/density.h"
+#include "kernel/kernels.h"
 
 namespace rc::kernel {
 
@@ -15,15 +16,17 @@ class Multipole {
  public:
   Multipole(const Density& along_x, const Density& along_y);
 
-  // Whether the expansion has converged to round-off at (x, y).
-  bool reaches(double x, double y) const { return x * x + y * y >= reach_.back(); }
-  double mean_inverse_distance(double x, double y) const;
+  // Whether the expansion has converged to round-off at a distance squared.
+  bool reaches(double square) const { return square >= reach_.back(); }
+  // At the points that are `square` from the origin, whose cos 2 phi is t; of no meaning where the expansion does not reach.
+  // `nearest` is no larger than any of the squares, and decides how many terms are summed.
+  void mean_inverse_distance(const Run& square, const Run& t, double nearest, Run& out) const;
 
  private:
   static constexpr int order = 10;
 
-  std::array<std::array<double, order + 1>, order + 1> c_{};  // c_kl
-  std::array<double, order + 1> reach_{};                     // |x|^2 from which the terms up to k suffice; decreasing
+  std::array<std::array<double, order + 1>, order + 1> power_{};  // the polynomials in t, by powers of t
+  std::array<double, order + 1> reach_{};                         // |x|^2 from which the terms up to k suffice; decreasing
 };
 
 }  // namespace rc::kernel

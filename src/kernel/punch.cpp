@@ -1,21 +1,24 @@
 // Rigid flat circular punch inscribed in a square cell: Johnson, Contact Mechanics (1985), section 3.4(b); Bemporad & Paggi
 // (2015), eq. (9).
-#include <cmath>
 #include <numbers>
 
 #include "kernel/kernels.h"
+#include "kernel/radial.h"
 
 namespace rc::kernel {
 
 namespace {
 
 // Under a force F the surface moves by 2F/(pi E* delta) arcsin(delta/(2r)) outside a punch of diameter delta; here F is delta^2.
+// arcsin k = sum over j of a_j / (2j + 1) k^(2j+1), a_j = (2j)! / (4^j j!^2).
 void fill_punch(double diameter, double self, const Window& window, double* out) {
-  const double factor = 2 * diameter / std::numbers::pi;
-  fill(window, out, [&](double x, double y) {
-    const double square = x * x + y * y;
-    return square == 0 ? self : factor * std::asin(0.5 / std::sqrt(square));
-  });
+  std::array<double, RadialSeries::terms> c;
+  double a = 1;
+  for (int j = 0; j < RadialSeries::terms; ++j) {
+    c[j] = a / (2 * j + 1);
+    a *= (2 * j + 1.0) / (2 * j + 2);
+  }
+  fill_radial(RadialSeries(c), 2 * diameter / std::numbers::pi, self, window, out);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "kernel/kernel.h"
+#include "kernel/kernels.h"
 #include "registry/context.h"
 #include "registry/options_handle.h"
 
@@ -96,6 +97,14 @@ Host::Host(const Context& owner) : rc_host{}, context(&owner) {
       kernel::symbol(kernel_named(name), system->hx, system->hy, system->nx, system->ny, out);
       if (system->modulus != 1)
         for (std::int64_t i = 0; i < (system->nx / 2 + 1) * (system->ny / 2 + 1); ++i) out[i] /= system->modulus;
+    });
+  };
+  window = [](const rc_host*, const rc_system* system, const char* name, std::int64_t first_x, std::int64_t first_y,
+              std::int64_t mx, std::int64_t my, double* out) {
+    return shielded([&] {
+      kernel::window_coefficients(kernel_named(name), system->hx, system->hy, {first_x, first_y, mx, my}, out);
+      if (system->modulus != 1)
+        for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= system->modulus;
     });
   };
 }

@@ -4,6 +4,10 @@
 // Against the printed algorithm: a point is kept if it is near some coarse contact (not near all), each level is compressed by
 // the same amount below its own highest point, no coarse contact at all means that nothing can be excluded, and the answer is
 // certified: points left out that overlap are added until there are none. As published with cmr.certified = 0.
+//
+// With cmr.select = gap the last step differs: what one product with the pressure of the next coarser grid leaves nearly closed
+// is kept, in whole tiles. So islands are found that the coarser grid did not have, and the set is no larger than the contact
+// needs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,6 +25,10 @@ namespace {
 constexpr std::int64_t coarsest_side = 16;  // of an automatic cascade: the paper's
 constexpr int most_rounds = 20;             // of adding points; each adds at least one
 constexpr std::int64_t most_levels = 30;
+
+// Of the selection by gaps: sides of a tile, and up to which part of the surface's roughness a gap is nearly closed.
+constexpr std::int64_t tile = 16;
+constexpr double nearly_closed = 0.01;
 
 using Mask = std::vector<std::uint8_t>;
 
@@ -45,6 +53,7 @@ class Cascade {
         n_(problem.size()),
         inner_(problem.option_text("cmr.inner")),
         certified_(problem.option_int("cmr.certified") != 0),
+        by_gap_(problem.option_text("cmr.select") == "gap"),
         radius_(problem.option_real("cmr.radius") * (problem.option_text("cmr.area") == "diagonal" ? std::numbers::sqrt2 : 1.0)) {
     const std::string filter = problem.option_text("cmr.filter");
     filter_ = filter == "subsample" ? Filter::subsample : filter == "mean" ? Filter::mean : Filter::max;
@@ -110,6 +119,7 @@ class Cascade {
       const rc_status status = problem_.coarse(request);
       if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) throw Leave{status};
       if (status < 0) return {};
+      if (k == 0 && by_gap_) return nearly_closed_tiles(level, p);
       const std::int64_t nx = k > 0 ? levels_[k - 1].nx : grid_.nx, ny = k > 0 ? levels_[k - 1].ny : grid_.ny;
       allowed = near_contacts(level, p, nx, ny);
       if (allowed.empty()) return {};
@@ -130,6 +140,45 @@ class Cascade {
   }
 
   std::int64_t point(std::int64_t i) const { return grid_.index ? grid_.index[i] : i; }
+
+  // The unknowns in tiles where the coarser grid's pressure acts, or leaves some gap nearly closed. Empty if it has no contact.
+  Mask nearly_closed_tiles(const Level& level, const Vector& coarse) {
+    const auto size = static_cast<std::size_t>(n_);
+    Vector p(size), w(size);
+    bool any = false;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::int64_t at = point(static_cast<std::int64_t>(i)), x = at % grid_.nx / 2, y = at / grid_.nx / 2;
+      p[i] = std::max(0.0, coarse[static_cast<std::size_t>(y * level.nx + x)] / problem_.pressure_unit());
+      any = any || p[i] > 0;
+    }
+    if (!any) return {};
+    problem_.apply(p, w);
+    const double limit = nearly_closed * roughness() / problem_.length_unit();
+    const std::int64_t columns = (grid_.nx + tile - 1) / tile, rows = (grid_.ny + tile - 1) / tile;
+    Mask active(static_cast<std::size_t>(columns * rows), 0), keep(size);
+    const auto tile_of = [&](std::size_t i) {
+      const std::int64_t at = point(static_cast<std::int64_t>(i));
+      return static_cast<std::size_t>(at / grid_.nx / tile * columns + at % grid_.nx / tile);
+    };
+    for (std::size_t i = 0; i < size; ++i)
+      if (p[i] > 0 || w[i] - problem_.u()[i] < limit) active[tile_of(i)] = 1;
+    for (std::size_t i = 0; i < size; ++i) keep[i] = active[tile_of(i)];
+    // Where nothing better is known, the inner solver begins with it.
+    if (std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) p_ = p;
+    return keep;
+  }
+
+  // Standard deviation of the gap [length].
+  double roughness() const {
+    double count = 0, mean = 0, squares = 0;  // of the deviations from the mean so far
+    for (std::size_t i = 0; i < fine_gap().size(); ++i) {
+      if (grid_.mask && !grid_.mask[i]) continue;
+      const double off = grid_.gap[i] - mean;
+      mean += off / ++count;
+      squares += off * (grid_.gap[i] - mean);
+    }
+    return count > 0 ? std::sqrt(squares / count) : 0.0;
+  }
 
   // Points of the next finer grid within the area of influence of a contact: distances in cells of the coarse grid. Empty if
   // there is no contact.
@@ -217,7 +266,7 @@ class Cascade {
   Vector& p_;
   const std::int64_t n_;
   const std::string inner_;
-  const bool certified_;
+  const bool certified_, by_gap_;
   const double radius_;  // of the area of influence, in cells of the coarse grid
   Filter filter_;
   std::vector<Level> levels_;  // [0] is half as fine as the problem's grid
@@ -236,7 +285,10 @@ constexpr rc_option_spec filter = text_option("cmr.filter", "max", "subsample|me
                                               "what a coarse point takes from its four heights: one, their mean or the highest");
 constexpr rc_option_spec certified = int_option(
     "cmr.certified", "1", 0, 1, "1: add points that overlap and solve again until none does; 0: as published, may be wrong");
-constexpr const rc_option_spec* specs[] = {&inner, &levels, &radius, &area, &filter, &certified};
+constexpr rc_option_spec select = text_option("cmr.select", "influence", "influence|gap",
+                                              "what is kept of the given grid: points within the area of influence, or tiles "
+                                              "that the coarser pressure leaves nearly closed");
+constexpr const rc_option_spec* specs[] = {&inner, &levels, &radius, &area, &filter, &certified, &select};
 
 }  // namespace
 

@@ -2,13 +2,19 @@
 // at different places. Bounds are enforced every second step; a merit that rises, or a residual that stalls, makes the steps
 // between longer and the admission of new points stricter.
 //
+// Products are in single precision where the backend has them; the residual is replaced by one of a product in double precision
+// once it has lost the digits that single precision can tell, and before it is believed.
+//
 // In load control the approach follows by Newton's method at the same time: the tree gives the slope of the load, and the load
 // that the present gap still calls for.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
+#include "solvers/haar_nested.h"
+#include "solvers/haar_passes.h"
 #include "solvers/haar_tree.h"
 #include "solvers/solver.h"
 #include "solvers/vector_math.h"
@@ -20,248 +26,256 @@ namespace {
 constexpr std::int64_t table_side = 64;  // couplings are averaged from this many offsets, and extrapolated beyond
 constexpr int first_interval = 2, longest_interval = 16;
 constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
-constexpr int patience = 10;           // bounded steps without half the residual before the safeguard acts
-constexpr int hopeless = 60;           // and before the solver gives up
-constexpr double slope_excess = 1.06;  // of the tree's slope of the load over the true one
-constexpr int refresh_every = 8;       // bounded steps between fresh products that wash out drift
+constexpr int patience = 10;  // bounded steps without half the residual before the safeguard acts
+constexpr double least_excess = 0.5, most_excess = 2;
+constexpr double caution = 0.7;  // in lengthening the datum's steps
+constexpr double damping = 1.2;
+constexpr double elongated = 10;   // ratio of a periodic surface's sides
+constexpr double settled = 5e-2;   // residual below which the contact set changes little
+constexpr int refresh_every = 12;  // bounded steps between fresh products that wash out drift
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-class Iteration {
+template <class Real> constexpr bool single = sizeof(Real) < sizeof(double);
+// Digits that may be lost before the residual is replaced, and rises of the merit that rounding explains.
+template <class Real> constexpr double drop = single<Real> ? 1e-4 : 0;
+template <class Real> constexpr double merit_noise = single<Real> ? 1e-6 : 1e-10;
+
+// The unknowns in their bounding box.
+Cells cells_of(const rc_grid& grid, std::int64_t n) {
+  if (!grid.index) return {grid.nx, grid.ny, {}, {}};
+  Cells cells{0, 0, std::vector<std::int32_t>(static_cast<std::size_t>(n)),
+              std::vector<std::int32_t>(static_cast<std::size_t>(n))};
+  std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0;
+  for (std::size_t i = 0; i < cells.x.size(); ++i) {
+    cells.x[i] = static_cast<std::int32_t>(grid.index[i] % grid.nx);
+    cells.y[i] = static_cast<std::int32_t>(grid.index[i] / grid.nx);
+    left = std::min(left, cells.x[i]);
+    right = std::max(right, cells.x[i]);
+  }
+  const std::int32_t low = cells.y.front(), high = cells.y.back();
+  cells.mx = right - left + 1;
+  cells.my = high - low + 1;
+  if (cells.mx * cells.my == n) return {cells.mx, cells.my, {}, {}};
+  for (std::int32_t& x : cells.x) x -= left;
+  for (std::int32_t& y : cells.y) y -= low;
+  return cells;
+}
+
+template <class Real> class Iteration {
  public:
   Iteration(const Problem& problem, Vector& p, double& d)
       : problem_(problem),
-        n_(p.size()),
-        p_(p),
+        team_(problem.team()),
         d_(d),
-        u_(problem.u(), problem.u() + n_),
-        w_(n_),
-        t_(n_, 0.0),
-        q_(n_),
-        z_(n_),
-        hz_(n_) {
-    for (double& value : p_) value = std::max(value, 0.0);
-    highest_ = *std::max_element(u_.begin(), u_.end());
-    place();
+        s_(problem.size(), problem.u(), p.data()),
+        hopeless_(static_cast<int>(problem.option_int("haar-cg.patience"))) {
+    for (double& value : p) value = std::max(value, 0.0);
+    highest_ = *std::max_element(s_.u, s_.u + s_.n);
+    plant();
   }
 
   rc_status run() {
     start();
     const rc_status status = iterate();
-    d_ -= mean_ * load();  // back to the operator as given
+    if (load_control()) d_ = datum_ - mean_ * now_.load;  // back to the operator as given
     return status;
   }
 
  private:
-  // The unknowns in their bounding box, and the trees over it.
-  void place() {
+  void plant() {
     const rc_grid& grid = *problem_.grid();
-    const auto point = [&](std::size_t i) { return grid.index ? grid.index[i] : static_cast<std::int64_t>(i); };
-    std::int64_t left = grid.nx, right = -1;
-    const std::int64_t low = point(0) / grid.nx, high = point(n_ - 1) / grid.nx;
-    for (std::size_t i = 0; i < n_; ++i) {
-      left = std::min(left, point(i) % grid.nx);
-      right = std::max(right, point(i) % grid.nx);
-    }
-    const std::int64_t mx = right - left + 1, my = high - low + 1;
-    cell_.resize(n_);
-    for (std::size_t i = 0; i < n_; ++i)
-      cell_[i] = static_cast<std::size_t>((point(i) / grid.nx - low) * mx + point(i) % grid.nx - left);
-    const auto cells = static_cast<std::size_t>(mx * my);
-    active_.assign(cells, 0);
-    g_.assign(cells, 0.0);
-    y_.assign(cells, 0.0);
     CouplingTable table{std::min(grid.nx, table_side), std::min(grid.ny, table_side), {}, grid.hx, grid.hy};
     problem_.coefficients(table.mx, table.my, table.k);
     if (grid.boundary == RC_BOUNDARY_PERIODIC) {
       // The mean of the periodic operator counts as its longest wave, so that the couplings are positive.
       const double unit = std::sqrt(grid.hx * grid.hy);
       const double longest = std::max(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
-      const double mean = longest / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
+      const double shortest = std::min(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
+      // More where many waves are long: then the longest alone tells too little of the load's slope.
+      const double waves = longest > elongated * shortest ? 3 : 1;
+      const double mean = waves * longest / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
       for (double& value : table.k) value += mean;
       if (load_control()) mean_ = mean;
+      periodic_mean_ = mean;
     }
-    trees_.emplace_back(mx, my, table, false);
-    trees_.emplace_back(mx, my, table, true);
+    const Cells cells = cells_of(grid, s_.n);
+    trees_.reserve(2);
+    trees_.emplace_back(cells, table, false);
+    trees_.emplace_back(cells, table, true);
   }
 
-  // The operator with the trees' mean: while the load is prescribed that only shifts the approach, and without it the load of a
-  // periodic contact would have no curvature.
-  void apply(const Vector& x, Vector& y) const {
+  // The operator with the trees' mean: it only shifts the datum by a multiple of the load, and without it the load of a periodic
+  // contact would have little curvature, in full contact none.
+  template <class Value> void product(const Value* x, Value* y) const {
     problem_.apply(x, y);
     if (mean_ == 0) return;
-    const double mean = mean_ * sum_of(n_, [&](std::size_t i) { return x[i]; });
-    for (double& value : y) value += mean;
+    const auto n = static_cast<std::size_t>(s_.n);
+    const double mean = mean_ * sum_of(n, [&](std::size_t i) { return static_cast<double>(x[i]); });
+    for (std::size_t i = 0; i < n; ++i) y[i] += static_cast<Value>(mean);
   }
   bool load_control() const { return problem_.load_control(); }
   double scale() const {
-    return load_control() ? std::max({d_ - mean_ * problem_.load() + highest_, problem_.least_scale(), 1e-300}) : 1.0;
+    return load_control() ? std::max({datum_ - mean_ * problem_.load() + highest_, problem_.least_scale(), 1e-300}) : 1.0;
   }
+  double imbalance() const { return load_control() ? std::abs(now_.load / problem_.load() - 1) : 0.0; }
+  double worst() const { return std::max(now_.largest / scale(), imbalance()); }
 
   void refresh() {
-    apply(p_, w_);
-    for (std::size_t i = 0; i < n_; ++i) w_[i] -= u_[i] + shift();
+    product(static_cast<const double*>(s_.p), s_.double_spare());
+    now_ = replace_and_measure(s_, s_.double_spare(), datum_, team_);
     since_refresh_ = 0;
+    exact_ = worst();
   }
-  double shift() const { return load_control() ? d_ : 0.0; }
 
   void start() {
-    const bool warm = std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
-    if (load_control() && !(d_ > 0)) d_ = 0.5;
-    if (load_control()) d_ += mean_ * problem_.load();
+    const bool warm = std::any_of(s_.p, s_.p + s_.n, [](double value) { return value > 0; });
+    if (load_control()) datum_ = (d_ > 0 ? d_ : 0.5) + mean_ * problem_.load();
     if (!warm) {
-      for (std::size_t i = 0; i < n_; ++i) w_[i] = -(u_[i] + shift());
+      std::fill_n(s_.double_spare(), s_.n, 0.0);
+      now_ = replace_and_measure(s_, s_.double_spare(), datum_, team_);
+      exact_ = worst();
     } else {
       refresh();
       // A start that is worse than no pressure is reduced to its best multiple.
-      const double curvature = sum_of(n_, [&](std::size_t i) { return p_[i] * (w_[i] + u_[i] + shift()); });
-      const double work = sum_of(n_, [&](std::size_t i) { return p_[i] * (u_[i] + shift()); });
-      if (0.5 * curvature > work) {
-        const double factor = curvature > 0 ? std::max(0.0, work / curvature) : 0;
-        for (std::size_t i = 0; i < n_; ++i) {
-          w_[i] = factor * (w_[i] + u_[i] + shift()) - u_[i] - shift();
-          p_[i] *= factor;
-        }
+      const double work = std::inner_product(s_.p, s_.p + s_.n, s_.u, 0.0) + datum_ * now_.load;
+      const double curved = now_.moment + work;
+      if (0.5 * curved > work) {
+        const double factor = curved > 0 ? std::max(0.0, work / curved) : 0;
+        for (std::int64_t i = 0; i < s_.n; ++i) s_.p[i] *= factor;
+        refresh();
       }
     }
-    choose_set(0);
+    choose(0);
   }
 
-  // Contact set: points with pressure, and those that overlap by more than the threshold.
-  void choose_set(double threshold) {
-    bool changed = set_.empty();
-    set_.resize(n_);
-    for (std::size_t i = 0; i < n_; ++i) {
-      const char in = p_[i] > 0 || w_[i] < -threshold;
-      changed = changed || in != set_[i];
-      set_[i] = in;
-    }
-    if (!changed) return;
-    for (std::size_t i = 0; i < n_; ++i) active_[cell_[i]] = set_[i];
-    for (HaarTree& tree : trees_) tree.set_up(active_);
+  void choose(double threshold) {
+    if (!choose_set(s_, threshold, team_) && prepared_) return;
+    prepared_ = true;
+    // The trees take turns on one scratch, in which set_up leaves nothing that apply needs.
+    for (HaarTree& tree : trees_) tree.set_up(s_.active.data(), static_cast<float>(periodic_mean_ - mean_), scratch_, team_);
   }
 
-  // z = M v on the contact set
-  template <class Value> void precondition(const Value& v, Vector& z) {
-    for (std::size_t i = 0; i < n_; ++i) g_[cell_[i]] = set_[i] ? v(i) : 0.0;
-    std::fill(y_.begin(), y_.end(), 0.0);
-    for (HaarTree& tree : trees_) tree.apply_add(g_, 0.5, y_);
-    for (std::size_t i = 0; i < n_; ++i) z[i] = set_[i] ? y_[cell_[i]] : 0.0;
-  }
-
-  double residual() const {
-    double largest = 0;
-    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, p_[i] > 0 ? std::abs(w_[i]) : -w_[i]);
-    return largest / scale();
-  }
-  double load() const {
-    return sum_of(n_, [&](std::size_t i) { return p_[i]; });
-  }
-  double imbalance() const { return load_control() ? std::abs(load() / problem_.load() - 1) : 0.0; }
-
-  double on_set(const Vector& a, const Vector& b) const {
-    return sum_of(n_, [&](std::size_t i) { return set_[i] ? a[i] * b[i] : 0.0; });
+  // z = M g on the contact set, z = first spare. Returns (z, q) where wanted.
+  double precondition(const Real* g, const Real* q) {
+    const Real half{0.5};
+    trees_[0].apply(g, s_.active.data(), half, true, s_.first_spare(), static_cast<const Real*>(nullptr), scratch_, team_);
+    return trees_[1].apply(g, s_.active.data(), half, false, s_.first_spare(), q, scratch_, team_);
   }
 
   // One step along a conjugate direction; pressures may become negative until the next bound.
   void step() {
-    precondition([&](std::size_t i) { return w_[i]; }, z_);
-    double beta = 0;
-    if (conjugate_) {
-      const double tq = on_set(t_, q_);
-      beta = tq > 0 ? std::max(0.0, -on_set(z_, q_) / tq) : 0;
-    }
-    for (std::size_t i = 0; i < n_; ++i) t_[i] = set_[i] ? z_[i] + beta * t_[i] : 0.0;
-    apply(t_, q_);
+    const double zq = precondition(s_.w.data(), conjugate_ ? s_.q.data() : nullptr);
+    const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
+    const double slope = turn(s_, s_.first_spare(), static_cast<Real>(beta), team_);
+    product(static_cast<const Real*>(s_.t.data()), s_.q.data());
     conjugate_ = true;
-    const double curvature = on_set(t_, q_), slope = on_set(w_, t_);
-    if (std::isnan(curvature)) problem_.fail("haar-cg: the operator returned values that are not finite");
-    if (!(curvature > 0)) {
+    curvature_ = curvature(s_, team_);
+    if (std::isnan(curvature_)) problem_.fail("haar-cg: the operator returned values that are not finite");
+    ++phase_;
+    const bool last = phase_ >= interval_ || !(curvature_ > 0);
+    double length = 0;
+    if (curvature_ > 0) {
+      length = slope / curvature_;
+    } else {
       conjugate_ = false;
       phase_ = interval_;
-      return;
     }
-    const double length = slope / curvature;
-    for (std::size_t i = 0; i < n_; ++i) {
-      p_[i] -= length * t_[i];
-      w_[i] -= length * q_[i];
-    }
-    ++phase_;
+    cut_any_ = advance(s_, length, last ? s_.first_spare() : nullptr, team_);
   }
 
-  // Cuts negative pressures off.
+  // What the pressures that were cut off had deflected.
   void bound() {
     phase_ = 0;
-    bool any = false;
-    for (std::size_t i = 0; i < n_; ++i) {
-      z_[i] = std::max(-p_[i], 0.0);
-      any = any || z_[i] > 0;
-      p_[i] += z_[i];
-    }
     if (++since_refresh_ >= refresh_every) return refresh();
-    if (!any) return;
-    apply(z_, hz_);
-    for (std::size_t i = 0; i < n_; ++i) w_[i] += hz_[i];
+    if (cut_any_) product(static_cast<const Real*>(s_.first_spare()), s_.second_spare());
+    now_ = add_and_measure(s_, cut_any_ ? s_.second_spare() : nullptr, 0.0, team_);
+  }
+
+  void lower(double change) {
+    datum_ += change;
+    now_ = add_and_measure(s_, static_cast<const Real*>(nullptr), change, team_);
+  }
+
+  // Of the multiples of z = M 1 that of least energy is 1'z / z'Hz: its error is of second order in that of M.
+  double measured_excess(double sum, Real* hz) {
+    Real* const z = s_.first_spare();
+    for (std::int64_t i = 0; i < s_.n; ++i)
+      if (!s_.active[static_cast<std::size_t>(i)]) z[i] = 0;
+    product(static_cast<const Real*>(z), hz);
+    const double energy = sum_of(static_cast<std::size_t>(s_.n),
+                                 [&](std::size_t i) { return static_cast<double>(z[i]) * static_cast<double>(hz[i]); });
+    return energy > 0 ? std::clamp(sum / energy, least_excess, most_excess) : 1;
   }
 
   // Newton's step of the approach on the load.
   void balance() {
-    choose_set(0);
-    precondition([](std::size_t) { return 1.0; }, z_);
-    const double sum = sum_of(n_, [&](std::size_t i) { return z_[i]; });
-    const double pending = sum_of(n_, [&](std::size_t i) { return z_[i] * w_[i]; });
+    choose(0);
+    Real* const ones = s_.second_spare();
+    std::fill_n(ones, s_.n, Real{1});
+    const double pending = precondition(ones, s_.w.data());
+    const Real* const z = s_.first_spare();
+    const double sum =
+        sum_of(static_cast<std::size_t>(s_.n), [&](std::size_t i) { return s_.active[i] ? static_cast<double>(z[i]) : 0.0; });
     if (!(sum > 0)) return;
-    const double depth = scale();
-    const double change = std::clamp((problem_.load() - load() + slope_excess * pending) / (slope_excess * sum), -0.5 * depth,
-                                     std::max(depth, mean_ * problem_.load()));
-    d_ += change;
-    for (double& value : w_) value -= change;
+    if (excess_ == 0) excess_ = measured_excess(sum, ones);
+    const double depth = scale(), missing = problem_.load() - now_.load + excess_ * pending;
+    // What the last step left of the missing load tells the true slope: at once where the step was too long.
+    const double left = missing / missing_;
+    if (last_ < settled && left < 1)
+      excess_ = std::clamp(excess_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)), least_excess, most_excess);
+    else if (left < -1)  // steps that swing ever wider
+      excess_ = std::min(excess_ * damping, most_excess);
+    const double wanted = missing / (excess_ * sum);
+    const double change = std::clamp(wanted, -0.5 * depth, std::max(depth, mean_ * problem_.load()));
+    missing_ = change == wanted ? missing : 0;
+    lower(change);
   }
 
-  // The exact load, a fresh product, and the approach that makes the mean of the gap, weighted by the pressures, vanish.
+  // The exact load, a product in double precision, and the approach that makes the mean of the gap, weighted by the pressures,
+  // vanish.
   void settle() {
     if (!load_control()) {
-      if (since_refresh_ > 0) refresh();
+      refresh();
       return;
     }
-    const double sum = load(), factor = sum > 0 ? problem_.load() / sum : 1;
-    for (double& value : p_) value *= factor;
+    const double factor = now_.load > 0 ? problem_.load() / now_.load : 1;
+    for (std::int64_t i = 0; i < s_.n; ++i) s_.p[i] *= factor;
     refresh();
-    const double moment = sum_of(n_, [&](std::size_t i) { return p_[i] * w_[i]; });
-    const double change = sum > 0 ? moment / (factor * sum) : 0;
-    d_ += change;
-    for (double& value : w_) value -= change;
+    if (now_.load > 0) lower(now_.moment / now_.load);
+    exact_ = worst();
   }
 
+  // Single precision tells a few digits below the last product in double precision.
+  bool blurred() const { return single<Real> && worst() <= drop<Real> * exact_; }
+
   rc_status iterate() {
-    last_ = residual();
     double best = infinite, merit_before = infinite;
-    int since_best = 0, rises = 0;
+    int since_best = 0, rises = 0, stalled = 0;
     for (std::int64_t iteration = 1;; ++iteration) {
       step();
-      if (phase_ < interval_) {
+      if (phase_ > 0 && phase_ < interval_) {
         problem_.poll(iteration, last_);
         continue;
       }
       bound();
-      last_ = std::max(residual(), imbalance());
-      if (last_ <= problem_.tol()) {
+      if (worst() <= problem_.tol())
         settle();
-        last_ = std::max(residual(), imbalance());
-      }
-      if (last_ <= problem_.tol()) return RC_OK;
+      else if (blurred())
+        refresh();
+      last_ = worst();
+      if (last_ <= problem_.tol() && since_refresh_ == 0) return RC_OK;
       problem_.poll(iteration, last_);
 
-      const double merit = sum_of(n_, [&](std::size_t i) { return 0.5 * p_[i] * (w_[i] - u_[i]); });
-      bool rose = !load_control() && merit > merit_before + 1e-10 * std::abs(merit);
-      merit_before = merit;
+      bool rose = !load_control() && now_.merit > merit_before + merit_noise<Real> * std::abs(now_.merit);
+      merit_before = now_.merit;
       if (last_ < 0.5 * best) {
         best = last_;
-        since_best = stalled_ = 0;
+        since_best = stalled = 0;
       } else {
         ++since_best;
-        ++stalled_;
+        ++stalled;
       }
-      if (stalled_ > hopeless) return RC_STOP_STALLED;
+      if (stalled > hopeless_) return RC_STOP_STALLED;
       if (since_best >= patience) {
         rose = true;
         since_best = 0;
@@ -274,31 +288,57 @@ class Iteration {
       if (load_control())
         balance();
       else
-        choose_set(admission_ * last_ * scale());
+        choose(admission_ * last_ * scale());
     }
   }
 
   const Problem& problem_;
-  const std::size_t n_;
-  Vector& p_;
+  const rc_team& team_;
   double& d_;  // approach, in load control
-  const Vector u_;
-  Vector w_, t_, q_, z_, hz_;       // H p - u, direction, H t, preconditioned residual or what was cut off, its product
-  double mean_ = 0;                 // what the trees' operator adds to every coefficient, in periodic load control
-  double highest_ = 0;              // largest u
-  std::vector<std::size_t> cell_;   // of each unknown in the box
-  std::vector<char> set_, active_;  // contact set: of the unknowns, of the cells
-  std::vector<double> g_, y_;       // over the box
+  HaarState<Real> s_;
+  HaarMeasure now_;
   std::vector<HaarTree> trees_;
-  int interval_ = first_interval, phase_ = 0, since_refresh_ = 0, stalled_ = 0;
-  double admission_ = first_admission, last_ = infinite;
-  bool conjugate_ = false;
+  HaarScratch scratch_;
+  double periodic_mean_ = 0;         // what the trees' operator adds to every coefficient
+  double mean_ = 0;                  // that mean where it is added to the operator
+  double highest_ = 0;               // largest u
+  double exact_ = 1;                 // residual of the last product in double precision
+  double datum_ = 0;                 // w = H p - u - datum
+  double excess_ = 0, missing_ = 0;  // of the slope; load that the last step of the approach should have added
+  double curvature_ = 0, admission_ = first_admission, last_ = infinite;
+  int interval_ = first_interval, phase_ = 0, since_refresh_ = 0;
+  const int hopeless_;  // bounded steps without half the residual before the solver gives up
+  bool conjugate_ = false, cut_any_ = false, prepared_ = false;
 };
+
+constexpr rc_option_spec products =
+    text_option("haar-cg.products", "mixed", "mixed|double", "mixed: single precision, corrected by some in double precision");
+constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
+constexpr rc_option_spec hopeless =
+    int_option("haar-cg.patience", "60", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
+const rc_option_spec* const specs[] = {&products, &nested, &hopeless};
+
+rc_status solve(const Problem& problem, Vector& p, double& d) {
+  if (problem.has_float() && problem.option_text("haar-cg.products") == "mixed") return Iteration<float>(problem, p, d).run();
+  return Iteration<double>(problem, p, d).run();
+}
 
 }  // namespace
 
-const Options haar_cg_options{};
+const Options haar_cg_options = listed(specs);
 
-rc_status haar_cg(const Problem& problem, Vector& p, double& d) { return Iteration(problem, p, d).run(); }
+rc_status haar_cg(const Problem& problem, Vector& p, double& d) {
+  const bool cold = std::all_of(p.begin(), p.end(), [](double value) { return !(value > 0); });
+  if (cold && problem.option_int("haar-cg.nested") != 0) start_nested(problem, p, d);
+  const rc_status status = solve(problem, p, d);
+  if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
+  // Pivoting is finite whatever the surface.
+  problem.note("haar-cg: stalled; nnls finished");
+  Positions all(p.size());
+  std::iota(all.begin(), all.end(), std::int64_t{0});
+  const rc_status finished = problem.inner("nnls", all, problem.tol(), p, nullptr);
+  if (finished < 0) throw Leave{finished};
+  return finished;
+}
 
 }  // namespace rc

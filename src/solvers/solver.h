@@ -34,7 +34,7 @@ class Problem {
   }
 
   // y = H x
-  void apply(const Vector& x, Vector& y) const { check(problem_.apply(&problem_, x.data(), y.data())); }
+  void apply(const Vector& x, Vector& y) const { apply(x.data(), y.data()); }
   bool has_subset() const { return problem_.subset != nullptr; }
   // H[a,a] x = b; x: start in, answer out.
   rc_status try_subset(const Positions& a, const Vector& b, Vector& x) const {
@@ -65,9 +65,8 @@ class Problem {
     check(problem_.coefficients(&problem_, mx, my, out.data()));
   }
   bool has_float() const { return problem_.apply_float != nullptr; }
-  void apply(const std::vector<float>& x, std::vector<float>& y) const {
-    check(problem_.apply_float(&problem_, x.data(), y.data()));
-  }
+  void apply(const float* x, float* y) const { check(problem_.apply_float(&problem_, x, y)); }
+  void apply(const double* x, double* y) const { check(problem_.apply(&problem_, x, y)); }
   const rc_team& team() const { return *problem_.team; }
   double length_unit() const { return problem_.length; }
   double pressure_unit() const { return problem_.pressure; }

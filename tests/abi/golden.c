@@ -234,10 +234,12 @@ VALUE(RC_CAP_SHIFTED, 64);
 VALUE(RC_CAP_NORM, 128);
 VALUE(RC_CAP_FLOAT, 256);
 VALUE(RC_CAP_SCREEN, 512);
+VALUE(RC_CAP_APPROXIMATE, 1024);
 
 VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
+VALUE(RC_WANTS_BOX, INT64_C(8589934592));
 
-SIZE(rc_host, 88);
+SIZE(rc_host, 96);
 AT(rc_host, struct_size, 0);
 AT(rc_host, abi_major, 8);
 AT(rc_host, abi_minor, 12);
@@ -250,6 +252,7 @@ AT(rc_host, option_real, 56);
 AT(rc_host, option_text, 64);
 AT(rc_host, coefficients, 72);
 AT(rc_host, symbol, 80);
+AT(rc_host, window, 88);
 
 SIZE(rc_team, 24);
 AT(rc_team, struct_size, 0);

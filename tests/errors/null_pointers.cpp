@@ -22,6 +22,7 @@ Outcome harmless_nulls() {
   rc_result_init(nullptr);
   rc_context_config_init(nullptr);
   rc_path_init(nullptr);
+  rc_batch_init(nullptr);
   rc_level_init(nullptr);
   rc_direct_init(nullptr);
   rc_context_destroy(nullptr);

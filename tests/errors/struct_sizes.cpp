@@ -83,6 +83,16 @@ Outcome path_of_size(std::size_t size) {
   return outcome;
 }
 
+Outcome batch_of_size(std::size_t size) {
+  const Scene scene;
+  rc_batch batch = RC_BATCH_INIT;
+  batch.struct_size = size;
+  batch.written = 7;
+  const Outcome outcome = rc_batch_solve(&scene.system, nullptr, &batch);
+  assert_int_equal(batch.written, 7);
+  return outcome;
+}
+
 Outcome level_of_size(std::size_t size) {
   const Scene scene;
   const ContactHandle contact = made(scene);
@@ -155,6 +165,14 @@ Section struct_sizes() {
                refused,
                {"rc_path.struct_size = 18446744073709551615 is larger than 4216"},
                [] { return path_of_size(SIZE_MAX); }},
+              {"rc_batch.struct_size one byte too small",
+               refused,
+               {"rc_batch_solve: rc_batch.struct_size = 199 is smaller than 200; set it to sizeof(rc_batch)"},
+               [] { return batch_of_size(199); }},
+              {"rc_batch.struct_size = SIZE_MAX",
+               refused,
+               {"rc_batch.struct_size = 18446744073709551615 is larger than 4296"},
+               [] { return batch_of_size(SIZE_MAX); }},
               {"rc_level.struct_size = 0",
                refused,
                {"rc_contact_level: rc_level.struct_size = 0 is smaller than 88; set it to sizeof(rc_level)"},

@@ -18,7 +18,7 @@ namespace {
 // Allowed |p - p_ref| / max p: exact solvers on a factoring backend, others on it, matrix-free backends.
 constexpr double exact = 1e-11, dense = 1e-9, iterative = 1e-8;
 
-bool stores_matrix(const Pair& pair) { return pair.backend != "fft" && pair.backend != "callback"; }
+bool stores_matrix(const Pair& pair) { return pair.backend != "fft" && pair.backend != "split" && pair.backend != "callback"; }
 
 double accuracy_of(const Pair& pair, std::int32_t control) {
   if (!stores_matrix(pair)) return iterative;
@@ -84,7 +84,7 @@ void check_solution(const SharedCase& shared, const Pair& pair, const Problem& p
   check_near(answer.p, shared.p, accuracy_of(pair, problem.control), "p");
   check_near(r.load, shared.load, dense * shared.load, "load");
   check_near(r.displacement, shared.problem.target, dense * shared.depth, "approach");
-  check(answer.worst_residual() <= 1e-12, "the residuals are above the tolerance");
+  check(answer.worst_residual() <= 2e-12, "the residuals are above the tolerance");
   if (shared.count_is_robust) check_equal(r.contacts, shared.contacts, "contacts");
   if (halfspace && shared.load > 0 && problem.control == RC_CONTROL_DISPLACEMENT)
     check_equal(r.candidates, shared.candidates, "candidates");

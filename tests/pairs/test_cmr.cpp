@@ -52,6 +52,7 @@ std::vector<rc_level> levels_of(const Contact& contact, const Answer& answer, st
 void equals_the_full_solve(const Pair& pair) {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
     Problem problem = scene(boundary);
+    if (!obstacle(cmr_on(pair), problem.system, problem.control).empty()) continue;
     const Answer full = solved(problem, {"polonsky-keer", pair.backend}, {{"tol", "1e-11"}});
     for (const char* filter : {"subsample", "mean", "max"})
       for (const char* area : {"diagonal", "side"}) {
@@ -59,6 +60,18 @@ void equals_the_full_solve(const Pair& pair) {
             solved(problem, cmr_on(pair), {{"tol", "1e-11"}, {"cmr.filter", filter}, {"cmr.area", area}, {"cmr.radius", "1.5"}});
         check_near(answer.p, full.p, 1e-8, std::string(filter) + " " + area);
       }
+  }
+}
+
+void selection_by_gaps_equals_the_full_solve(const Pair& pair) {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    Problem problem = scene(boundary);
+    problem.target *= 0.3;
+    if (!obstacle(cmr_on(pair), problem.system, problem.control).empty()) continue;
+    const Answer full = solved(problem, {"polonsky-keer", pair.backend}, {{"tol", "1e-11"}});
+    const Answer answer = solved(problem, cmr_on(pair), {{"tol", "1e-11"}, {"cmr.select", "gap"}});
+    check_near(answer.p, full.p, 1e-8, "p");
+    check(std::string(answer.result.note).find("after 1 rounds") != std::string::npos, answer.result.note);
   }
 }
 
@@ -89,6 +102,9 @@ void a_hidden_peak_is_detected_and_found() {
   check(plain.p[45 * 64 + 51] == 0, "the peak carries pressure");
   const Answer certified = solved(problem, {"cmr", "dense"}, coarse);
   check_near(certified.p, full.p, 1e-9, "p");
+  const Answer by_gap = solved(problem, {"cmr", "dense"}, with(coarse, {{"cmr.select", "gap"}}));
+  check_near(by_gap.p, full.p, 1e-9, "p, selected by gaps");
+  check(std::string(by_gap.result.note).find("points added") == std::string::npos, by_gap.result.note);
   check(std::string(certified.result.note).find("points added") != std::string::npos, certified.result.note);
 }
 
@@ -208,7 +224,11 @@ int main(int argc, char** argv) {
       {"load_control_and_histories", load_control_and_histories},
   };
   for (const std::string& backend : backend_names())
-    if (obstacle({"cmr", backend}, scene().system, RC_CONTROL_DISPLACEMENT).empty())
+    if (obstacle({"cmr", backend}, scene().system, RC_CONTROL_DISPLACEMENT).empty()) {
       tests.push_back({"equals_the_full_solve/" + backend, [backend] { equals_the_full_solve({"cmr", backend}); }});
+      tests.push_back({"selection_by_gaps_equals_the_full_solve/" + backend, [backend] {
+                         selection_by_gaps_equals_the_full_solve({"cmr", backend});
+                       }});
+    }
   return run_group("pairs.cmr", tests, argc, argv);
 }

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "kernel/kernel.h"
+#include "kernel/kernels.h"
 
 namespace seam {
 
@@ -67,6 +68,12 @@ StandInHost::StandInHost(const rc_backend& backend) : rc_host{}, options_{{"thre
   symbol = [](const rc_host* host, const rc_system* system, const char* kernel, double* out) {
     if (self(host).answer_ != RC_OK) return self(host).answer_.load();
     rc::kernel::symbol(*rc::kernel::find(kernel), system->hx, system->hy, system->nx, system->ny, out);
+    return rc_status{RC_OK};
+  };
+  window = [](const rc_host* host, const rc_system* system, const char* kernel, std::int64_t first_x, std::int64_t first_y,
+              std::int64_t mx, std::int64_t my, double* out) {
+    if (self(host).answer_ != RC_OK) return self(host).answer_.load();
+    rc::kernel::window_coefficients(*rc::kernel::find(kernel), system->hx, system->hy, {first_x, first_y, mx, my}, out);
     return rc_status{RC_OK};
   };
 }

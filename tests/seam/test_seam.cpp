@@ -40,6 +40,7 @@ bool takes_periodic(const rc_backend& backend) { return backend.caps & RC_CAP_PE
 bool has_subset(const rc_backend& backend) { return backend.caps & RC_CAP_SUBSET; }
 bool has_shifted(const rc_backend& backend) { return backend.caps & RC_CAP_SHIFTED; }
 bool has_norm(const rc_backend& backend) { return backend.caps & RC_CAP_NORM; }
+bool has_float(const rc_backend& backend) { return backend.caps & RC_CAP_FLOAT; }
 bool claims_thread_invariance(const rc_backend& backend) { return backend.caps & RC_CAP_THREAD_INVARIANT; }
 
 #define RC_CASE(function, applies) \
@@ -52,6 +53,9 @@ const Case cases[] = {
     RC_CASE(constant_vector_has_the_zero_mode, takes_periodic),
     RC_CASE(nan_is_not_hidden, takes_grids),
     RC_CASE(every_choice_of_an_option_gives_the_same_product, always),
+    RC_CASE(float_products_agree_with_double_ones, has_float),
+    RC_CASE(float_products_keep_their_accuracy_at_any_scale, has_float),
+    RC_CASE(either_precision_may_come_first, has_float),
     RC_CASE(results_do_not_depend_on_threads, claims_thread_invariance),
     RC_CASE(operators_work_side_by_side, takes_grids),
     RC_CASE(subset_solves_its_equations, has_subset),

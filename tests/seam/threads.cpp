@@ -11,16 +11,16 @@ namespace seam {
 namespace {
 
 // Large enough that a backend has reason to share the work.
-constexpr std::int64_t nx = 100, ny = 90;
+constexpr std::int64_t nx = 200, ny = 180;
 
 Index scattered_domain() {
   Index domain;
-  for (std::int64_t i = 5; i < nx * ny; i += 7 + i % 5) domain.push_back(i);
+  for (std::int64_t i = 5; i < nx * ny; i += 31 + i % 5) domain.push_back(i);
   return domain;
 }
 
 struct Products {
-  Vector apply, field;
+  Vector apply, field, apply_float;
   bool operator==(const Products&) const = default;
 };
 
@@ -29,8 +29,12 @@ Products products(const rc_backend& backend, StandInHost& host, std::int32_t bou
   const Vector x = random_vector(domain.size(), 5);
   Operator op(backend, host, halfspace(boundary, nx, ny, 1.0, 0.9));
   op.bind(domain, boundary == RC_BOUNDARY_PERIODIC ? 0.3 : 0.0);
-  Products result{op.apply(x), op.field(x)};
-  for (int repeat = 0; repeat < 20; ++repeat) assert_true(op.apply(x) == result.apply);
+  Products result{op.apply(x), op.field(x), {}};
+  if (backend.apply_float) result.apply_float = op.apply_float(x);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    assert_true(op.apply(x) == result.apply);
+    if (backend.apply_float) assert_true(op.apply_float(x) == result.apply_float);
+  }
   return result;
 }
 

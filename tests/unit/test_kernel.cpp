@@ -108,6 +108,23 @@ void reference_values_are_met_at_near_and_far_offsets(void**) {
   for (const Kernel& k : kernels(Boundary::free)) assert_true(count[k.name] >= 40);
 }
 
+// The expansions that serve from some cells on, whose digits all count: coefficients are summed up to a product's last ones.
+void far_coefficients_are_exact_to_round_off(void**) {
+  std::ifstream file(RC_KERNEL_REFERENCE);
+  int count = 0;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream fields(line);
+    std::string name;
+    double hx, hy, value;
+    std::int64_t ix, iy;
+    if (line.starts_with('#') || !(fields >> name >> hx >> hy >> ix >> iy >> value)) continue;
+    if (std::hypot(static_cast<double>(ix) * hx, static_cast<double>(iy) * hy) < 10 * std::max(hx, hy)) continue;
+    assert_close(coefficient(kernel(name), hx, hy, ix, iy), value, 1e-15, line);
+    ++count;
+  }
+  assert_true(count >= 80);
+}
+
 void a_window_is_a_part_of_the_table(void**) {
   for (const Kernel& k : kernels(Boundary::free)) {
     const Table whole = table(k, 0.5, 0.5, 20, 12);
@@ -115,6 +132,13 @@ void a_window_is_a_part_of_the_table(void**) {
     rc::kernel::window_coefficients(k, 0.5, 0.5, {3, 4, 7, 5}, part.data());
     for (std::int64_t iy = 0; iy < 5; ++iy)
       for (std::int64_t ix = 0; ix < 7; ++ix) assert_true(part[static_cast<std::size_t>(iy * 7 + ix)] == whole(3 + ix, 4 + iy));
+    // Whatever is computed side by side with it.
+    const Table wide = table(k, 0.5, 0.5, 150, 3);
+    std::vector<double> tail(101);
+    for (const std::int64_t first : {31, 32, 49}) {
+      rc::kernel::window_coefficients(k, 0.5, 0.5, {first, 2, 101, 1}, tail.data());
+      for (std::int64_t ix = 0; ix < 101; ++ix) assert_true(tail[static_cast<std::size_t>(ix)] == wide(first + ix, 2));
+    }
   }
 }
 
@@ -263,6 +287,7 @@ int main() {
       cmocka_unit_test(registry_is_sorted_and_finds_every_kernel),
       cmocka_unit_test(published_values_are_met),
       cmocka_unit_test(reference_values_are_met_at_near_and_far_offsets),
+      cmocka_unit_test(far_coefficients_are_exact_to_round_off),
       cmocka_unit_test(a_window_is_a_part_of_the_table),
       cmocka_unit_test(a_cell_is_the_sum_of_its_nine_parts),
       cmocka_unit_test(exchanging_the_sides_transposes_the_table),

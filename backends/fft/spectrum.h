@@ -1,0 +1,60 @@
+// Eigenvalues of the circular operator: real, because the kernel is even along both axes.
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <roughcontact/plugin.hpp>
+
+#include "buffer.h"
+#include "lengths.h"
+#include "plan.h"
+
+namespace rc_fft {
+
+// Computed in double precision within the workspace, half way: all rows along x. The last step, along y, is made when a transform
+// takes them over, block by block. The workspace must not be used for anything else before.
+class Eigenvalues {
+ public:
+  // From the coefficients of a free system at offsets up to half the lengths, as far as its grid has them.
+  static Eigenvalues free(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
+  // Likewise from the squares of the coefficients plus a constant. A periodic system's lengths must be its grid's.
+  static Eigenvalues squares(const rc_host* host, const rc_operator_spec& spec, double constant, Lengths lengths,
+                             Workspace& workspace);
+  // Of a periodic system, whose grid has these lengths.
+  static Eigenvalues periodic(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
+
+  static constexpr std::int64_t width = 16;  // columns in a block
+  std::int64_t blocks() const { return stride_ / width; }
+
+  // visit(ky, values) for the waves along y, `width` values each: columns block * width and following.
+  template <class Visit> void along_y(std::int64_t block, std::int64_t thread, const Visit& visit) const {
+    if (!plans_) {
+      for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, table() + ky * stride_ + block * width);
+      return;
+    }
+    std::complex<double>* const waves = scratch(thread);
+    transform_block(block, waves);
+    for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, reinterpret_cast<const double*>(waves) + ky * width);
+  }
+
+ private:
+  Eigenvalues(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
+
+  double* table() const { return workspace_.rows.data<double>(); }
+  std::complex<double>* scratch(std::int64_t thread) const {
+    return workspace_.scratch.data<std::complex<double>>() + thread * scratch_;
+  }
+  template <class Rows> void along_x(const rc_operator_spec& spec, const Rows& rows);
+  void transform_block(std::int64_t block, std::complex<double>* waves) const;
+
+  const rc_host* host_;
+  Workspace& workspace_;
+  Lengths lengths_;
+  std::int64_t half_x_, half_y_;
+  std::int64_t columns_, rows_;             // coefficients that the circular operator takes
+  std::int64_t stride_;                     // of the table's rows
+  std::int64_t scratch_;                    // of a thread [complex values]
+  std::unique_ptr<const EvenPlans> plans_;  // null: the table holds the eigenvalues
+};
+
+}  // namespace rc_fft

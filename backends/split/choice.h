@@ -1,0 +1,20 @@
+// Which coarse grid is the cheapest, from counts alone.
+#pragma once
+
+#include "tiles.h"
+
+namespace rc_split {
+
+struct Plan {
+  int spacing = 0;                                  // of the coarse grid, in cells; 0: none, every product is summed directly
+  double seconds = 0;                               // of a product, roughly
+  bool parallel() const { return seconds > 1e-3; }  // else waking threads costs more than they save
+};
+
+// For products from the tiles to `targets` tiles of the frame. wanted: the spacing where there is a coarse grid; 0: any.
+template <class T> Plan choose(const Tiles& tiles, const Frame& frame, std::int64_t targets, double hx, double hy, int wanted);
+
+// Of the smooth part, [length].
+template <class T> double cutoff(int spacing, double hx, double hy);
+
+}  // namespace rc_split

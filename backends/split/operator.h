@@ -1,0 +1,58 @@
+// H of a half-space grid with free boundaries, for a contact that is small against the grid.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <roughcontact/plugin.hpp>
+#include <vector>
+
+#include "failure.h"
+#include "product.h"
+#include "tiles.h"
+
+namespace rc_split {
+
+class Operator {
+ public:
+  static constexpr roughcontact::Component component = rc_split::component;
+
+  Operator(const rc_host* host, const rc_operator_spec& spec);
+
+  const rc_host* host() const { return host_; }
+  std::int64_t modelled() const { return modelled_; }
+
+  void bind(const rc_domain& domain);
+  void apply(const double* x, double* y);
+  void apply_float(const float* x, float* y);
+  void field(const double* x, double* y);
+  void screen(const double* x, rc_screen& request);
+
+ private:
+  // The products of one precision to one frame.
+  template <class T> struct Bound {
+    std::optional<Product<T>> product;
+    bool bound = false;
+  };
+
+  template <class T>
+  Product<T>& ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, std::int64_t targets);
+  Product<double>& grid_product();
+  const FarField& far();
+  template <class T> void multiply(Product<T>& product, const T* x, T* y);
+
+  const rc_host* host_;
+  rc_operator_spec spec_;
+  int spacing_;  // that is wanted; 0: any
+  Frame grid_;
+  Tiles tiles_;
+  std::int64_t modelled_ = 0;
+
+  std::unique_ptr<FarField> far_;
+  std::optional<Tables<double>> tables_;
+  std::optional<Tables<float>> float_tables_;
+  Bound<double> box_product_, grid_product_;
+  Bound<float> float_product_;
+};
+
+}  // namespace rc_split

@@ -1,0 +1,69 @@
+#include "tiles.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rc_split {
+
+namespace {
+
+// visit(i, column, row) for the points in order.
+template <class Visit> void for_each_point(const rc_domain& domain, std::int64_t nx, const Visit& visit) {
+  std::int64_t row = 0, start = 0;  // of the row that the last point was in: a division for each point would be slow
+  for (std::int64_t i = 0; i < domain.n; ++i) {
+    const std::int64_t point = domain.index ? domain.index[i] : i;
+    if (point - start >= nx) {
+      row = point / nx;
+      start = row * nx;
+    }
+    visit(i, point - start, row);
+  }
+}
+
+}  // namespace
+
+Tiles::Tiles(const rc_domain& domain, std::int64_t nx, std::int64_t ny) {
+  std::int64_t left = std::numeric_limits<std::int64_t>::max(), right = 0, top = left, bottom = 0;
+  if (domain.index) {
+    for_each_point(domain, nx, [&](std::int64_t, std::int64_t x, std::int64_t y) {
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = y;
+    });
+  } else {
+    left = top = 0;
+    right = nx - 1;
+    bottom = ny - 1;
+  }
+  box_ = {left / side, top / side, right / side - left / side + 1, bottom / side - top / side + 1};
+
+  // Entries per tile, then the tiles' numbers, then the entries in the order of tiles.
+  const auto place = [this](std::int64_t x, std::int64_t y) {
+    return static_cast<std::size_t>((y / side - box_.y) * box_.nx + x / side - box_.x);
+  };
+  map_.assign(static_cast<std::size_t>(box_.tiles()), 0);
+  for_each_point(domain, nx, [&](std::int64_t, std::int64_t x, std::int64_t y) { ++map_[place(x, y)]; });
+  first_.push_back(0);
+  for (std::int64_t y = 0; y < box_.ny; ++y)
+    for (std::int64_t x = 0; x < box_.nx; ++x) {
+      std::int32_t& tile = map_[static_cast<std::size_t>(y * box_.nx + x)];
+      if (tile == 0) {
+        tile = -1;
+        continue;
+      }
+      first_.push_back(first_.back() + tile);
+      tile = static_cast<std::int32_t>(places_.size());
+      places_.push_back({box_.x + x, box_.y + y});
+    }
+  std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
+  positions_.resize(static_cast<std::size_t>(domain.n));
+  cells_.resize(static_cast<std::size_t>(domain.n));
+  for_each_point(domain, nx, [&](std::int64_t i, std::int64_t x, std::int64_t y) {
+    const auto entry = static_cast<std::size_t>(next[static_cast<std::size_t>(map_[place(x, y)])]++);
+    positions_[entry] = i;
+    cells_[entry] = static_cast<std::uint8_t>(y % side * side + x % side);
+  });
+}
+
+}  // namespace rc_split

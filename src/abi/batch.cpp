@@ -1,0 +1,22 @@
+// rc_batch_*
+#include "contact/batch.h"
+
+#include "abi/guard.h"
+#include "abi/sized_struct.h"
+
+extern "C" rc_status rc_batch_solve(const rc_system* system, const rc_options* options, rc_batch* batch) {
+  using namespace rc;
+  return guard("rc_batch_solve", [&] {
+    const rc_batch today = read<rc_batch>(batch, "rc_batch", RC_BATCH_INIT);
+    batch->written = batch->certified = 0;
+    batch->first = -1;
+    const BatchOutcome outcome = solve_batch(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
+                                             options ? *options : rc_options{Context::standard(), {}}, today);
+    batch->written = today.n;
+    batch->certified = outcome.certified;
+    batch->first = outcome.first;
+    if (outcome.status < 0) fail(outcome.status, outcome.message);
+    set_message(outcome.message.c_str());
+    return outcome.status;
+  });
+}

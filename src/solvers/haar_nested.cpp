@@ -1,0 +1,54 @@
+#include "solvers/haar_nested.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/downsample.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t coarsest_side = 64;
+constexpr double coarse_tol = 1e-2;             // of the start: more digits are lost when the pressures are spread
+constexpr std::int64_t remembered = 256 * 256;  // points of a coarse grid whose operator is kept for later steps
+
+}  // namespace
+
+void start_nested(const Problem& problem, Vector& p, double& d) {
+  const rc_grid& grid = *problem.grid();
+  if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
+  const auto points = static_cast<std::size_t>(grid.nx * grid.ny);
+  const CoarseGrid coarse = downsample(grid.nx, grid.ny, {grid.gap, points}, {grid.mask, grid.mask ? points : 0}, Filter::mean);
+  Vector pressure(static_cast<std::size_t>(coarse.nx * coarse.ny));
+  const auto point = [&](std::size_t i) { return grid.index ? grid.index[i] : static_cast<std::int64_t>(i); };
+  const double length = problem.length_unit();
+
+  rc_coarse request{};
+  request.struct_size = sizeof request;
+  request.nx = coarse.nx;
+  request.ny = coarse.ny;
+  request.factor = 2;
+  request.gap = coarse.gap.data();
+  request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
+  request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  request.approach = grid.approach;
+  request.load = problem.load() * problem.pressure_unit() * grid.hx * grid.hy;
+  request.solver = "haar-cg";
+  request.p = pressure.data();
+  request.keep = coarse.nx * coarse.ny <= remembered;
+  request.tol = std::max(coarse_tol, problem.tol());
+  const rc_status status = problem.coarse(request);
+  if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) throw Leave{status};
+  if (status < 0) return;
+
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::int64_t x = point(i) % grid.nx, y = point(i) / grid.nx;
+    p[i] = pressure[static_cast<std::size_t>(y / 2 * coarse.nx + x / 2)] / problem.pressure_unit();
+  }
+  if (!problem.load_control()) return;
+  const double datum = grid.gap[point(0)] + problem.u()[0] * length;  // u = (datum - gap) / length
+  d = std::max(0.0, (request.approach - datum) / length);
+}
+
+}  // namespace rc

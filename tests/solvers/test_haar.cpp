@@ -1,0 +1,136 @@
+// The production solver: its precisions, threads and starts lead to one answer, its counts of products hold at every occupancy,
+// and where it gives up something exact takes over and is named.
+#include <algorithm>
+#include <random>
+
+#include "contact.h"
+#include "registry.h"
+#include "surfaces.h"
+
+namespace pairs {
+
+namespace {
+
+const Pair haar{"haar-cg", "fft"};
+constexpr std::int64_t side = 256;
+
+// Waves with noise on every cell, pressed in by a multiple of the mean gap.
+Problem rugged(std::int64_t nx, std::int64_t ny, double depth, std::int32_t boundary = RC_BOUNDARY_FREE) {
+  Problem problem = rough_problem(nx, ny, boundary);
+  std::mt19937 random(5);
+  for (double& gap : problem.gap) gap += 1e-6 * static_cast<double>(random() % 100000);
+  problem.target =
+      problem.lowest_gap() + depth * (sum(problem.gap) / static_cast<double>(problem.points()) - problem.lowest_gap());
+  return problem;
+}
+
+double share_in_contact(const Answer& answer) {
+  return static_cast<double>(answer.result.contacts) / static_cast<double>(answer.result.points);
+}
+
+void precisions_agree() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    const Problem problem = rugged(90, 75, 0.6, boundary);
+    const Answer exact = solved(problem, {"nnls", "fft"});
+    for (const char* products : {"mixed", "double"})
+      check_near(solved(problem, haar, {{"haar-cg.products", products}}).p, exact.p, 1e-8, products);
+  }
+}
+
+void threads_do_not_change_a_bit() {
+  for (const std::int32_t control : controls) {
+    Problem problem = rugged(side, side + 3, 0.7);
+    if (control == RC_CONTROL_LOAD) problem = at_load(problem, solved(problem, haar, {{RC_OPT_TOL, "1e-8"}}).result.load);
+    const auto with = [&](const char* threads) {
+      return solved(problem, haar, {{RC_OPT_THREADS, threads}, {RC_OPT_TOL, "1e-8"}});
+    };
+    const Answer alone = with("1");
+    for (const char* threads : {"2", "3"}) {
+      const Answer shared = with(threads);
+      check_same(shared.p, alone.p, "pressures");
+      check_equal(shared.result.applications, alone.result.applications, "products");
+    }
+  }
+}
+
+void a_coarse_start_saves_products() {
+  const Problem problem = rugged(side, side, 0.8);
+  const Answer nested = solved(problem, haar), plain = solved(problem, haar, {{"haar-cg.nested", "0"}});
+  check_near(nested.p, plain.p, 1e-8, "pressures");
+  report("products " + std::to_string(nested.result.applications) + " after a coarse start, " +
+         std::to_string(plain.result.applications) + " without");
+  check(nested.result.applications < plain.result.applications, "the coarse start saves nothing");
+}
+
+void load_control_costs_little_more() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const double depth : {0.3, 0.8}) {
+      const Problem problem = rugged(side, side, depth, boundary);
+      const Answer by_approach = solved(problem, haar, {{RC_OPT_TOL, "1e-8"}});
+      const Answer by_load = solved(at_load(problem, by_approach.result.load), haar, {{RC_OPT_TOL, "1e-8"}});
+      report(text(100 * share_in_contact(by_approach)) + " % in contact: products " +
+             std::to_string(by_approach.result.applications) + " by approach, " + std::to_string(by_load.result.applications) +
+             " by load");
+      check(static_cast<double>(by_load.result.applications) <= 1.4 * static_cast<double>(by_approach.result.applications),
+            "load control takes many more products");
+      check_near(by_load.result.displacement, problem.target, 1e-6 * problem.target, "approach");
+    }
+}
+
+void full_contact_is_no_harder() {
+  const auto products = [](double depth, double least_share) {
+    const Answer answer = solved(rugged(side, side, depth), haar, {{RC_OPT_TOL, "1e-8"}});
+    check(share_in_contact(answer) >= least_share, "only " + text(share_in_contact(answer)) + " in contact");
+    report(text(100 * share_in_contact(answer)) + " % in contact: " + std::to_string(answer.result.applications) + " products");
+    return answer.result.applications;
+  };
+  const std::int64_t usual = products(1.8, 0.2);
+  check(products(8, 0.97) <= usual + 2, "nearly full contact takes more products");
+  check(products(1e4, 1) <= usual + 2, "full contact takes more products");
+}
+
+void pivoting_takes_over() {
+  Problem problem = rugged(64, 64, 0.995, RC_BOUNDARY_PERIODIC);
+  const Settings impatient = {{"haar-cg.patience", "0"}, {RC_OPT_TOL, "1e-9"}};
+  const Answer answer = solved(problem, haar, impatient);
+  check(std::string(answer.result.note).find("haar-cg: stalled; nnls finished") != std::string::npos,
+        std::string("note: ") + answer.result.note);
+  check_near(answer.p, solved(problem, {"nnls", "fft"}).p, 1e-6, "pressures");
+  // Without leave to replace anything it says that it stalled.
+  Settings strict = impatient;
+  strict.push_back({RC_OPT_ALLOW_FALLBACK, "0"});
+  check_status(solve(problem, haar, strict), RC_STOP_STALLED);
+}
+
+// What "auto" would take has too little memory.
+void auto_goes_on_to_the_next() {
+  const Problem problem = rugged(48, 48, 0.9);
+  const Settings exact = {{RC_OPT_TOL, "9e-13"}};
+  check(std::string(solved(problem, automatic, exact).result.backend) == "dense", "auto no longer takes dense here");
+  Settings small = exact;
+  small.push_back({"dense.memory_limit", "1"});
+  const Answer answer = solve(problem, automatic, small);
+  check(std::string(answer.result.backend) != "dense", "dense without memory");
+  check(std::string(answer.result.note).find("auto: passed over dense") != std::string::npos,
+        std::string("note: ") + answer.result.note);
+  check_near(answer.p, solved(problem, automatic, exact).p, 1e-8, "pressures");
+  small.push_back({RC_OPT_ALLOW_FALLBACK, "0"});
+  check_status(solve(problem, automatic, small), RC_ERR_MEMORY);
+}
+
+}  // namespace
+
+}  // namespace pairs
+
+int main(int argc, char** argv) {
+  using namespace pairs;
+  return run_group("solvers.haar",
+                   {{"precisions_agree", precisions_agree},
+                    {"threads_do_not_change_a_bit", threads_do_not_change_a_bit},
+                    {"a_coarse_start_saves_products", a_coarse_start_saves_products},
+                    {"load_control_costs_little_more", load_control_costs_little_more},
+                    {"full_contact_is_no_harder", full_contact_is_no_harder},
+                    {"pivoting_takes_over", pivoting_takes_over},
+                    {"auto_goes_on_to_the_next", auto_goes_on_to_the_next}},
+                   argc, argv);
+}

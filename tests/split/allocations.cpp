@@ -1,0 +1,57 @@
+#include "scene.h"
+#include "support/cmocka.hpp"
+#include "support/failing_new.h"
+
+namespace split {
+
+namespace {
+
+rc_status all_operations(const rc_host& host, const rc_operator_spec& spec, const Index& domain, const Vector& x,
+                         const Vector& gap, Vector& y) {
+  void* self = nullptr;
+  rc_status status = backend().create(&host, &spec, &self);
+  if (status != RC_OK) return status;
+  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain.size()), domain.data(), 0.0};
+  const float single[] = {1.0F, 2.0F};
+  float product[2];
+  std::int64_t found[4];
+  double depth[4], at_points[2];
+  rc_screen request{sizeof(rc_screen), 1.0, 1.0, gap.data(), nullptr, at_points, 4, found, depth, 0};
+  status = backend().bind(self, &bound);
+  if (status == RC_OK) status = backend().apply(self, x.data(), y.data());
+  if (status == RC_OK) status = backend().apply_float(self, single, product);
+  if (status == RC_OK) status = backend().field(self, x.data(), y.data());
+  if (status == RC_OK) status = backend().screen(self, x.data(), &request);
+  backend().destroy(self);
+  return status;
+}
+
+}  // namespace
+
+// Until a run gets through, one allocation later each time; on a grid that needs coarse grids.
+void any_allocation_may_fail(void**) {
+  rc_system system = RC_SYSTEM_INIT;
+  system.nx = 200;
+  system.ny = 160;
+  const Index domain{3, system.nx * system.ny - 1};
+  const Vector x{1.0, 2.0};
+  seam::StandInHost host(backend());
+  host.set("split.spacing", "16");
+  const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "love", host.options(), host.alone()};
+  Vector y(static_cast<std::size_t>(system.nx * system.ny));
+  const Vector gap(y.size(), 0.0);
+  bool failed = true;
+  int failures = 0;
+  for (std::int64_t k = 1; failed; k += 1 + k / 8) {
+    support::fail_allocation(k);
+    const rc_status status = all_operations(host, spec, domain, x, gap, y);
+    failed = support::allocation_failed();
+    support::fail_allocation(0);
+    assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
+    if (failed) assert_true(seam::StandInHost::message().find("split: ") == 0);
+    failures += failed ? 1 : 0;
+  }
+  assert_true(failures > 20);
+}
+
+}  // namespace split

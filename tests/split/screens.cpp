@@ -1,0 +1,171 @@
+// Overlapping points against products at all points.
+#include <algorithm>
+#include <cmath>
+
+#include "scene.h"
+#include "support/cmocka.hpp"
+
+namespace split {
+
+namespace {
+
+struct Surface {
+  Vector gap;
+  std::vector<std::uint8_t> mask;
+  double approach, unit;
+};
+
+struct Overlap {
+  Index point;
+  Vector depth;
+};
+
+// All of them, by products at all points outside the domain.
+Overlap overlap(const Grid& grid, const Index& domain, const Vector& x, const Surface& surface) {
+  std::vector<char> inside(static_cast<std::size_t>(grid.points()));
+  for (const std::int64_t i : domain) inside[static_cast<std::size_t>(i)] = 1;
+  Index others;
+  for (std::int64_t i = 0; i < grid.points(); ++i)
+    if (!inside[static_cast<std::size_t>(i)] && (surface.mask.empty() || surface.mask[static_cast<std::size_t>(i)]))
+      others.push_back(i);
+  const Vector w = Reference(grid).product(others, domain, x);
+  Overlap result;
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const double depth = surface.approach - surface.gap[static_cast<std::size_t>(others[k])] - surface.unit * w[k];
+    if (depth <= 0) continue;
+    result.point.push_back(others[k]);
+    result.depth.push_back(depth);
+  }
+  return result;
+}
+
+struct Answer {
+  Vector y;
+  Overlap found;  // by ascending point
+  std::int64_t n_found;
+};
+
+Answer screened(Operator& op, const Index& domain, const Vector& x, const Surface& surface, std::size_t room) {
+  Answer answer{Vector(domain.size()), {Index(room), Vector(room)}, -1};
+  rc_screen request{sizeof(rc_screen),
+                    surface.approach,
+                    surface.unit,
+                    surface.gap.data(),
+                    surface.mask.empty() ? nullptr : surface.mask.data(),
+                    answer.y.data(),
+                    static_cast<std::int64_t>(room),
+                    answer.found.point.data(),
+                    answer.found.depth.data(),
+                    0};
+  op.screen(x, request);
+  answer.n_found = request.n_found;
+  const std::size_t filled = std::min(room, static_cast<std::size_t>(request.n_found));
+  std::vector<std::pair<std::int64_t, double>> pairs;
+  for (std::size_t k = 0; k < filled; ++k) pairs.emplace_back(answer.found.point[k], answer.found.depth[k]);
+  std::sort(pairs.begin(), pairs.end());
+  answer.found = {};
+  for (const auto& [point, depth] : pairs) {
+    answer.found.point.push_back(point);
+    answer.found.depth.push_back(depth);
+  }
+  return answer;
+}
+
+// A few waves; the domain is what lies below some depth, so that some overlap remains here and there.
+struct Scene {
+  Grid grid;
+  Index domain;
+  Vector x;
+  Surface surface;
+};
+
+Scene dilute_scene(const Grid& grid, Random& random, bool masked) {
+  Scene scene{grid, {}, {}, {Vector(static_cast<std::size_t>(grid.points())), {}, 0, 0}};
+  double waves[8][4];
+  for (auto& wave : waves) {
+    wave[0] = (uniform(random) - 0.5) * 0.7;
+    wave[1] = (uniform(random) - 0.5) * 0.7;
+    wave[2] = uniform(random) * 6.28;
+    wave[3] = 1 / (1 + 10 * std::hypot(wave[0], wave[1]));
+  }
+  for (std::int64_t i = 0; i < grid.points(); ++i) {
+    double& gap = scene.surface.gap[static_cast<std::size_t>(i)];
+    for (const auto& wave : waves)
+      gap +=
+          wave[3] * std::cos(wave[0] * static_cast<double>(i % grid.nx) + wave[1] * static_cast<double>(i / grid.nx) + wave[2]);
+    if (masked) scene.surface.mask.push_back(uniform(random) < 0.8 ? 1 : 0);
+  }
+  Vector sorted = scene.surface.gap;
+  std::sort(sorted.begin(), sorted.end());
+  const double low = sorted[sorted.size() / 100];  // below: pressed
+  for (std::int64_t i = 0; i < grid.points(); ++i)
+    if (scene.surface.gap[static_cast<std::size_t>(i)] < low) scene.domain.push_back(i);
+  scene.x = pressures(scene.domain, random);
+  scene.surface.unit = 0.1 + uniform(random);
+  const Vector w = Reference(grid).product(scene.domain, scene.domain, scene.x);
+  scene.surface.approach = low + scene.surface.unit * largest(w) * (0.1 + 0.9 * uniform(random));
+  return scene;
+}
+
+void check_scene(const Scene& scene, const char* spacing) {
+  const Overlap expected = overlap(scene.grid, scene.domain, scene.x, scene.surface);
+  Operator op(scene.grid, spacing);
+  op.bind(scene.domain);
+  const Answer answer = screened(op, scene.domain, scene.x, scene.surface, static_cast<std::size_t>(scene.grid.points()));
+  assert_int_equal(answer.n_found, static_cast<std::int64_t>(expected.point.size()));
+  assert_true(answer.found.point == expected.point);
+  const double scale = scene.surface.unit * largest(answer.y);
+  assert_true(largest_difference(answer.found.depth, expected.depth) <= 1e-9 * (1 + scale));
+  assert_true(largest_difference(answer.y, op.apply(scene.x)) <= 1e-10 * largest(answer.y));
+}
+
+}  // namespace
+
+// Random scenes: no point is missed, none is there that does not overlap.
+void screen_finds_what_overlaps(void**) {
+  const int scenes = static_cast<int>(200 * effort());
+  for (int seed = 0; seed < scenes; ++seed) {
+    Random random(static_cast<unsigned>(seed));
+    const Grid grid{130 + static_cast<std::int64_t>(random() % 60), 120 + static_cast<std::int64_t>(random() % 60), 1.0, 1.0,
+                    "love"};
+    const char* const spacings[] = {"auto", "4", "8", "16"};
+    check_scene(dilute_scene(grid, random, seed % 3 == 0), spacings[seed % 4]);
+  }
+}
+
+void screen_counts_beyond_its_room(void**) {
+  Random random(11);
+  Scene scene = dilute_scene({180, 170, 1.0, 1.0, "love"}, random, false);
+  scene.surface.approach += 1;
+  const Overlap expected = overlap(scene.grid, scene.domain, scene.x, scene.surface);
+  assert_true(expected.point.size() > 20);
+  Operator op(scene.grid);
+  op.bind(scene.domain);
+  for (const std::size_t room : {std::size_t{0}, std::size_t{7}, expected.point.size()}) {
+    const Answer answer = screened(op, scene.domain, scene.x, scene.surface, room);
+    assert_int_equal(answer.n_found, static_cast<std::int64_t>(expected.point.size()));
+    for (const std::int64_t point : answer.found.point)
+      assert_true(std::binary_search(expected.point.begin(), expected.point.end(), point));
+    assert_int_equal(static_cast<std::int64_t>(answer.found.point.size()), static_cast<std::int64_t>(room));
+  }
+}
+
+// What lies under the mask may hold anything.
+void screen_respects_the_mask(void**) {
+  Random random(12);
+  Scene scene = dilute_scene({180, 170, 1.0, 1.0, "love"}, random, true);
+  for (std::size_t i = 0; i < scene.surface.gap.size(); ++i)
+    if (!scene.surface.mask[i]) scene.surface.gap[i] = -1e30;
+  check_scene(scene, "auto");
+}
+
+void screen_of_nothing_finds_all_below_the_approach(void**) {
+  Random random(13);
+  Scene scene = dilute_scene({180, 170, 1.0, 1.0, "love"}, random, false);
+  std::fill(scene.x.begin(), scene.x.end(), 0.0);
+  check_scene(scene, "auto");
+  scene.surface.approach = -1e6;
+  check_scene(scene, "auto");
+}
+
+}  // namespace split
