@@ -115,9 +115,11 @@ struct Box {
 Box box_around(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
   if (trial.index.empty()) return {0, nx - 1, 0, ny - 1};
   Box box{nx, -1, trial.index.front() / nx, trial.index.back() / nx};
+  std::int64_t row_begin = box.low * nx;  // divides only where a row begins
   for (const std::int64_t point : trial.index) {
-    box.left = std::min(box.left, point % nx);
-    box.right = std::max(box.right, point % nx);
+    if (point >= row_begin + nx) row_begin = point / nx * nx;
+    box.left = std::min(box.left, point - row_begin);
+    box.right = std::max(box.right, point - row_begin);
   }
   return box;
 }

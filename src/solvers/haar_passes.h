@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "solvers/haar_loops.h"
+
 namespace rc {
 
 // The state of an iteration: w = H p - u - d, a direction with its product, and the contact set. Residuals and directions are
@@ -33,12 +35,6 @@ template <class Real> struct HaarState {
   Real* first_spare() { return reinterpret_cast<Real*>(spare.get()); }
   Real* second_spare() { return first_spare() + n; }
   double* double_spare() { return reinterpret_cast<double*>(spare.get()); }
-};
-
-struct HaarMeasure {
-  double largest = 0;          // residual: |w| under pressure, -w elsewhere
-  double load = 0, merit = 0;  // sum of p; of p (w - u) / 2
-  double moment = 0;           // sum of p w
 };
 
 // t = z + beta t on the contact set, 0 elsewhere. Returns (w, t).

@@ -1,0 +1,36 @@
+// The inner loops of the passes over all unknowns, for the best vector instructions of this processor.
+#pragma once
+
+#include <cstdint>
+
+namespace rc {
+
+struct HaarMeasure {
+  double largest = 0;          // residual: |w| under pressure, -w elsewhere
+  double load = 0, merit = 0;  // sum of p; of p (w - u) / 2
+  double moment = 0;           // sum of p w
+};
+
+// What becomes of w: w + change, w - shift, product - u - shift.
+enum class HaarUpdate { add, lower, replace };
+
+// Over n values from the pointers on; sums are in a fixed order.
+template <class Real> struct HaarLoops {
+  using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const double* product, double shift,
+                                  const double* u, const double* p);
+
+  // t = z + beta t where active, 0 elsewhere; the sum of w t
+  double (*turn)(std::int64_t n, const Real* z, Real beta, Real* t, const Real* w, const std::uint8_t* active);
+  double (*inner)(std::int64_t n, const Real* a, const Real* b);
+  // p -= length t, w -= length q
+  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w);
+  // The same; negative pressures are cut off. Whether there were any.
+  bool (*advance_and_cut)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, Real* cut);
+  Measure add, lower, replace;
+  // active = p > 0 or w < limit; whether it changed
+  bool (*choose)(std::int64_t n, const double* p, const Real* w, Real limit, std::uint8_t* active);
+};
+
+template <class Real> HaarLoops<Real> best_haar_loops();
+
+}  // namespace rc
