@@ -173,7 +173,8 @@ template <class Real> Json measure_precision(const ScalingRequest& request, std:
 // Double precision; the keys of single precision begin with "single_".
 Json measure_product(const ScalingRequest& request, std::int64_t n, std::int64_t threads) {
   Json row = measure_precision<double>(request, n, threads);
-  for (const auto& [key, value] : measure_precision<float>(request, n, threads).items()) row["single_" + key] = value;
+  const Json single = measure_precision<float>(request, n, threads);
+  for (const auto& [key, value] : single.items()) row["single_" + key] = value;
   return row;
 }
 

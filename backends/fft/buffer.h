@@ -19,6 +19,11 @@ inline constexpr std::int64_t alignment = 128;
 
 inline constexpr std::int64_t round_up(std::int64_t count, std::int64_t to) { return (count + to - 1) / to * to; }
 
+struct Release {
+  std::align_val_t align{alignment};
+  void operator()(std::byte* p) const { ::operator delete(p, align); }
+};
+
 class Buffer {
  public:
   // Makes room for a*b elements; the contents are lost if it has to grow.
@@ -32,7 +37,8 @@ class Buffer {
     data_.reset();
     size_ = 0;
     const std::align_val_t align{bytes >= huge_page ? huge_page : std::size_t{alignment}};
-    data_ = {static_cast<std::byte*>(::operator new(bytes, align, std::nothrow)), Release{align}};
+    data_.get_deleter().align = align;
+    data_.reset(static_cast<std::byte*>(::operator new(bytes, align, std::nothrow)));
     if (!data_)
       fail(RC_ERR_MEMORY, "cannot allocate ", bytes, " bytes for a ", transform.x, "x", transform.y,
            " transform; use a coarser grid or fewer threads");
@@ -49,12 +55,6 @@ class Buffer {
 
  private:
   static constexpr std::size_t huge_page = std::size_t{1} << 21;
-  struct Release {
-    Release() : Release(std::align_val_t{alignment}) {}
-    explicit Release(std::align_val_t of) : align(of) {}
-    std::align_val_t align;
-    void operator()(std::byte* p) const { ::operator delete(p, align); }
-  };
 
   std::unique_ptr<std::byte[], Release> data_;
   std::size_t size_ = 0;

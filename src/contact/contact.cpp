@@ -126,7 +126,7 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
         return status;
       clear_message();
     } catch (const Error& error) {
-      const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN;
+      const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
       if (!lacking || !choice_.backend || !pass_over(choice_.backend->name, RC_OPT_BACKEND, error.what())) throw;
       operators_.erase(choice_.backend->name);
     }
@@ -183,6 +183,9 @@ Answer Contact::prepare(const TrialSet& trial, std::int32_t control, double leng
   answer.pressure_unit = length_unit / system_.length_per_pressure;
   return answer;
 }
+
+// A little less than is certified: the certificate's product rounds in its own way.
+double Contact::solver_tol() const { return 0.98 * options_.real(RC_OPT_TOL); }
 
 SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
   rc_grid grid{};
@@ -258,7 +261,7 @@ Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
     u[i] =
         (step.target - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
   double unused = 0;
-  answer.status = run(answer, monitor)(step.control, u, 0, options_.real(RC_OPT_TOL), step.target, answer.p, unused);
+  answer.status = run(answer, monitor)(step.control, u, 0, solver_tol(), step.target, answer.p, unused);
   return answer;
 }
 

@@ -96,6 +96,7 @@ class Contact {
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   Answer prepare(const TrialSet& trial, std::int32_t control, double length_unit);
   SolverRun run(const Answer& answer, Monitor& monitor);
+  double solver_tol() const;
   rc_status solve_coarse(rc_coarse& request, const Monitor& monitor);
 
   Answer at_displacement(const rc_step& step, Monitor& monitor);

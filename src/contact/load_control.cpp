@@ -67,7 +67,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
         u[i] = (lowest - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / height;
       const double expected = last_.approach + ahead(step) * (last_.approach - before_.approach) - lowest;
       double d = warm ? std::clamp(expected / height, 0.0, 1.0) : 0;
-      answer.status = run(answer, monitor)(step.control, u, wanted, options_.real(RC_OPT_TOL), 0, answer.p, d);
+      answer.status = run(answer, monitor)(step.control, u, wanted, solver_tol(), 0, answer.p, d);
       answer.approach = d;
     } else {
       double first = warm ? (last_.approach - lowest) / height : 1;

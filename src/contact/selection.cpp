@@ -44,6 +44,14 @@ bool prefers_direct(const Counts& counts) {
   return direct_cost(counts) <= transform_cost(counts);
 }
 
+constexpr std::int64_t least_dilute_points = 512 * 512;
+constexpr double least_approximate_tol = 1e-9;  // two digits above what approximate products are good for
+
+// Contacts so sparse in their bounding box that products which cost by the contact are cheaper than transforms of the box.
+bool dilute(const Counts& counts) {
+  return counts.points >= least_dilute_points && counts.tol >= least_approximate_tol && 8 * counts.candidates <= counts.box;
+}
+
 std::string describe(const std::vector<std::string>& reasons) {
   std::string text;
   for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
@@ -79,11 +87,13 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
     if (missing) reasons.push_back(missing->what());
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
   }
-  const rc_backend *direct = nullptr, *matrix_free = nullptr;
+  const rc_backend *direct = nullptr, *matrix_free = nullptr, *approximate = nullptr;
   for (const auto* component : options.context->backends()) {
-    if ((component->vtable.caps & RC_CAP_APPROXIMATE) != 0 || !reason(component->vtable).empty() ||
-        contains(failed, component->vtable.name))
+    if (!reason(component->vtable).empty() || contains(failed, component->vtable.name)) continue;
+    if (component->vtable.caps & RC_CAP_APPROXIMATE) {
+      if (!approximate) approximate = &component->vtable;
       continue;
+    }
     const rc_backend*& slot = factors(component->vtable) ? direct : matrix_free;
     const auto repeats = [](const rc_backend& backend) { return (backend.caps & RC_CAP_THREAD_INVARIANT) != 0; };
     // Among equals, one whose results do not depend on the number of threads.
@@ -91,9 +101,8 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
   }
   if (!direct && !matrix_free)
     fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver ? " with this solver" : "", "; is a plugin missing?");
-  if (!matrix_free) return *direct;
-  if (!direct) return *matrix_free;
-  return prefers_direct(counts) ? *direct : *matrix_free;
+  if (!matrix_free || (direct && prefers_direct(counts))) return *direct;
+  return approximate && dilute(counts) ? *approximate : *matrix_free;
 }
 
 }  // namespace

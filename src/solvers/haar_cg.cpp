@@ -315,7 +315,7 @@ constexpr rc_option_spec products =
     text_option("haar-cg.products", "mixed", "mixed|double", "mixed: single precision, corrected by some in double precision");
 constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
 constexpr rc_option_spec hopeless =
-    int_option("haar-cg.patience", "60", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
+    int_option("haar-cg.patience", "120", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
 const rc_option_spec* const specs[] = {&products, &nested, &hopeless};
 
 rc_status solve(const Problem& problem, Vector& p, double& d) {

@@ -96,7 +96,9 @@ void units_change_nothing() {
       for (const double pressure : {1e-9, 1e11}) {
         Answer changed = with(problem_of(bench::in_units(scene, length, pressure)), solver, {});
         check_status(changed, RC_OK, solver);
-        check_equal(changed.result.iterations, plain.result.iterations, solver + ": iterations");
+        // These factors are no powers of two: the last bits of the problem change.
+        check_near(static_cast<double>(changed.result.iterations), static_cast<double>(plain.result.iterations),
+                   1 + 0.02 * static_cast<double>(plain.result.iterations), solver + ": iterations");
         for (double& value : changed.p) value /= pressure;
         check_near(changed.p, plain.p, 1e-9, solver);
       }

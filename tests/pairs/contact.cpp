@@ -58,7 +58,7 @@ Options make_options(const Pair& pair, const std::string& kernel, const Settings
   rc_options* made = nullptr;
   require(rc_options_create(context, &made), "rc_options_create");
   Options options(made);
-  Settings all = {{RC_OPT_SOLVER, pair.solver}, {RC_OPT_BACKEND, pair.backend}, {RC_OPT_KERNEL, kernel}, {RC_OPT_TOL, "2e-12"}};
+  Settings all = {{RC_OPT_SOLVER, pair.solver}, {RC_OPT_BACKEND, pair.backend}, {RC_OPT_KERNEL, kernel}, {RC_OPT_TOL, "1e-12"}};
   all.insert(all.end(), settings.begin(), settings.end());
   for (const auto& [key, value] : all) require(rc_options_parse(made, key.c_str(), value.c_str()), "rc_options_parse");
   return options;

@@ -57,7 +57,7 @@ struct DestroyContext {
 using Options = std::unique_ptr<rc_options, DestroyOptions>;
 using Context = std::unique_ptr<rc_context, DestroyContext>;
 
-/** Solver and backend of the pair, tol 2e-12, then the settings. */
+/** Solver and backend of the pair, tol 1e-12, then the settings. */
 Options make_options(const Pair& pair, const std::string& kernel, const Settings& settings = {}, rc_context* context = nullptr);
 
 /** Where a solver may fail, see may_fail() of registry.h, it is given the means to repair it, unless the settings say otherwise.

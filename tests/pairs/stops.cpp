@@ -24,7 +24,7 @@ void check_usable(const Problem& problem, const Answer& answer) {
   check_equal(answer.result.status, answer.status, "result.status");
   check(!answer.message.empty(), "the message is empty");
   for (const double value : answer.p) check(std::isfinite(value) && value >= 0, "p = " + text(value));
-  check(answer.worst_residual() > 2e-12, "a stopped answer within the tolerance is certified");
+  check(answer.worst_residual() > 1e-12, "a stopped answer within the tolerance is certified");
   check_against_naive(problem, answer);
 }
 

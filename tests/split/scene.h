@@ -92,6 +92,7 @@ void long_cells_are_refused(void** state);
 void periodic_grids_are_refused(void** state);
 void modelled_points_follow_the_domain(void** state);
 void screen_finds_what_overlaps(void** state);
+void screen_proves_no_more_than_holds(void** state);
 void screen_counts_beyond_its_room(void** state);
 void screen_respects_the_mask(void** state);
 void screen_of_nothing_finds_all_below_the_approach(void** state);

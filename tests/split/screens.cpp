@@ -133,6 +133,28 @@ void screen_finds_what_overlaps(void**) {
   }
 }
 
+// A plain but for one point, far from the pressure, where the bound is almost the product itself.
+void screen_proves_no_more_than_holds(void**) {
+  const Grid grid{400, 310, 1.0, 1.0, "love"};
+  const Index domain{5 * 400 + 7, 5 * 400 + 8, 20 * 400 + 3};
+  const Vector x{1.0, 0.5, 2.0};
+  for (const char* spacing : {"4", "8", "16"}) {
+    Operator op(grid, spacing);
+    op.bind(domain);
+    for (const std::int64_t point :
+         {grid.points() - 1, grid.points() - 8, 200 * grid.nx + 207, 300 * grid.nx + 120, 150 * grid.nx + 399}) {
+      const double w = Reference(grid).product({point}, domain, x)[0];
+      for (const double part : {0.9999, 1.0001}) {
+        Surface surface{Vector(static_cast<std::size_t>(grid.points()), 10.0), {}, 1.0, 1.0};
+        surface.gap[static_cast<std::size_t>(point)] = surface.approach - part * w;
+        const Answer answer = screened(op, domain, x, surface, 4);
+        assert_int_equal(answer.n_found, part > 1 ? 1 : 0);
+        if (part > 1) assert_int_equal(answer.found.point[0], point);
+      }
+    }
+  }
+}
+
 void screen_counts_beyond_its_room(void**) {
   Random random(11);
   Scene scene = dilute_scene({180, 170, 1.0, 1.0, "love"}, random, false);
