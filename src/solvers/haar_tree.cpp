@@ -11,7 +11,7 @@ namespace {
 
 constexpr double detail = 0.5;      // damping of the differences inside a block
 constexpr double anisotropy = 1.5;  // of cells above which only the short side is merged
-constexpr float least_top = 0.1F;  // of what is taken off the top
+constexpr float least_top = 0.1F;   // of what is taken off the top
 constexpr double least_pivot = 1e-12;
 constexpr std::int64_t blocks_per_item = 4096;
 constexpr std::int64_t least_shared = 16384;  // blocks of a level below which one thread does them sooner
@@ -91,9 +91,9 @@ void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std:
   // The rows of a block follow each other; each is in ascending order, so the two are merged.
   for (std::size_t begin = 0; begin < x.size();) {
     const std::int64_t parent_row = row(begin);
-    std::size_t middle = begin, end = begin;
+    std::size_t middle = begin;
     while (middle < x.size() && y[middle] == y[begin]) ++middle;
-    end = middle;
+    std::size_t end = middle;
     while (end < x.size() && row(end) == parent_row) ++end;
     std::size_t upper = begin, lower = middle;
     while (upper < middle || lower < end) {

@@ -74,8 +74,9 @@ SharedCase as_operator(SharedCase shared, std::int32_t op, Matrix& matrix) {
   return shared;
 }
 
-// The caller's products here are plain sums, whose round-off comes near the usual tolerance.
-double tolerance_of(const Pair& pair) { return pair.backend == "callback" ? 2e-12 : 1e-12; }
+// The caller's products here are plain sums, whose round-off comes near the usual tolerance; those of split are approximate on
+// large grids.
+double tolerance_of(const Pair& pair) { return pair.backend == "split" ? 1e-10 : pair.backend == "callback" ? 2e-12 : 1e-12; }
 
 void check_solution(const SharedCase& shared, const Pair& pair, const Problem& problem) {
   groups_run.insert(group_name(pair, problem.system, problem.control));
