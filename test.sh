@@ -63,7 +63,7 @@ if [ "$quick" != --quick ]; then
 
   stage "thread sanitizer, tests with threads"
   # Loops that a library spreads with OpenMP wait in a runtime that the sanitizer cannot see into: one thread for those.
-  if build tsan; then OMP_NUM_THREADS=1 RC_TEST_QUICK=1 run_tests tsan -R 'threads|seam'; fi
+  if build tsan; then OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 run_tests tsan -R 'threads|seam'; fi
 fi
 
 echo
