@@ -116,6 +116,7 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   Monitor monitor(cancelled_, progress_, options_.real(RC_OPT_TIME_LIMIT), options_.integer(RC_OPT_MAX_ITER));
   if (nothing_touches(step)) return finish(step, {}, monitor, result);
   failed_.clear();
+  bool delivered = false;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     choice_ = {};
     try {
@@ -124,11 +125,17 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
       const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
       if (!hopeless || !pass_over(choice_.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
         return status;
+      delivered = true;
       clear_message();
     } catch (const Error& error) {
       const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
-      if (!lacking || !choice_.backend || !pass_over(choice_.backend->name, RC_OPT_BACKEND, error.what())) throw;
-      operators_.erase(choice_.backend->name);
+      if (lacking && choice_.backend && pass_over(choice_.backend->name, RC_OPT_BACKEND, error.what())) {
+        operators_.erase(choice_.backend->name);
+        continue;
+      }
+      if (!delivered) throw;
+      set_message(join(rc_status_text(result.status), "; the next choice of auto failed: ", error.what()).c_str());
+      return result.status;
     }
   }
 }
