@@ -12,7 +12,7 @@ LAYERS = {  # folder under src: folders it may include
     'operator': {'operator', 'registry', 'core'},
     'grid': {'grid'},
     'solvers': {'solvers', 'operator', 'grid', 'core'},
-    'contact': {'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'contact': {'contact', 'solvers', 'operator', 'registry', 'kernel', 'grid', 'core'},
     'abi': {'abi', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies

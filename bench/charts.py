@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""charts.py RESULTS IMAGES: draws speed-accuracy.png, scaling.png and failures.png into the folder IMAGES from the JSON files in
-the folder RESULTS, with gnuplot."""
+"""charts.py RESULTS IMAGES [NAME...]: draws speed-accuracy.png, scaling.png and failures.png, or those named, into the folder IMAGES
+from the JSON files in the folder RESULTS, with gnuplot."""
 import math
 import os
 import subprocess
 import sys
 
-from results import groups, load, scene_title, solved, total_seconds
+from results import groups, load, scaling_rows, scene_title, solved, total_seconds
 
 # Colour, dash and marker each tell the lines apart; the colours differ in lightness and for the colour-blind (Okabe & Ito).
 STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc rgb "#0072B2" dt (4,3) pt 5',
@@ -14,6 +14,7 @@ STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc r
 OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
 BAND = '#D9D9D9'
 PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
+TARGET = 'lines lw 1 lc rgb "#AA0000" dt 1'
 
 HEAD = '''set terminal pngcairo size {width},{height} font "DejaVu Sans,11" linewidth 1.2
 set output "{file}"
@@ -109,32 +110,48 @@ def speed_accuracy(results, file):
 
 def scaling(results, file):
     document = load(results, 'scaling')
-    rows = solved(document['solves'])
-    areas = list(groups(rows, 'area_wanted'))
+    rows = scaling_rows(document)
+    single = scaling_rows(document, tol=1e-4, precision='single')
+    areas = [(area,) for area in sorted({r['area_wanted'] for r in rows + single})]
     hollow = 'points ps 1.5 lw 1.4 lc rgb "#555555"'
-    drawing = Panels(800, 464, 2, 1, 80)
+    drawing = Panels(800, 830, 2, 2, 110)
 
-    def curves(value):
+    def curves(value, of=rows):
         result = []
-        for (area, control), line in groups(rows, 'area_wanted', 'control').items():
-            points = drawing.block([(r['n'] ** 2, value(r)) for r in line])
+        families = groups(of, 'area_wanted', 'control')
+        for (area, control), found in families.items():
+            second = control == 'load' and (area, 'displacement') in families
+            points = drawing.block([(r['n'] ** 2, value(r)) for r in found])
             number = areas.index((area,))
-            look = style(number) if control == 'displacement' else f'{hollow} pt {OPEN_MARKERS[number % len(OPEN_MARKERS)]}'
+            look = f'{hollow} pt {OPEN_MARKERS[number % len(OPEN_MARKERS)]}' if second else style(number)
             result.append(f'{points} with {look}')
         return result
 
-    sides = sorted({r['n'] for r in rows})
-    tics = ', '.join(f'"{n}²" {n * n}' for n in sides)
+    def target(value):
+        return f'{value!r} with {TARGET}'
+
+    sides = sorted({r['n'] for r in rows + single})
+    tics = ', '.join(f'"{n}²" {n * n}' for n in sides[-1::-2][::-1])
     settings = f'set xrange [{sides[0] ** 2 / 1.6}:{sides[-1] ** 2 * 1.6}]\nset xtics ({tics})\nset xlabel "points" offset 0,0.4\n'
-    lowest, highest = decades([total_seconds(r) for r in rows])
-    slope = 0.25 * min(total_seconds(r) for r in rows if r['n'] == sides[-1]) / sides[-1] ** 2
-    drawing.panel(0, 0, f'time to certified 10^{{{math.log10(rows[0]["tol"]):.0f}}}',
-                  settings + f'set yrange [{lowest}:{highest}]\nset ylabel "set-up and solve [s]" offset 1.2,0',
+
+    def seconds_axis(of):
+        lowest, highest = decades([total_seconds(r) for r in of])
+        return (settings + f'set format y "10^{{%T}}"\nset yrange [{lowest}:{highest}]\nset ytics autofreq\n'
+                'set ylabel "set-up and solve [s]" offset 1.2,0')
+
+    slope = 0.25 * min(total_seconds(r) / r['n'] ** 2 for r in rows if r['n'] == max(r['n'] for r in rows))
+    drawing.panel(0, 0, 'time to certified 10^{-8}', seconds_axis(rows),
                   curves(total_seconds) + [f'{slope!r}*x with lines {PROPORTIONAL}'])
-    drawing.panel(1, 0, 'products with H', settings + 'set format y "%g"\nset yrange [20:1000]\n'
-                  'set ytics (20,50,100,200,500,1000)\nset ylabel "products" offset 1,0', curves(lambda r: r['products']))
+    drawing.panel(1, 0, 'products with H', settings + 'set format y "%g"\nset yrange [2:200]\n'
+                  'set ytics (2,5,10,20,30,50,100,200)\nset ylabel "products" offset 1,0', curves(lambda r: r['products']) + [target(30)])
+    memory = settings + ('set format y "%g"\nset yrange [4:2000]\nset ytics (5,10,20,50,100,200,500,1000,2000)\n'
+                         'set ylabel "peak memory [bytes/point]" offset 1,0')
+    drawing.panel(0, 1, 'memory beside gap and pressure', memory,
+                  curves(lambda r: max(r['bytes_per_point'], 1e-3)) + [target(110)])
+    if single:
+        drawing.panel(1, 1, 'single precision, time to certified 10^{-4}', seconds_axis(single), curves(total_seconds, single))
     entries = [(f'{100 * area:g} % contact', style(number)) for number, (area,) in enumerate(areas)]
-    entries += [('load control (hollow)', hollow + ' pt 6'), ('proportional to points', f'lines {PROPORTIONAL}')]
+    entries += [('load control (hollow)', hollow + ' pt 6'), ('proportional to points', f'lines {PROPORTIONAL}'), ('target', TARGET)]
     drawing.draw(file, entries, 3)
 
 
@@ -176,12 +193,14 @@ def failures(results, file):
     drawing.draw(file, entries, 2)
 
 
+CHARTS = {'speed-accuracy': speed_accuracy, 'scaling': scaling, 'failures': failures}
+
+
 def main():
-    results, images = sys.argv[1:]
+    results, images, *names = sys.argv[1:]
     os.makedirs(images, exist_ok=True)
-    speed_accuracy(results, os.path.join(images, 'speed-accuracy.png'))
-    scaling(results, os.path.join(images, 'scaling.png'))
-    failures(results, os.path.join(images, 'failures.png'))
+    for name in names or CHARTS:
+        CHARTS[name](results, os.path.join(images, name + '.png'))
 
 
 if __name__ == '__main__':

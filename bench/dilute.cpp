@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "dilute_solves.h"
 #include "library.h"
 #include "scene.h"
 #include "stopwatch.h"
@@ -120,7 +121,9 @@ Json row_of(std::int64_t n, std::int64_t threads, const Timing& fft, const Timin
 
 }  // namespace
 
-Json run_dilute(const DiluteRequest& request) {
+namespace {
+
+Json dilute_products(const DiluteRequest& request) {
   Json rows = Json::array();
   std::vector<std::int64_t> threads{1};
   if (request.threads > 1) threads.push_back(request.threads);
@@ -143,8 +146,17 @@ Json run_dilute(const DiluteRequest& request) {
       }
     }
   }
-  std::cout << table(columns, rows);
-  return {{"dilute", rows}};
+  std::cout << "Products\n" << table(columns, rows);
+  return rows;
+}
+
+}  // namespace
+
+Json run_dilute(const DiluteRequest& request) {
+  Json document;
+  if (request.products) document["dilute"] = dilute_products(request);
+  if (request.solves) document["solves"] = dilute_solves(request);
+  return document;
 }
 
 }  // namespace bench

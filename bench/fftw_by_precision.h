@@ -14,6 +14,7 @@ template <> struct Fftw<double> {
   static constexpr auto init_threads = fftw_init_threads;
   static constexpr auto plan_with_threads = fftw_plan_with_nthreads;
   static constexpr auto set_time_limit = fftw_set_timelimit;
+  static constexpr auto plan_complex = fftw_plan_dft_1d;
   static constexpr auto plan_real_2d = fftw_plan_dft_r2c_2d;
   static constexpr auto plan_real_back_2d = fftw_plan_dft_c2r_2d;
   static constexpr auto execute = fftw_execute;
@@ -27,6 +28,7 @@ template <> struct Fftw<float> {
   static constexpr auto init_threads = fftwf_init_threads;
   static constexpr auto plan_with_threads = fftwf_plan_with_nthreads;
   static constexpr auto set_time_limit = fftwf_set_timelimit;
+  static constexpr auto plan_complex = fftwf_plan_dft_1d;
   static constexpr auto plan_real_2d = fftwf_plan_dft_r2c_2d;
   static constexpr auto plan_real_back_2d = fftwf_plan_dft_c2r_2d;
   static constexpr auto execute = fftwf_execute;

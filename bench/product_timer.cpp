@@ -45,6 +45,7 @@ CallTimes time_products(const rc_system& system, const rc_step& step, const Prod
   Options options(context.get());
   options.set(RC_OPT_SOLVER, timer.name).set(RC_OPT_BACKEND, setup.backend);
   options.set(RC_OPT_THREADS, static_cast<double>(setup.threads));
+  if (setup.planning == "measure") options.set(RC_OPT_DETERMINISTIC, 0.0);
   if (!setup.planning.empty()) options.set("fft.planning", setup.planning);
   request = {};
   request.budget = setup.budget;

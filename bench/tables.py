@@ -47,18 +47,6 @@ def product_table(document):
     return table(['grid', 'threads'] + names + ([f'single: {name}' for name in names] if both else []), rows)
 
 
-def solve_table(document):
-    rows = []
-    for row in document['solves']:
-        product = row['product_seconds_best']
-        rows.append([f'{row["n"]}²', f'{100 * row["area_found"]:.2f}', row['control'], f'{row["solver"]}, {row["backend"]}'] +
-                    [seconds(row[key]) for key in ('setup_seconds', 'solve_seconds', 'cpu_seconds')] +
-                    [str(row['iterations']), str(row['products']), f'{1000 * product:.3g}', f'{row["bytes_per_point"]:.0f}',
-                     str(row['candidates']), str(row['modelled']), str(row['contacts']), error(worst_residual(row))])
-    return table(['grid', 'contact [%]', 'control', 'solver, backend', 'set-up [s]', 'solve [s]', 'CPU [s]', 'iterations', 'products',
-                  'product [ms]', 'bytes/point', 'candidates', 'modelled', 'contacts', 'worst residual'], rows)
-
-
 def accuracy_table(document):
     rows = []
     for (scene, n, solver, backend), line in groups(solved(document['rows']), 'scene', 'n', 'solver', 'backend').items():
@@ -92,9 +80,9 @@ def fill(file, sections):
 
 def main():
     results, file = sys.argv[1:]
-    scaling, accuracy = load(results, 'scaling'), load(results, 'accuracy')
-    fill(file, {'provenance': provenance(scaling), 'products': product_table(scaling), 'solves': solve_table(scaling),
-                'accuracy': accuracy_table(accuracy), 'discretisation': grid_table(accuracy)})
+    products, accuracy = load(results, 'products'), load(results, 'accuracy')
+    fill(file, {'provenance': provenance(products), 'products': product_table(products), 'accuracy': accuracy_table(accuracy),
+                'discretisation': grid_table(accuracy)})
 
 
 if __name__ == '__main__':

@@ -23,14 +23,30 @@ def check_certified(row, tol):
     assert all(row[key] <= tol for key in ('kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control')), row
 
 
-scaling = run('scaling', '--quick', '--sizes', '128')
-assert len(scaling['solves']) == 6 and scaling['products']
+scaling = run('scaling', '--quick', '--sizes', '128', '--percents', '1,10,40')
+assert len(scaling['solves']) == 6
 for row in scaling['solves']:
     check_certified(row, row['tol'])
     assert abs(row['area_found'] / row['area_wanted'] - 1) < 0.1, row
-    assert row['bytes_per_point'] > 0 and row['product_seconds_best'] > 0
-for row in scaling['products']:
+    assert row['bytes_per_point_in_all'] > row['bytes_per_point'] > 0 and row['product_seconds_best'] > 0, row
+
+products = run('products', '--quick', '--sizes', '128')
+for row in products['products']:
     assert row['difference'] < 1e-12 and row['single_difference'] < 1e-5, row
+
+limits = run('limits', '--quick', '--sizes', '64', '--threads', '1')
+for row in limits['products']:
+    real = 4 if row['precision'] == 'single' else 8
+    assert abs(row['operations_per_point'] / (30 * 7 + 4) - 1) < 0.02 and abs(row['bytes_per_point'] / (11 * real) - 1) < 0.02, row
+    assert row['fraction'] > 0, row
+assert limits['bandwidth'][0]['gigabytes_per_second'] > 0 and len(limits['transforms']) == 2 and len(limits['passes']) == 2
+
+busy = run('busy', '--quick', '--points', '64', '--threads', '1', '--repeats', '1')
+assert busy['busy'][0]['ratio'] > 0 and len(busy['busy'][0]['busy']) == 1
+
+repeated = run('deterministic', '--quick', '--points', '64', '--threads', '2', '--repeats', '2')
+for row in repeated['deterministic']:
+    assert row['choice'] != '1' or row['same_as_one_thread'] == row['same_again'] == 'yes', row
 
 accuracy = run('accuracy', '--scenes', 'hertz', '--digits', '2,5,8', '--budget', '0')
 assert len(accuracy['rows']) % 3 == 0 and accuracy['rows']
@@ -50,6 +66,11 @@ for row in batch['batch']:
 assert [row['threads'] for row in batch['batch']] == [1, 2] and batch['scaling'] > 0 and batch['cpu_growth'] > 0
 
 dilute = run('dilute', '--sizes', '256', '--contacts', '1', '--threads', '1', '--budget', '0')
+assert len(dilute['solves']) == 8
+for row in dilute['solves']:
+    for run_name in ('auto', 'fft'):
+        check_certified(row[run_name], row['tol'])
+    assert row['fft']['modelled'] >= row['n']**2 and row['auto']['contacts'] == row['fft']['contacts'], row
 for row in dilute['dilute']:
     assert row['difference'] < 1e-10 and row['split_ms'] > 0, row
 

@@ -112,6 +112,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, c
   step.control = problem.step_control();
   step.target = problem.step_target(static_cast<std::size_t>(number - 1));
   step.gap = number == 1 ? gap.data() : nullptr;
+  step.borrow = 1;
 
   StepRecord record{number, {}, {}};
   rc_result_init(&record.result);

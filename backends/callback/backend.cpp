@@ -75,6 +75,7 @@ const rc_backend backend = {sizeof(rc_backend),
                             nullptr,
                             nullptr,
                             nullptr,
+                            nullptr,
                             nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {

@@ -45,6 +45,7 @@ const rc_backend backend = {sizeof(rc_backend),
                             Functions::shifted,
                             Functions::norm,
                             nullptr,
+                            nullptr,
                             nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {

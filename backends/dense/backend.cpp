@@ -37,6 +37,7 @@ const rc_backend backend = {
     Functions::shifted,
     Functions::norm,
     nullptr,
+    nullptr,
     nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "dense", "0.1.0", 1, 0, backends, nullptr};

@@ -12,9 +12,9 @@ using Functions = roughcontact::Functions<Operator>;
 const rc_option_spec planning = {
     sizeof(rc_option_spec),
     "fft.planning",
-    "estimate",
-    "estimate|measure",
-    "measure: time FFTW's plans first; products are faster, but the last bits may differ from run to run",
+    "auto",
+    "auto|estimate|measure",
+    "measure: time FFTW's plans first, so that the last bits may differ from run to run; auto: only where deterministic is 0",
     RC_TYPE_TEXT,
     1,
     0.0,
@@ -29,13 +29,23 @@ const rc_option_spec wisdom = {
     1,
     0.0,
     0.0};
-const rc_option_spec* const options[] = {&planning, &wisdom};
+const rc_option_spec precision = {
+    sizeof(rc_option_spec),
+    "fft.precision",
+    "mixed",
+    "mixed|single",
+    "single: half the memory, every product off by up to 5e-7 of its largest entry; for tol of 1e-5 and above only",
+    RC_TYPE_TEXT,
+    1,
+    0.0,
+    0.0};
+const rc_option_spec* const options[] = {&planning, &wisdom, &precision};
 const rc_backend backend = {sizeof(rc_backend),
                             "fft",
                             "fast Fourier transforms (FFTW) on the box of the points that may carry pressure",
                             "GPL-2.0-or-later",
                             RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT | RC_CAP_NORM | RC_CAP_FLOAT,
-                            2,
+                            3,
                             options,
                             Functions::create,
                             Functions::destroy,
@@ -47,7 +57,8 @@ const rc_backend backend = {sizeof(rc_backend),
                             nullptr,
                             Functions::norm,
                             Functions::apply_float,
-                            nullptr};
+                            nullptr,
+                            Functions::forget};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "fft", "0.1.0", 1, 0, backends, nullptr};
 

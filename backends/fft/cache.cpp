@@ -4,6 +4,12 @@
 
 namespace rc_fft {
 
+namespace {
+
+constexpr std::size_t most_forgotten = std::size_t{1} << 24;  // bytes
+
+}  // namespace
+
 void Cache::fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths largest) {
   if (present && suits(present->lengths, needed)) return;
   auto best = idle_.end();
@@ -31,6 +37,31 @@ void Cache::retire(std::unique_ptr<Transforms>& present) {
     }
   }
   present.reset();
+}
+
+void Cache::forget(std::unique_ptr<Transforms>& box, std::unique_ptr<Transforms>& grid) {
+  for (auto& each : idle_) put_away(std::move(each));
+  idle_.clear();
+  put_away(std::move(grid));
+  put_away(std::move(box));
+  std::size_t total = 0;
+  for (const auto& each : forgotten_) total += each->bytes();
+  while (total > most_forgotten) {
+    total -= forgotten_.front()->bytes();
+    forgotten_.erase(forgotten_.begin());
+  }
+}
+
+void Cache::put_away(std::unique_ptr<Transforms> present) {
+  if (!present) return;
+  const auto same =
+      std::find_if(forgotten_.begin(), forgotten_.end(), [&](const auto& f) { return f->lengths == present->lengths; });
+  if (same != forgotten_.end()) {  // the other precision may have waited on
+    if (!present->in_double) present->in_double = std::move((*same)->in_double);
+    if (!present->in_float) present->in_float = std::move((*same)->in_float);
+    forgotten_.erase(same);
+  }
+  if (present->bytes() > 0) forgotten_.push_back(std::move(present));
 }
 
 }  // namespace rc_fft

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "transform.h"
@@ -14,7 +14,7 @@ namespace rc_fft {
 // Of the same lengths in both precisions, each made for the first product that needs it.
 struct Transforms {
   explicit Transforms(Lengths of) : lengths(of) {}
-  template <class Real> std::optional<Transform<Real>>& in() {
+  template <class Real> std::unique_ptr<Transform<Real>>& in() {
     if constexpr (std::is_same_v<Real, double>)
       return in_double;
     else
@@ -23,8 +23,8 @@ struct Transforms {
   std::size_t bytes() const { return (in_double ? in_double->bytes() : 0) + (in_float ? in_float->bytes() : 0); }
 
   Lengths lengths;
-  std::optional<Transform<double>> in_double;
-  std::optional<Transform<float>> in_float;
+  std::unique_ptr<Transform<double>> in_double;
+  std::unique_ptr<Transform<float>> in_float;
 };
 
 class Cache {
@@ -37,9 +37,21 @@ class Cache {
   // Keeps them for later, as long as there is room.
   void retire(std::unique_ptr<Transforms>& present);
 
+  // As if none had been made: lengths do not depend on those before. What was made waits to be recalled, within a limit.
+  void forget(std::unique_ptr<Transforms>& box, std::unique_ptr<Transforms>& grid);
+  // The transform of just these lengths that was forgotten, or null.
+  template <class Real> std::unique_ptr<Transform<Real>> recalled(Lengths lengths) {
+    for (const auto& each : forgotten_)
+      if (each->lengths == lengths) return std::move(each->in<Real>());
+    return nullptr;
+  }
+
  private:
+  void put_away(std::unique_ptr<Transforms> present);
+
   std::size_t limit_;
-  std::vector<std::unique_ptr<Transforms>> idle_;  // in the order of their last use
+  std::vector<std::unique_ptr<Transforms>> idle_;       // in the order of their last use
+  std::vector<std::unique_ptr<Transforms>> forgotten_;  // likewise; no two of the same lengths
 };
 
 }  // namespace rc_fft

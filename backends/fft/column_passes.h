@@ -6,11 +6,6 @@
 #include "columns.h"
 #include "lanes.h"
 
-// The instruction set is chosen when a product is set up, not when the program is loaded: no ifunc, which sanitizers do not take.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define RC_FFT_X86
-#endif
-
 namespace rc_fft {
 
 template <class Real, int Bytes> struct Passes {

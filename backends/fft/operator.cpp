@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -17,12 +18,16 @@ std::size_t cache_limit(const rc_system& system) {
   return static_cast<std::size_t>(std::clamp(quarter, least, most));
 }
 
+// Products in single precision were off by at most 5e-7 of the largest entry, see README.md; residuals are made of them.
+constexpr double least_single_tol = 1e-5;
+
 }  // namespace
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
       spec_(spec),
       planning_(host, spec.options),
+      single_(std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0),
       team_(*spec.team),
       cache_(cache_limit(*spec.system)),
       whole_(spec.system->nx, spec.system->ny) {
@@ -32,6 +37,20 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
   if (std::max(system.nx, system.ny) > longest_axis)
     fail(RC_ERR_SHAPE, "a grid of ", system.nx, "x", system.ny, " points has an axis longer than the limit ", longest_axis,
          "; use a coarser grid");
+  check_tolerance();
+}
+
+void Operator::check_tolerance() const {
+  if (!single_) return;
+  const double tol = roughcontact::option_real(host_, spec_.options, "tol");
+  if (tol < least_single_tol)
+    fail(RC_ERR_OPTION, "tol = ", tol, " is below ", least_single_tol,
+         ", the limit of fft.precision=single; raise tol or set fft.precision=mixed");
+}
+
+Conversion Operator::conversion(const double* x) const {
+  return periodic() ? conversion_of(team_, points_.count(), x, zero_mode_, whole_.count())
+                    : conversion_of(team_, points_.count(), x);
 }
 
 void Operator::bind(const rc_domain& domain) {
@@ -57,7 +76,11 @@ Lengths Operator::grid_lengths() const {
 }
 
 void Operator::apply(const double* x, double* y) {
-  made<double>(*box_transforms_, box_.ny).multiply(points_, 0, 0, x, points_, y);
+  check_tolerance();
+  if (single_)
+    made<float>(*box_transforms_, box_.ny).multiply(points_, 0, 0, x, points_, y, conversion(x));
+  else
+    made<double>(*box_transforms_, box_.ny).multiply(points_, 0, 0, x, points_, y);
 }
 
 void Operator::apply_float(const float* x, float* y) {
@@ -65,16 +88,23 @@ void Operator::apply_float(const float* x, float* y) {
 }
 
 void Operator::field(const double* x, double* y) {
-  made<double>(field_transforms(), spec_.system->ny).multiply(points_, box_.x, box_.y, x, whole_, y);
+  check_tolerance();
+  const std::int64_t rows = spec_.system->ny;
+  if (single_)
+    made<float>(field_transforms(), rows).multiply(points_, box_.x, box_.y, x, whole_, y, conversion(x));
+  else
+    made<double>(field_transforms(), rows).multiply(points_, box_.x, box_.y, x, whole_, y);
 }
 
 // The sum of the squares of H's entries between points of the domain is 1' S 1 over the domain, where S(i, j) = H(i, j)^2 depends
 // on offsets only, as H does: one product with the transform of the squared coefficients.
-double Operator::norm() {
+double Operator::norm() { return single_ ? norm_in<float>() : norm_in<double>(); }
+
+template <class Real> double Operator::norm_in() {
   const Lengths lengths =
       periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
-  Transform<double> squares(host_, lengths, box_.ny, planning_, workspace_, team_);
+  Transform<Real> squares(host_, lengths, box_.ny, planning_, workspace_, team_);
   squares.load(Eigenvalues::squares(host_, spec_, periodic() ? mean : 0.0, lengths, workspace_));
   const std::vector<double> ones(static_cast<std::size_t>(points_.count()), 1.0);
   std::vector<double> sums(ones.size());
@@ -95,9 +125,13 @@ Transforms& Operator::field_transforms() {
 }
 
 template <class Real> Transform<Real>& Operator::made(Transforms& transforms, std::int64_t rows) {
-  std::optional<Transform<Real>>& transform = transforms.in<Real>();
+  std::unique_ptr<Transform<Real>>& transform = transforms.in<Real>();
   if (transform) return *transform;
-  transform.emplace(host_, transforms.lengths, rows, planning_, workspace_, team_);
+  if ((transform = cache_.recalled<Real>(transforms.lengths))) {
+    if (periodic()) transform->set_zero_mode(zero_mode_);
+    return *transform;
+  }
+  transform = std::make_unique<Transform<Real>>(host_, transforms.lengths, rows, planning_, workspace_, team_);
   try {
     if constexpr (std::is_same_v<Real, float>) {
       if (transforms.in_double) {

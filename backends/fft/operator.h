@@ -22,12 +22,17 @@ class Operator {
   std::int64_t modelled() const { return box_.points(); }
 
   void bind(const rc_domain& domain);
+  void forget() { cache_.forget(box_transforms_, grid_transforms_); }
   void apply(const double* x, double* y);
   void apply_float(const float* x, float* y);
   void field(const double* x, double* y);
   double norm();  // Frobenius, of H[T,T]
 
  private:
+  // Throws where tol asks for more than products in single precision give. Each step may have another tol.
+  void check_tolerance() const;
+  Conversion conversion(const double* x) const;
+  template <class Real> double norm_in();
   bool periodic() const { return spec_.system->boundary == RC_BOUNDARY_PERIODIC; }
   template <class Real> Transform<Real>& made(Transforms& transforms, std::int64_t rows);
   Transforms& field_transforms();
@@ -37,6 +42,7 @@ class Operator {
   const rc_host* host_;
   rc_operator_spec spec_;
   Planning planning_;
+  bool single_;  // option fft.precision: nothing is kept or made in double precision
   const rc_team& team_;
   Cache cache_;
   Workspace workspace_;

@@ -32,20 +32,33 @@ typename Fftw<Real>::Plan plan_columns(int n, int columns, int sign, unsigned ef
   return Fftw<Real>::plan_complex(1, &n, columns, as_fftw(z), nullptr, columns, 1, as_fftw(z), nullptr, columns, 1, sign, effort);
 }
 
+template <class Real>
+typename Fftw<Real>::Plan plan_line(int n, std::complex<Real>* in, std::complex<Real>* out, int sign, unsigned effort) {
+  return Fftw<Real>::plan_complex(1, &n, 1, as_fftw(in), nullptr, 1, n, as_fftw(out), nullptr, 1, n, sign, effort);
+}
+
+template <class Real> std::complex<Real>* as_pairs(Real* line) { return reinterpret_cast<std::complex<Real>*>(line); }
+
 }  // namespace
 
 template <class Real>
 Plans<Real>::Plans(const rc_host* host, Lengths lengths, Planning& planning, Real* line, std::complex<Real>* row,
                    std::complex<Real>* column)
-    : host_(host) {
+    : host_(host), length_x_(static_cast<double>(lengths.x)) {
   const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
   const bool own_columns = has_small_factors(lengths.y);
+  if (nx % 2 == 0) half_length_.emplace(lengths.x);
   try {
     const PlannerLock<Real> lock(host_);
     planning.recall<Real>();
     const unsigned effort = planning.effort();
-    forward_x_ = Fftw<Real>::plan_real(nx, line, as_fftw(row), effort | FFTW_PRESERVE_INPUT);
-    backward_x_ = Fftw<Real>::plan_real_back(nx, as_fftw(row), line, effort | FFTW_DESTROY_INPUT);
+    if (half_length_) {
+      forward_x_ = plan_line(nx / 2, as_pairs(line), row, FFTW_FORWARD, effort | FFTW_PRESERVE_INPUT);
+      backward_x_ = plan_line(nx / 2, row, as_pairs(line), FFTW_BACKWARD, effort | FFTW_DESTROY_INPUT);
+    } else {
+      forward_x_ = Fftw<Real>::plan_real(nx, line, as_fftw(row), effort | FFTW_PRESERVE_INPUT);
+      backward_x_ = Fftw<Real>::plan_real_back(nx, as_fftw(row), line, effort | FFTW_DESTROY_INPUT);
+    }
     if (!own_columns) {
       forward_y_ = plan_columns<Real>(ny, 1, FFTW_FORWARD, effort, column);
       backward_y_ = plan_columns<Real>(ny, 1, FFTW_BACKWARD, effort, column);
@@ -61,6 +74,18 @@ Plans<Real>::Plans(const rc_host* host, Lengths lengths, Planning& planning, Rea
 }
 
 template <class Real> Plans<Real>::~Plans() { destroy(); }
+
+template <class Real> void Plans<Real>::line_to_row(Real* line, std::complex<Real>* row) const {
+  if (!half_length_) return Fftw<Real>::execute_real(forward_x_, line, as_fftw(row));
+  Fftw<Real>::execute_complex(forward_x_, as_fftw(as_pairs(line)), as_fftw(row));
+  half_length_->to_real(row);
+}
+
+template <class Real> void Plans<Real>::row_to_line(std::complex<Real>* row, Real* line) const {
+  if (!half_length_) return Fftw<Real>::execute_real_back(backward_x_, as_fftw(row), line);
+  half_length_->from_real(row);
+  Fftw<Real>::execute_complex(backward_x_, as_fftw(row), as_fftw(as_pairs(line)));
+}
 
 template <class Real> void Plans<Real>::destroy() {
   const PlannerLock<Real> lock(host_);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <complex>
+#include <optional>
 
 #include "buffer.h"
 #include "columns.h"
 #include "fftw.h"
+#include "half_length.h"
 #include "planning.h"
 
 namespace rc_fft {
@@ -21,8 +23,10 @@ template <class Real> class Plans {
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
 
-  void line_to_row(Real* line, std::complex<Real>* row) const { Fftw<Real>::execute_real(forward_x_, line, as_fftw(row)); }
-  void row_to_line(std::complex<Real>* row, Real* line) const { Fftw<Real>::execute_real_back(backward_x_, as_fftw(row), line); }
+  // What a line becomes on its way to a row and back, apart from products.
+  double gain() const { return half_length_ ? 2 * length_x_ : length_x_; }
+  void line_to_row(Real* line, std::complex<Real>* row) const;
+  void row_to_line(std::complex<Real>* row, Real* line) const;
   void forward(std::complex<Real>* column) const { Fftw<Real>::execute_complex(forward_y_, as_fftw(column), as_fftw(column)); }
   void backward(std::complex<Real>* column) const { Fftw<Real>::execute_complex(backward_y_, as_fftw(column), as_fftw(column)); }
 
@@ -32,8 +36,10 @@ template <class Real> class Plans {
   void destroy();
 
   const rc_host* host_;
-  Plan forward_x_ = nullptr;                         // real to complex, keeps its input
-  Plan backward_x_ = nullptr;                        // complex to real, destroys its input
+  double length_x_;
+  std::optional<HalfLength<Real>> half_length_;      // where the length is even: plans along x are complex ones of half of it
+  Plan forward_x_ = nullptr;                         // keeps its input
+  Plan backward_x_ = nullptr;                        // destroys its input
   Plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
 };
 

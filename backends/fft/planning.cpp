@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -59,9 +58,13 @@ void replace(const std::string& path, const std::string& contents) {
 
 }  // namespace
 
-Planning::Planning(const rc_host* host, const rc_options* options)
-    : effort_(std::strcmp(roughcontact::option_text(host, options, "fft.planning"), "measure") == 0 ? FFTW_MEASURE
-                                                                                                    : FFTW_ESTIMATE) {
+Planning::Planning(const rc_host* host, const rc_options* options) {
+  const std::string planning = roughcontact::option_text(host, options, "fft.planning");
+  const bool deterministic = roughcontact::option_int(host, options, "deterministic") != 0;
+  if (planning == "measure" && deterministic)
+    fail(RC_ERR_OPTION, "fft.planning=measure takes plans by their time, so that the last bits differ from run to run, but ",
+         "deterministic = 1; set deterministic=0 or fft.planning=estimate");
+  effort_ = planning == "estimate" || deterministic ? FFTW_ESTIMATE : FFTW_MEASURE;
   const std::string path = roughcontact::option_text(host, options, "fft.wisdom");
   if (path.empty()) return;
   in_double_.path = path;

@@ -46,30 +46,34 @@ template <class Real> bool Points::row_is_zero(std::int64_t row, const Real* x) 
   return std::all_of(x + begin(row), x + begin(row + 1), [](Real value) { return value == 0; });
 }
 
-template <class Real> void Points::scatter(std::int64_t row, const Real* x, Real* line) const {
+template <class Outer, class Real>
+void Points::scatter(std::int64_t row, const Outer* x, Real* line, const Conversion& convert) const {
   const std::int64_t first = begin(row), last = begin(row + 1);
   if (full()) {
-    std::copy(x + first, x + last, line);
+    for (std::int64_t i = first; i < last; ++i) line[i - first] = convert.in<Real>(x[i]);
     return;
   }
-  std::fill_n(line, nx_, Real{0});
-  for (std::int64_t i = first; i < last; ++i) line[columns_[static_cast<std::size_t>(i)]] = x[i];
+  std::fill_n(line, nx_, convert.in<Real>(Outer{0}));
+  for (std::int64_t i = first; i < last; ++i) line[columns_[static_cast<std::size_t>(i)]] = convert.in<Real>(x[i]);
 }
 
-template <class Real> void Points::gather(std::int64_t row, const Real* line, Real* y) const {
+template <class Real, class Outer>
+void Points::gather(std::int64_t row, const Real* line, Outer* y, const Conversion& convert) const {
   const std::int64_t first = begin(row), last = begin(row + 1);
   if (full()) {
-    std::copy_n(line, nx_, y + first);
+    for (std::int64_t i = first; i < last; ++i) y[i] = convert.out<Outer>(line[i - first]);
     return;
   }
-  for (std::int64_t i = first; i < last; ++i) y[i] = line[columns_[static_cast<std::size_t>(i)]];
+  for (std::int64_t i = first; i < last; ++i) y[i] = convert.out<Outer>(line[columns_[static_cast<std::size_t>(i)]]);
 }
 
 template bool Points::row_is_zero(std::int64_t, const double*) const;
 template bool Points::row_is_zero(std::int64_t, const float*) const;
-template void Points::scatter(std::int64_t, const double*, double*) const;
-template void Points::scatter(std::int64_t, const float*, float*) const;
-template void Points::gather(std::int64_t, const double*, double*) const;
-template void Points::gather(std::int64_t, const float*, float*) const;
+template void Points::scatter(std::int64_t, const double*, double*, const Conversion&) const;
+template void Points::scatter(std::int64_t, const float*, float*, const Conversion&) const;
+template void Points::scatter(std::int64_t, const double*, float*, const Conversion&) const;
+template void Points::gather(std::int64_t, const double*, double*, const Conversion&) const;
+template void Points::gather(std::int64_t, const float*, float*, const Conversion&) const;
+template void Points::gather(std::int64_t, const float*, double*, const Conversion&) const;
 
 }  // namespace rc_fft

@@ -35,7 +35,7 @@ template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
 }
 
 template <class Real> double Transform<Real>::scale() const {
-  return 1.0 / (static_cast<double>(layout_.lengths.x) * static_cast<double>(layout_.lengths.y));
+  return 1.0 / (plans_->gain() * static_cast<double>(layout_.lengths.y));
 }
 
 template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
@@ -60,15 +60,19 @@ template <class Real> template <class Other> void Transform<Real>::load(const Tr
 }
 
 template <class Real>
-void Transform<Real>::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const Real* x, const Points& targets,
-                               Real* y) {
+template <class Outer>
+void Transform<Real>::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x, const Points& targets,
+                               Outer* y, const Conversion& convert) {
   reserve(targets.rows());
-  rows_forward(sources, x0, y0, x);
+  rows_forward(sources, x0, y0, x, convert);
   columns(y0, sources.rows(), targets.rows());
-  rows_backward(targets, y);
+  rows_backward(targets, y, convert);
 }
 
-template <class Real> void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Real* x) {
+template <class Real>
+template <class Outer>
+void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x,
+                                   const Conversion& convert) {
   const std::int64_t items = (sources.rows() + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
     Real* const padded = line(thread);
@@ -76,10 +80,10 @@ template <class Real> void Transform<Real>::rows_forward(const Points& sources, 
     const std::int64_t end = std::min((item + 1) * rows_per_item, sources.rows());
     for (std::int64_t i = item * rows_per_item; i < end; ++i) {
       Complex* const transformed = row(y0 + i);
-      if (sources.row_is_zero(i, x)) {
+      if (convert.mean == 0 && sources.row_is_zero(i, x)) {
         std::fill_n(transformed, layout_.blocks() * width, Complex{});
       } else {
-        sources.scatter(i, x, padded + x0);
+        sources.scatter(i, x, padded + x0, convert);
         plans_->line_to_row(padded, transformed);
         std::fill(transformed + layout_.half_x, transformed + layout_.blocks() * width, Complex{});
       }
@@ -112,14 +116,16 @@ void Transform<Real>::columns_by_fftw(std::int64_t block, Complex* column, std::
   }
 }
 
-template <class Real> void Transform<Real>::rows_backward(const Points& targets, Real* y) {
+template <class Real>
+template <class Outer>
+void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conversion& convert) {
   const std::int64_t items = (targets.rows() + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
     const std::int64_t end = std::min((item + 1) * rows_per_item, targets.rows());
     for (std::int64_t i = item * rows_per_item; i < end; ++i) {
       if (targets.row_is_empty(i)) continue;
       plans_->row_to_line(row(i), line(thread));
-      targets.gather(i, line(thread), y);
+      targets.gather(i, line(thread), y, convert);
     }
   });
 }
@@ -129,5 +135,11 @@ template struct Layout<float>;
 template class Transform<double>;
 template class Transform<float>;
 template void Transform<float>::load(const Transform<double>&);
+template void Transform<double>::multiply(const Points&, std::int64_t, std::int64_t, const double*, const Points&, double*,
+                                          const Conversion&);
+template void Transform<float>::multiply(const Points&, std::int64_t, std::int64_t, const float*, const Points&, float*,
+                                         const Conversion&);
+template void Transform<float>::multiply(const Points&, std::int64_t, std::int64_t, const double*, const Points&, double*,
+                                         const Conversion&);
 
 }  // namespace rc_fft

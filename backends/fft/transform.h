@@ -40,8 +40,10 @@ template <class Real> class Transform {
   template <class Other> void load(const Transform<Other>& source);
   void set_zero_mode(double eigenvalue) { *eigenvalues(0, 0) = static_cast<Real>(scale() * eigenvalue); }
 
-  // The sources' box begins at (x0, y0) of the frame, the targets' at its origin.
-  void multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const Real* x, const Points& targets, Real* y);
+  // The sources' box begins at (x0, y0) of the frame, the targets' at its origin. Outer: the vectors' precision.
+  template <class Outer>
+  void multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x, const Points& targets, Outer* y,
+                const Conversion& convert = {});
 
  private:
   template <class Other> friend class Transform;
@@ -59,10 +61,11 @@ template <class Real> class Transform {
     return spectrum_.data<Real>() + (block * layout_.half_y + place) * width;
   }
 
-  void rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Real* x);
+  template <class Outer>
+  void rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x, const Conversion& convert);
   void columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);
   void columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);
-  void rows_backward(const Points& targets, Real* y);
+  template <class Outer> void rows_backward(const Points& targets, Outer* y, const Conversion& convert);
 
   Layout<Real> layout_;
   Workspace& workspace_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <vector>
 
@@ -19,6 +20,11 @@ template <class T> struct CacheLineAllocator {
     return static_cast<T*>(::operator new(n * sizeof(T), line));
   }
   void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+  // resize() alone leaves values as they are.
+  template <class U> void construct(U* p) { ::new (static_cast<void*>(p)) U; }
+  template <class U, class... Arguments> void construct(U* p, Arguments&&... arguments) {
+    ::new (static_cast<void*>(p)) U(static_cast<Arguments&&>(arguments)...);
+  }
   bool operator==(const CacheLineAllocator&) const { return true; }
 };
 

@@ -36,7 +36,8 @@ const rc_backend backend = {sizeof(rc_backend),
                             nullptr,
                             nullptr,
                             Functions::apply_float,
-                            Functions::screen};
+                            Functions::screen,
+                            nullptr};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "split", "0.1.0", 1, 0, backends, nullptr};
 

@@ -17,6 +17,14 @@ constexpr double row_time = 0.5e-9, transform_time = 0.3e-9, tile_time = 0.4e-6;
 // A look at a place where a tile with sources may be.
 constexpr double visit_time = 3e-9;
 
+// What there is to be set up: an entry of the short range, a value of the coarse grid's kernel, over how many products it is
+// spread. In double precision there are few.
+constexpr double entry_time = 0.2e-6, kernel_time = 60e-9;
+template <class T> constexpr double products_to_come = sizeof(T) == sizeof(float) ? 20 : 4;
+
+// Bytes that coarse grids finer than the coarsest may take: so many, and so many for a point of the domain.
+constexpr double free_memory = 64.0 * (1 << 20), memory_per_point = 24;
+
 // The trial set holds the contact with a halo.
 constexpr double share_in_contact = 0.25;
 
@@ -44,21 +52,23 @@ class Occupancy {
   std::size_t index(std::int64_t x, std::int64_t y) const { return static_cast<std::size_t>(y * (box_.nx + 1) + x); }
 
   Frame box_;
-  std::vector<std::int64_t> sums_;
+  std::vector<std::int32_t> sums_;
 };
 
 }  // namespace
 
 template <class T> double cutoff(int spacing, double hx, double hy) { return scheme<T>.reach * spacing * std::max(hx, hy); }
 
-template <class T> Plan choose(const Tiles& tiles, const Frame& frame, std::int64_t targets, double hx, double hy, int wanted) {
+template <class T> Plan choose(const Tiles& tiles, const Frame& frame, Targets targets, double hx, double hy, int wanted) {
   const double precision = sizeof(T) / sizeof(float);
-  const double sources = share_in_contact * static_cast<double>(tiles.first(tiles.count()));
+  const bool everywhere = targets == Targets::frame;
+  const std::int64_t asked = everywhere ? frame.tiles() : tiles.count();
+  const double points = static_cast<double>(tiles.first(tiles.count())), sources = share_in_contact * points;
   if (std::max(frame.nx, frame.ny) <= largest_direct)
-    return {0, precision * sources * static_cast<double>(targets) * side * row_time};
+    return {0, precision * sources * static_cast<double>(asked) * side * row_time};
   const Occupancy occupancy(tiles);
-  const bool everywhere = targets > tiles.count();  // all tiles of the frame
   Plan best;
+  double least = 0;
   for (int spacing : {4, 8, 16}) {
     if (wanted != 0 && spacing != wanted) continue;
     const Range range = Range::within(cutoff<T>(spacing, hx, hy), hx, hy);
@@ -68,23 +78,30 @@ template <class T> Plan choose(const Tiles& tiles, const Frame& frame, std::int6
           everywhere ? (2 * range.x + 1) * (2 * range.y + 1) : occupancy.around(tiles.place(tile), range.x, range.y);
       near += static_cast<double>(tiles.entries(tile) * reached);
     }
-    const double visits = static_cast<double>(targets * (2 * range.x + 1) * (2 * range.y + 1));
+    const double visits = static_cast<double>(asked * (2 * range.x + 1) * (2 * range.y + 1));
     const auto length = [&](std::int64_t n) {
       return 2 * static_cast<double>(n * side / spacing + scheme<T>.nodes + scheme<T>.bend);
     };
     const double values = length(frame.nx) * length(frame.ny);
     const double seconds =
         precision * (0.75 * near * share_in_contact * side * row_time + 0.5 * values * std::log2(values) * transform_time +
-                     static_cast<double>(targets + tiles.count()) * tile_time) +
+                     static_cast<double>(asked + tiles.count()) * tile_time) +
         visits * visit_time;
-    if (best.spacing == 0 || seconds < best.seconds) best = {spacing, seconds};
+    // The rows and the kernel's eigenvalues; the kernel while it is transformed.
+    const double memory = values * (0.75 * sizeof(T) + 0.25 * sizeof(double));
+    if (spacing < 16 && wanted == 0 && memory > free_memory + memory_per_point * points) continue;
+    const double reach = cutoff<T>(spacing, 1, 1);
+    const double with_set_up = seconds + (reach * reach * entry_time + 0.25 * values * kernel_time) / products_to_come<T>;
+    if (best.spacing != 0 && with_set_up >= least) continue;
+    best = {spacing, seconds};
+    least = with_set_up;
   }
   return best;
 }
 
 template double cutoff<float>(int, double, double);
 template double cutoff<double>(int, double, double);
-template Plan choose<float>(const Tiles&, const Frame&, std::int64_t, double, double, int);
-template Plan choose<double>(const Tiles&, const Frame&, std::int64_t, double, double, int);
+template Plan choose<float>(const Tiles&, const Frame&, Targets, double, double, int);
+template Plan choose<double>(const Tiles&, const Frame&, Targets, double, double, int);
 
 }  // namespace rc_split

@@ -11,8 +11,11 @@ struct Plan {
   bool parallel() const { return seconds > 1e-3; }  // else waking threads costs more than they save
 };
 
-// For products from the tiles to `targets` tiles of the frame. wanted: the spacing where there is a coarse grid; 0: any.
-template <class T> Plan choose(const Tiles& tiles, const Frame& frame, std::int64_t targets, double hx, double hy, int wanted);
+// What is asked for: products at the tiles of the domain, perhaps with a few more, or at all tiles of the frame.
+enum class Targets { domain, frame };
+
+// wanted: the spacing where there is a coarse grid; 0: any.
+template <class T> Plan choose(const Tiles& tiles, const Frame& frame, Targets targets, double hx, double hy, int wanted);
 
 // Of the smooth part, [length].
 template <class T> double cutoff(int spacing, double hx, double hy);

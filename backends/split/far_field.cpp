@@ -35,8 +35,8 @@ struct Point {
   double x, y;
 };
 
-// Groups of point sources that are symmetric in both axes; one point of each, in steps.
-constexpr Point groups[] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {1, 1}};
+// Groups of point sources that are symmetric in both axes: 13 in all; one point of each group, in steps.
+constexpr Point corners[] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {1, 1}};
 
 // Calls source(x, y) for the points of a group.
 template <class Source> void for_each_point(Point p, const Source& source) {
@@ -76,21 +76,21 @@ FarField::FarField(const rc_host* host, const rc_operator_spec& spec) {
   const std::int64_t mx = static_cast<std::int64_t>(fit_to * side / hx) + 1,
                      my = static_cast<std::int64_t>(fit_to * side / hy) + 1;
   const Coefficients h(host, spec, mx, my);
-  std::vector<Point> points;
+  std::vector<Point> samples;
   std::vector<double> values;
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) {
       const double r = side * (fit_from + (fit_to - fit_from) * i / 12), angle = std::numbers::pi / 2 * j / 11;
       const std::int64_t ix = std::lround(r * std::cos(angle) / hx), iy = std::lround(r * std::sin(angle) / hy);
       const Point p{hx * static_cast<double>(ix), hy * static_cast<double>(iy)};
-      points.push_back(p);
+      samples.push_back(p);
       values.push_back(h(ix, iy) * std::hypot(p.x, p.y) / force_ - 1);
     }
-  const auto rows = static_cast<Eigen::Index>(points.size());
+  const auto rows = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd a(rows, terms);
   const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(values.data(), rows);
   for (Eigen::Index i = 0; i < rows; ++i)
-    basis(points[static_cast<std::size_t>(i)].x, points[static_cast<std::size_t>(i)].y, fit_from * side, a.row(i));
+    basis(samples[static_cast<std::size_t>(i)].x, samples[static_cast<std::size_t>(i)].y, fit_from * side, a.row(i));
   const Eigen::VectorXd c = a.colPivHouseholderQr().solve(b);
   const double misfit = (a * c - b).lpNorm<Eigen::Infinity>();
   if (!(misfit <= largest_misfit))
@@ -98,15 +98,21 @@ FarField::FarField(const rc_host* host, const rc_operator_spec& spec) {
          " of its value far away, more than ", largest_misfit, "; use another backend");
   for (int k = 0; k < terms; ++k) c_[static_cast<std::size_t>(k)] = c[k] * std::pow(fit_from * side, k < 2 ? 2 : k < 5 ? 4 : 6);
 
-  Eigen::Matrix<double, sources, sources> m;
-  Eigen::Matrix<double, sources, 1> wanted;
-  for (int j = 0; j < sources; ++j) {
-    const auto column = moments(groups[j]);
-    for (int i = 0; i < sources; ++i) m(i, j) = column[static_cast<std::size_t>(i)];
+  Eigen::Matrix<double, groups, groups> m;
+  Eigen::Matrix<double, groups, 1> wanted;
+  for (int j = 0; j < groups; ++j) {
+    const auto column = moments(corners[j]);
+    for (int i = 0; i < groups; ++i) m(i, j) = column[static_cast<std::size_t>(i)];
     wanted[j] = j == 0 ? 1 : c_[static_cast<std::size_t>(j - 1)] / std::pow(step_, j < 3 ? 2 : 4);
   }
-  const Eigen::Matrix<double, sources, 1> strength = m.fullPivLu().solve(wanted);
-  for (int j = 0; j < sources; ++j) strength_[static_cast<std::size_t>(j)] = strength[j];
+  const Eigen::Matrix<double, groups, 1> strength = m.fullPivLu().solve(wanted);
+  std::size_t i = 0;
+  for (int j = 0; j < groups; ++j)
+    for_each_point(corners[j], [&](double x, double y) {
+      x_[i] = step_ * x;
+      y_[i] = step_ * y;
+      strength_[i++] = strength[j];
+    });
 }
 
 double FarField::expansion(double x, double y) const {
@@ -121,15 +127,15 @@ double FarField::smooth(double x, double y, double rc, const Smoothed& smoothed)
   const double limit = rc + margin();
   if (x * x + y * y > limit * limit) return expansion(x, y);
   const double inverse = 1 / (rc * rc);
-  double sum = 0;
-  for (std::size_t k = 0; k < sources; ++k) {
-    double group = 0;
-    for_each_point(groups[k], [&](double px, double py) {
-      const double dx = x - step_ * px, dy = y - step_ * py, square = dx * dx + dy * dy;
-      group += square * inverse < 1 ? smoothed(square * inverse) / rc : 1 / std::sqrt(square);
-    });
-    sum += strength_[k] * group;
+  std::array<double, lanes> square, within, value;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const double dx = x - x_[i], dy = y - y_[i];
+    square[i] = dx * dx + dy * dy;
+    within[i] = std::min(square[i] * inverse, 1.0);
   }
+  for (std::size_t i = 0; i < lanes; i += Smoothed::lanes) smoothed(&within[i], &value[i]);
+  double sum = 0;
+  for (std::size_t i = 0; i < points; ++i) sum += strength_[i] * (within[i] < 1 ? value[i] / rc : 1 / std::sqrt(square[i]));
   return force_ * sum;
 }
 

@@ -34,14 +34,15 @@ class FarField {
   double margin() const { return 2 * step_; }
 
  private:
-  static constexpr int terms = 9;    // up to k = 3
-  static constexpr int sources = 6;  // groups of symmetric point sources: as many as terms up to k = 2
+  static constexpr int terms = 9;   // up to k = 3
+  static constexpr int groups = 6;  // of symmetric point sources: as many as terms up to k = 2
+  static constexpr std::size_t points = 13, lanes = (points + Smoothed::lanes - 1) / Smoothed::lanes * Smoothed::lanes;
 
   double expansion(double x, double y) const;
 
   double force_, step_;
   std::array<double, terms> c_{};
-  std::array<double, sources> strength_{};
+  std::array<double, lanes> x_{}, y_{}, strength_{};  // of the point sources; those beyond `points` are 0
 };
 
 }  // namespace rc_split

@@ -1,6 +1,7 @@
 #include "operator.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 namespace rc_split {
@@ -16,9 +17,25 @@ constexpr std::int64_t longest_axis = std::int64_t{1} << 24;
 // Whole tiles of a grid.
 std::int64_t tiles_of(std::int64_t points) { return (points + side - 1) / side; }
 
+// Part of an axis, lengthened to one of few lengths, so that a domain that grows somewhat needs no other coarse grid.
+void lengthen(std::int64_t& first, std::int64_t& tiles, std::int64_t available) {
+  constexpr std::int64_t short_enough = 16, steps = 8;  // there is little to be set up; so many steps to twice the length
+  if (tiles <= short_enough) return;
+  const std::int64_t step = static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(tiles))) / steps;
+  tiles = (tiles + step - 1) / step * step;
+  if (8 * tiles >= 7 * available) tiles = available;
+  first = std::min(first, available - tiles);
+}
+
+Frame roomy(Frame box, const Frame& grid) {
+  lengthen(box.x, box.nx, grid.nx);
+  lengthen(box.y, box.ny, grid.ny);
+  return box;
+}
+
 }  // namespace
 
-Operator::Operator(const rc_host* host, const rc_operator_spec& spec) : host_(host), spec_(spec) {
+Operator::Operator(const rc_host* host, const rc_operator_spec& spec) : host_(host), spec_(spec), kernel_(host, spec_) {
   const rc_system& system = *spec.system;
   if (system.op != RC_OPERATOR_HALFSPACE || system.boundary != RC_BOUNDARY_FREE)
     fail(RC_ERR_INCOMPATIBLE, "only half-space grids with free boundaries; use another backend (\"fft\")");
@@ -36,8 +53,9 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec) : host_(ho
 
 void Operator::bind(const rc_domain& domain) {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
-  box_product_.bound = grid_product_.bound = float_product_.bound = false;
+  product_.bound = screen_product_.bound = field_product_.bound = float_product_.bound = false;
   tiles_ = Tiles(domain, nx, ny);
+  frame_ = roomy(tiles_.box(), grid_);
   modelled_ = 0;
   for (std::int64_t tile = 0; tile < tiles_.count(); ++tile) {
     const TilePlace place = tiles_.place(tile);
@@ -45,16 +63,12 @@ void Operator::bind(const rc_domain& domain) {
   }
 }
 
-const FarField& Operator::far() {
-  if (!far_) far_ = std::make_unique<FarField>(host_, spec_);
-  return *far_;
-}
-
+// Each is set up when it is first asked for.
 template <class T>
-Product<T>& Operator::ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, std::int64_t targets) {
-  if (!tables) tables.emplace(host_, spec_);
-  if (!bound.product) bound.product.emplace(host_, spec_, *tables, spacing_);
-  if (!bound.bound) bound.product->bind(tiles_, frame, targets, [this]() -> const FarField& { return far(); });
+Product<T>& Operator::ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, Targets targets) {
+  if (!tables) tables.emplace(kernel_);
+  if (!bound.product) bound.product.emplace(*tables, spacing_);
+  if (!bound.bound) bound.product->bind(tiles_, frame, targets);
   bound.bound = true;
   return *bound.product;
 }
@@ -70,21 +84,16 @@ template <class T> void Operator::multiply(Product<T>& product, const T* x, T* y
   });
 }
 
-void Operator::apply(const double* x, double* y) { multiply(ready(box_product_, tables_, tiles_.box(), tiles_.count()), x, y); }
+void Operator::apply(const double* x, double* y) { multiply(domain_product(), x, y); }
 
 void Operator::apply_float(const float* x, float* y) {
-  multiply(ready(float_product_, float_tables_, tiles_.box(), tiles_.count()), x, y);
-}
-
-// Where the domain's box is the grid, one product serves both.
-Product<double>& Operator::grid_product() {
-  if (tiles_.box() == grid_) return ready(box_product_, tables_, grid_, tiles_.count());
-  return ready(grid_product_, tables_, grid_, grid_.tiles());
+  multiply(ready(float_product_, float_tables_, frame_, Targets::domain), x, y);
 }
 
 void Operator::field(const double* x, double* y) {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
-  Product<double>& product = grid_product();
+  const bool all = tiles_.count() == grid_.tiles();
+  Product<double>& product = all ? domain_product() : ready(field_product_, tables_, grid_, Targets::frame);
   product.load(x);
   roughcontact::for_each(*spec_.team, grid_.ny, true, [&](std::int64_t row, std::int64_t) {
     alignas(64) double out[cells_of_tile];

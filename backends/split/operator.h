@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <roughcontact/plugin.hpp>
 #include <vector>
@@ -29,16 +28,14 @@ class Operator {
   void screen(const double* x, rc_screen& request);
 
  private:
-  // The products of one precision to one frame.
+  // The products of one precision for one purpose.
   template <class T> struct Bound {
     std::optional<Product<T>> product;
     bool bound = false;
   };
 
-  template <class T>
-  Product<T>& ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, std::int64_t targets);
-  Product<double>& grid_product();
-  const FarField& far();
+  template <class T> Product<T>& ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, Targets targets);
+  Product<double>& domain_product() { return ready(product_, tables_, frame_, Targets::domain); }
   template <class T> void multiply(Product<T>& product, const T* x, T* y);
 
   const rc_host* host_;
@@ -46,12 +43,13 @@ class Operator {
   int spacing_;  // that is wanted; 0: any
   Frame grid_;
   Tiles tiles_;
+  Frame frame_;  // of the domain, with room for it to grow
   std::int64_t modelled_ = 0;
 
-  std::unique_ptr<FarField> far_;
+  Kernel kernel_;
   std::optional<Tables<double>> tables_;
   std::optional<Tables<float>> float_tables_;
-  Bound<double> box_product_, grid_product_;
+  Bound<double> product_, screen_product_, field_product_;
   Bound<float> float_product_;
 };
 

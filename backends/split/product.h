@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "choice.h"
 #include "convolution.h"
@@ -15,32 +14,36 @@ namespace rc_split {
 // Tables of one kernel in one precision; made when first asked for.
 template <class T> class Tables {
  public:
-  Tables(const rc_host* host, const rc_operator_spec& spec);
+  explicit Tables(Kernel& kernel) : kernel_(kernel), smoothed_(scheme<T>.shape) {}
 
   using Table = std::shared_ptr<const ShortRange<T>>;  // one that has been replaced may still be in use
 
-  Table split(int spacing, const FarField& far);
+  Table split(int spacing);
   Table direct(std::int64_t tiles_x, std::int64_t tiles_y);
-  const Smoothed& smoothed() const { return smoothed_; }
+  // Puts the convolution for so many nodes into `held`, and lets go of another one before. Products that need the same one share
+  // it: each of their products begins with load().
+  using Held = std::shared_ptr<Convolution<T>>;
+  void convolution(int spacing, std::int64_t nodes_x, std::int64_t nodes_y, Held& held);
+  Kernel& kernel() { return kernel_; }
 
  private:
-  const rc_host* host_;
-  const rc_operator_spec& spec_;
+  struct Recent {
+    std::weak_ptr<Convolution<T>> convolution;
+    std::int64_t nodes_x = 0, nodes_y = 0;
+  };
+
+  Kernel& kernel_;
   Smoothed smoothed_;
   Table direct_, split_[3];
+  Recent recent_[3];
 };
 
 template <class T> class Product {
  public:
   // spacing: of the coarse grid; 0: what costs least.
-  Product(const rc_host* host, const rc_operator_spec& spec, Tables<T>& tables, int spacing);
+  Product(Tables<T>& tables, int spacing);
 
-  // `targets`: how many tiles of the frame are going to be asked for. far(): the far field, asked for where it is needed.
-  template <class Far> void bind(const Tiles& tiles, const Frame& frame, std::int64_t targets, const Far& far) {
-    const double hx = spec_.system->hx, hy = spec_.system->hy;
-    const Plan plan = choose<T>(tiles, frame, targets, hx, hy, wanted_spacing_);
-    bind(tiles, frame, plan, plan.spacing ? &far() : nullptr);
-  }
+  void bind(const Tiles& tiles, const Frame& frame, Targets targets);
 
   // Takes x, over the domain, as the sources.
   void load(const T* x);
@@ -50,38 +53,31 @@ template <class T> class Product {
   bool parallel() const { return plan_.parallel(); }
   int spacing() const { return plan_.spacing; }
   const ShortRange<T>& short_range() const { return *short_range_; }
-  // After load(): nodes [count][ld] that a tile is interpolated from, and the least sum of their weights, which are positive.
-  const T* nodes(TilePlace place) const;
-  std::int64_t nodes_per_axis() const { return weights().count; }
-  std::int64_t nodes_per_tile() const { return side / plan_.spacing; }
-  std::int64_t node_stride() const { return convolution_->stride(); }
-  std::int64_t node_rows() const { return frame_.ny * nodes_per_tile() + nodes_per_axis() - nodes_per_tile(); }
-  double least_weight() const;
-  const Frame& frame() const { return frame_; }
+  // After load(): its smooth part alone, no more than the whole for x >= 0. Only with a spacing.
+  void smooth_tile(TilePlace place, T* out) const;
 
  private:
-  void bind(const Tiles& tiles, const Frame& frame, const Plan& plan, const FarField* far);
   void make_windows();
-  void make_convolution(const FarField& far);
   void gather(const T* x);
   void collect_rows();
+  std::int64_t nodes_per_tile() const { return side / plan_.spacing; }
+  std::int64_t node_rows() const { return frame_.ny * nodes_per_tile() + count_ - nodes_per_tile(); }
   Weights<T> weights() const { return {weights_x_.data(), weights_y_.data(), transposed_.data(), count_, stride_}; }
 
-  const rc_host* host_;
-  const rc_operator_spec& spec_;
   Tables<T>& tables_;
+  const rc_team& team_;
   Loops<T> loops_;
   int wanted_spacing_;
 
   const Tiles* tiles_ = nullptr;
   Frame frame_;
   Plan plan_;
-  int coarse_spacing_ = 0;  // what the weights and the convolution are for
+  int window_spacing_ = 0;  // what the weights are for
   typename Tables<T>::Table short_range_;
   std::int64_t count_ = 0, stride_ = 0;  // nodes that a tile spreads to along each axis
   Array<T> weights_x_, weights_y_;       // [16][stride]
   Array<T> transposed_;                  // [count][16]
-  std::optional<Convolution<T>> convolution_;
+  typename Tables<T>::Held convolution_;
 
   // The sources: those of a tile begin where its entries do; rows_[17 tile + r] of them lie before its row r.
   Array<T> values_, patches_;  // patches: [tile][count][stride]

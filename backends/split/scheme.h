@@ -29,19 +29,22 @@ class Smoothed {
  public:
   explicit Smoothed(double shape);
 
-  double operator()(double x_square) const {
-    const double t = 4 * x_square - 2;  // twice the argument of the Chebyshev polynomials
-    double b1 = 0, b2 = 0;
-    for (int k = degree; k > 0; --k) {
-      const double b = c_[static_cast<std::size_t>(k)] + t * b1 - b2;
-      b2 = b1;
-      b1 = b;
-    }
-    return c_[0] + 0.5 * t * b1 - b2;
+  // Several at once: the recurrence of one alone would be waiting for itself.
+  static constexpr std::size_t lanes = 8;
+  void operator()(const double* x_square, double* out) const {
+    double t[lanes], b1[lanes] = {}, b2[lanes] = {};
+    for (std::size_t i = 0; i < lanes; ++i) t[i] = 4 * x_square[i] - 2;  // twice the argument of the Chebyshev polynomials
+    for (std::size_t k = degree; k > 0; --k)
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double b = c_[k] + t[i] * b1[i] - b2[i];
+        b2[i] = b1[i];
+        b1[i] = b;
+      }
+    for (std::size_t i = 0; i < lanes; ++i) out[i] = c_[0] + 0.5 * t[i] * b1[i] - b2[i];
   }
 
  private:
-  static constexpr int degree = 32;
+  static constexpr std::size_t degree = 32;
   std::array<double, degree + 1> c_{};
 };
 

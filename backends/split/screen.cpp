@@ -1,8 +1,8 @@
-// H x where it may overlap the surface. For x >= 0 both parts of H x are sums of what is not negative: on a tile, H x is at least
-// the smooth part, which is at least the least node of the coarse grid that the tile is interpolated from times the least sum of
-// interpolation weights.
+// H x where it may overlap the surface. For x >= 0 both parts of H x are sums of what is not negative, so that a point stays
+// apart where the smooth part alone keeps it apart; and so does one that lies apart without any deflection.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -29,10 +29,9 @@ class Screen {
         request_(request) {
     const std::int64_t n = tiles.first(tiles.count());
     bounded_ = product.spacing() > 0 && std::all_of(x, x + n, [](double value) { return value >= 0; });
-    if (bounded_) {
-      weight_ = product.least_weight();
-      slack_ = -product.short_range().lowest() * std::accumulate(x, x + n, 0.0);
-    }
+    if (bounded_) slack_ = -product.short_range().lowest() * std::accumulate(x, x + n, 0.0);
+    constexpr std::size_t with_lowest = offsetof(rc_screen, tile_lowest) + sizeof request.tile_lowest;
+    if (request.struct_size >= with_lowest) lowest_ = request.tile_lowest;
   }
 
   void run() {
@@ -50,39 +49,50 @@ class Screen {
   std::int64_t width(std::int64_t column) const { return std::min(side, nx_ - column * side); }
   std::int64_t height(std::int64_t row) const { return std::min(side, ny_ - row * side); }
 
-  // The deepest that any point of a tile would be without deflection.
-  double deepest(TilePlace place) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::int64_t r = 0; r < height(place.y); ++r) {
-      const std::int64_t first = (place.y * side + r) * nx_ + place.x * side;
-      for (std::int64_t i = first; i < first + width(place.x); ++i)
-        if (!request_.mask || request_.mask[i]) least = std::min(least, request_.gap[i]);
+  bool looked_at(std::int64_t point) const { return !request_.mask || request_.mask[point]; }
+
+  // The lowest gap of each tile of a row of tiles; least [nx]: of each column of points, scratch. Points one after another: the
+  // gap is read once from memory.
+  void find_lowest(std::int64_t row, double* least, double* lowest) const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    std::fill_n(least, nx_, none);
+    for (std::int64_t r = 0; r < height(row); ++r) {
+      const double* const gap = request_.gap + (row * side + r) * nx_;
+      if (const std::uint8_t* const mask = request_.mask ? request_.mask + (row * side + r) * nx_ : nullptr)
+        for (std::int64_t i = 0; i < nx_; ++i) least[i] = mask[i] && gap[i] < least[i] ? gap[i] : least[i];
+      else
+        for (std::int64_t i = 0; i < nx_; ++i) least[i] = gap[i] < least[i] ? gap[i] : least[i];
     }
-    return request_.approach - least;
+    for (std::int64_t column = 0; column < grid_.nx; ++column)
+      lowest[column] = *std::min_element(least + column * side, least + column * side + width(column));
+  }
+
+  // Whether the smooth part shows that a tile stays apart.
+  bool stays_apart(TilePlace place) const {
+    alignas(64) double smooth[cells_of_tile];
+    product_.smooth_tile(place, smooth);
+    for (std::int64_t r = 0; r < height(place.y); ++r)
+      for (std::int64_t c = 0; c < width(place.x); ++c) {
+        const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
+        const double deflection = request_.unit * (smooth[r * side + c] - slack_);
+        if (looked_at(point) && !(request_.approach - request_.gap[point] <= deflection)) return false;
+      }
+    return true;
   }
 
   // Tiles without points of the domain that are not proven to stay apart.
   void select(std::vector<TilePlace>& list) {
     std::vector<std::uint8_t> chosen(static_cast<std::size_t>(grid_.tiles()));
-    const std::int64_t count = bounded_ ? product_.nodes_per_axis() : 0, step = bounded_ ? product_.nodes_per_tile() : 0;
-    const std::int64_t nodes = bounded_ ? (grid_.nx - 1) * step + count : 0;
-    std::vector<double> scratch(static_cast<std::size_t>(team_.threads * nodes));
+    const std::int64_t room = lowest_ ? 0 : nx_ + grid_.nx;
+    Array<double> scratch(static_cast<std::size_t>(team_.threads * room));
     roughcontact::for_each(team_, grid_.ny, true, [&](std::int64_t row, std::int64_t thread) {
-      double* const least = scratch.data() + thread * nodes;
-      if (bounded_) {
-        const double* const first = product_.nodes({0, row});
-        std::copy_n(first, nodes, least);
-        for (std::int64_t i = 1; i < count; ++i)
-          for (std::int64_t k = 0; k < nodes; ++k) least[k] = std::min(least[k], first[i * product_.node_stride() + k]);
-      }
+      double* const least = scratch.data() + thread * room;
+      const double* const lowest = lowest_ ? lowest_ + row * grid_.nx : least + nx_;
+      if (!lowest_) find_lowest(row, least, least + nx_);
       for (std::int64_t column = 0; column < grid_.nx; ++column) {
-        if (tiles_.at(column, row) >= 0) continue;
-        const double depth = deepest({column, row});
-        if (!(depth > 0)) continue;  // H has no negative entry
-        if (bounded_) {
-          const double node = *std::min_element(least + column * step, least + column * step + count);
-          if (node > 0 && request_.unit * (node * weight_ - slack_) >= depth) continue;
-        }
+        const TilePlace place{column, row};
+        if (!(request_.approach - lowest[column] > 0)) continue;  // H has no negative entry
+        if (tiles_.at(column, row) >= 0 || (bounded_ && stays_apart(place))) continue;
         chosen[static_cast<std::size_t>(row * grid_.nx + column)] = 1;
       }
     });
@@ -116,7 +126,7 @@ class Screen {
     for (std::int64_t r = 0; r < height(place.y); ++r)
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
-        if (inside[r * side + c] || (request_.mask && !request_.mask[point])) continue;
+        if (inside[r * side + c] || !looked_at(point)) continue;
         const double depth = request_.approach - request_.gap[point] - request_.unit * value[r * side + c];
         if (!(depth > 0)) continue;
         if (request_.n_found < request_.room) {
@@ -133,14 +143,16 @@ class Screen {
   const Tiles& tiles_;
   const Product<double>& product_;
   rc_screen& request_;
-  bool bounded_ = false;  // the bound holds
-  double weight_ = 0, slack_ = 0, largest_ = 0;
+  const double* lowest_ = nullptr;  // request_'s, where it has it
+  bool bounded_ = false;            // the bound holds
+  double slack_ = 0, largest_ = 0;
 };
 
 }  // namespace
 
 void Operator::screen(const double* x, rc_screen& request) {
-  Product<double>& product = grid_product();
+  // Where the domain's frame is the grid, one product serves both.
+  Product<double>& product = frame_ == grid_ ? domain_product() : ready(screen_product_, tables_, grid_, Targets::domain);
   product.load(x);
   Screen(spec_, grid_, tiles_, product, x, request).run();
 }

@@ -37,7 +37,7 @@ template <class T> template <class Value> void ShortRange<T>::fill(std::int64_t 
   mx_ = side * range_.x + side - 1;
   my_ = side * range_.y + side - 1;
   ld_ = 2 * mx_ + 1;
-  table_.resize(static_cast<std::size_t>(ld_ * (2 * my_ + 1)));
+  table_.assign(static_cast<std::size_t>(ld_ * (2 * my_ + 1)), T(0));
   for (std::int64_t y = 0; y < ny; ++y)
     for (std::int64_t x = 0; x < nx; ++x) {
       const double v = value(x, y);
@@ -47,15 +47,14 @@ template <class T> template <class Value> void ShortRange<T>::fill(std::int64_t 
     }
 }
 
-template <class T>
-ShortRange<T>::ShortRange(const rc_host* host, const rc_operator_spec& spec, const rc_team& team, const FarField& far,
-                          const Smoothed& smoothed, double rc)
-    : range_(Range::within(rc + far.margin(), spec.system->hx, spec.system->hy)) {
-  const double hx = spec.system->hx, hy = spec.system->hy, limit = rc + far.margin();
+template <class T> ShortRange<T>::ShortRange(Kernel& kernel, const Smoothed& smoothed, double rc) {
+  const FarField& far = kernel.far();
+  const double hx = kernel.hx(), hy = kernel.hy(), limit = rc + far.margin();
+  range_ = Range::within(limit, hx, hy);
   const std::int64_t nx = cells_within(limit, hx) + 1, ny = cells_within(limit, hy) + 1;
-  const Coefficients h(host, spec, nx, ny);
+  const Coefficients& h = kernel.near(nx, ny);
   std::vector<double> rest(static_cast<std::size_t>(nx * ny), 0.0);
-  roughcontact::for_each(team, ny, true, [&](std::int64_t iy, std::int64_t) {
+  roughcontact::for_each(*kernel.spec().team, ny, true, [&](std::int64_t iy, std::int64_t) {
     for (std::int64_t ix = 0; ix < nx; ++ix) {
       const double x = hx * static_cast<double>(ix), y = hy * static_cast<double>(iy);
       if (x * x + y * y <= limit * limit)
@@ -66,11 +65,9 @@ ShortRange<T>::ShortRange(const rc_host* host, const rc_operator_spec& spec, con
 }
 
 template <class T>
-ShortRange<T>::ShortRange(const rc_host* host, const rc_operator_spec& spec, std::int64_t tiles_x, std::int64_t tiles_y)
-    : range_(Range::of_box(tiles_x, tiles_y)) {
+ShortRange<T>::ShortRange(Kernel& kernel, std::int64_t tiles_x, std::int64_t tiles_y) : range_(Range::of_box(tiles_x, tiles_y)) {
   const std::int64_t nx = side * tiles_x, ny = side * tiles_y;
-  const Coefficients h(host, spec, nx, ny);
-  fill(nx, ny, h);
+  fill(nx, ny, kernel.near(nx, ny));
 }
 
 template class ShortRange<float>;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aligned.h"
-#include "far_field.h"
+#include "kernel.h"
 #include "loops.h"
 
 namespace rc_split {
@@ -24,10 +24,9 @@ struct Range {
 template <class T> class ShortRange {
  public:
   // H less its smooth part of cutoff rc.
-  ShortRange(const rc_host* host, const rc_operator_spec& spec, const rc_team& team, const FarField& far,
-             const Smoothed& smoothed, double rc);
+  ShortRange(Kernel& kernel, const Smoothed& smoothed, double rc);
   // H between the tiles of a box.
-  ShortRange(const rc_host* host, const rc_operator_spec& spec, std::int64_t tiles_x, std::int64_t tiles_y);
+  ShortRange(Kernel& kernel, std::int64_t tiles_x, std::int64_t tiles_y);
 
   const Range& range() const { return range_; }
   // The entry between a point and one x cells to the right of it and y below; the next ones along a row follow, and those of the

@@ -45,7 +45,8 @@ Tiles::Tiles(const rc_domain& domain, std::int64_t nx, std::int64_t ny) {
   map_.assign(static_cast<std::size_t>(box_.tiles()), 0);
   for_each_point(domain, nx, [&](std::int64_t, std::int64_t x, std::int64_t y) { ++map_[place(x, y)]; });
   first_.push_back(0);
-  for (std::int64_t y = 0; y < box_.ny; ++y)
+  for (std::int64_t y = 0; y < box_.ny; ++y) {
+    row_first_.push_back(count());
     for (std::int64_t x = 0; x < box_.nx; ++x) {
       std::int32_t& tile = map_[static_cast<std::size_t>(y * box_.nx + x)];
       if (tile == 0) {
@@ -56,6 +57,8 @@ Tiles::Tiles(const rc_domain& domain, std::int64_t nx, std::int64_t ny) {
       tile = static_cast<std::int32_t>(places_.size());
       places_.push_back({box_.x + x, box_.y + y});
     }
+  }
+  row_first_.push_back(count());
   std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
   positions_.resize(static_cast<std::size_t>(domain.n));
   cells_.resize(static_cast<std::size_t>(domain.n));

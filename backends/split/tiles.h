@@ -37,6 +37,16 @@ class Tiles {
     return map_[static_cast<std::size_t>((y - box_.y) * box_.nx + x - box_.x)];
   }
 
+  // The tiles of a row of the grid's tiles, from left to right: numbers `begin` to `end`.
+  struct Run {
+    std::int64_t begin, end;
+  };
+  Run row(std::int64_t y) const {
+    if (y < box_.y || y >= box_.y + box_.ny) return {0, 0};
+    const auto r = static_cast<std::size_t>(y - box_.y);
+    return {row_first_[r], row_first_[r + 1]};
+  }
+
   // A tile's entries: positions in a vector over the domain, and cells in the tile, ascending. They are entries first(tile) to
   // first(tile + 1) of all.
   std::int64_t first(std::int64_t tile) const { return first_[static_cast<std::size_t>(tile)]; }
@@ -48,6 +58,7 @@ class Tiles {
   Frame box_;
   std::vector<std::int32_t> map_;  // of the box
   std::vector<TilePlace> places_;  // row by row
+  std::vector<std::int64_t> row_first_;
   std::vector<std::int64_t> first_, positions_;
   std::vector<std::uint8_t> cells_;
 };

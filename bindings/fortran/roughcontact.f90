@@ -28,7 +28,8 @@ module roughcontact
   character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', &
     RC_OPT_TOL = 'tol', RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', &
     RC_OPT_STIFFNESS = 'stiffness', RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend', &
-    RC_OPT_WARMUP = 'warmup', RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds'
+    RC_OPT_WARMUP = 'warmup', RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds', &
+    RC_OPT_DETERMINISTIC = 'deterministic'
 
   type, bind(c) :: rc_system
     integer(c_size_t) :: struct_size = 88
@@ -42,11 +43,12 @@ module roughcontact
   end type
 
   type, bind(c) :: rc_step
-    integer(c_size_t) :: struct_size = 48
+    integer(c_size_t) :: struct_size = 56
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
     real(c_double) :: target = 0
     type(c_ptr) :: gap = c_null_ptr, p0 = c_null_ptr
     type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+    integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_result
@@ -303,6 +305,13 @@ module roughcontact
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: i
       type(rc_level), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_contact_points(contact, room, index, p, n) bind(c); import
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: room
+      integer(c_int64_t), intent(out), optional :: index(*)  ! point numbers from 0
+      real(c_double), intent(out), optional :: p(*)
+      integer(c_int64_t), intent(out) :: n
     end function
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact

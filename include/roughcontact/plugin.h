@@ -13,7 +13,7 @@
 #include "roughcontact.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 2u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 3u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -96,6 +96,9 @@ typedef struct rc_screen {
   int64_t *found;        /* [room] out: overlapping points outside T, as many as there is room for             */
   double *depth;         /* [room] out: approach - gap - unit (H x) of each                                    */
   int64_t n_found;       /* out: all that overlap, also where there is no room for them                        */
+  /* [ceil(nx/16) * ceil(ny/16)] a lower bound of the gap at the points looked at of each tile of 16 x 16 points, row by row
+     (+infinity: there is none); spares the pass over the gap. NULL: none is known                             */
+  const double *tile_lowest;
 } rc_screen;
 
 /** A backend: products with H. All vectors are over the domain's points unless said otherwise. One operator is
@@ -132,6 +135,9 @@ typedef struct rc_backend {
   /** RC_CAP_SCREEN, else NULL: for x >= 0, H[T,T] x and the points outside T that overlap, without a product for points that
    *  are proven to stay apart. */
   rc_status (*screen)(void *self, const double *x, rc_screen *);
+  /** NULL where it could keep nothing: a new history of loading begins. Products after the next bind() are those of a new
+   *  operator, bit for bit; what is the same for every operator of this system may be kept. */
+  rc_status (*forget)(void *self);
 } rc_backend;
 
 /** Where the unknowns of a half-space problem lie, in the caller's units. */
@@ -142,7 +148,7 @@ typedef struct rc_grid {
   const double *gap;    /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0                     */
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
-  double approach;      /* DISPLACEMENT: d [length]                                                             */
+  double approach;      /* DISPLACEMENT: d [length]; LOAD: the lowest gap, from which d is counted              */
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
 } rc_grid;
@@ -171,7 +177,7 @@ struct rc_problem {
   int64_t n;          /* unknowns                                                                              */
   int32_t control;    /* RC_CONTROL_*                                                                          */
   int32_t reserved;
-  const double *u;    /* [n] DISPLACEMENT: compenetration d - h; LOAD: -h                                      */
+  const double *u;    /* [n] DISPLACEMENT: compenetration d - h; LOAD: -h. NULL: see RC_READS_GAP                */
   double load;        /* LOAD: the sum of p that is wanted                                                     */
   double tol;         /* residual to reach, relative to a compenetration of 1                                  */
   /** y = H x. Counts and polls; a status other than 0 must be returned at once (it may be a stop). */
@@ -211,6 +217,8 @@ struct rc_problem {
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
+#define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
+                                             u = (grid->approach - grid->gap) / length                          */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {
@@ -218,7 +226,7 @@ typedef struct rc_solver {
   const char *name;
   const char *summary;
   const char *license;
-  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID, RC_WANTS_BOX or 0                        */
+  uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID, RC_WANTS_BOX, RC_READS_GAP or 0                    */
   uint32_t controls; /* bit RC_CONTROL_*: the controls it handles itself. Load control is added to a
                         displacement solver by the core's iteration on the approach                            */
   uint32_t reserved;

@@ -160,6 +160,9 @@ template <class Operator> struct Functions {
   static rc_status screen(void* self, const double* x, rc_screen* request) noexcept {
     return with(self, [&](Operator& op) { op.screen(x, *request); });
   }
+  static rc_status forget(void* self) noexcept {
+    return with(self, [&](Operator& op) { op.forget(); });
+  }
 
  private:
   template <class Action> static rc_status with(void* self, Action&& action) noexcept {

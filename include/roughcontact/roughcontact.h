@@ -99,7 +99,8 @@ typedef struct rc_system {
 #define RC_SYSTEM_INIT \
   { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 1, 1, 1.0, 1.0, 1.0, NULL, 0, NULL, NULL }
 
-/** What changes from step to step. Nothing in it is kept after the call except a copy of gap and mask. */
+/** What changes from step to step. Nothing in it is kept after the call except a copy of gap and mask, or with borrow
+ *  the two pointers. */
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                   */
   int32_t control;     /* RC_CONTROL_*                                                                      */
@@ -110,9 +111,12 @@ typedef struct rc_step {
   const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none   */
   const uint8_t *mask; /* [n] 0: this point carries no pressure and its gap is ignored (it may be NaN);
                           NULL with gap given: all points; NULL without gap: as in the previous step        */
+  int32_t borrow;      /* 1: gap and mask are not copied; they stay as they are until a step brings other arrays
+                          or the contact is reset or destroyed. 0: copied (default)                         */
+  int32_t reserved;    /* 0                                                                                 */
 } rc_step;
 #define RC_STEP_INIT \
-  { sizeof(rc_step), RC_CONTROL_DISPLACEMENT, 1, 0.0, NULL, NULL, NULL }
+  { sizeof(rc_step), RC_CONTROL_DISPLACEMENT, 1, 0.0, NULL, NULL, NULL, 0, 0 }
 
 /** Answer of one step. The caller sets struct_size, p and gap; the library writes the rest whenever the
  *  returned status is >= 0, and leaves p and gap untouched when it is < 0. */
@@ -324,6 +328,7 @@ typedef struct rc_option_spec {
 #define RC_OPT_WARMUP "warmup"
 #define RC_OPT_WARMUP_ITERATIONS "warmup.iterations"
 #define RC_OPT_BOUNDS "bounds"
+#define RC_OPT_DETERMINISTIC "deterministic"
 
 /** @defgroup general General  @{ */
 /** Version of the library in use; any pointer may be NULL. */
@@ -412,6 +417,10 @@ RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc
 RC_API rc_status rc_contact_solve_path(rc_contact *contact, rc_path *path);
 /** The i-th coarse solution of the last step, 0 (coarsest) .. rc_result.levels-1. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out);
+/** The contact set of the last certified step, without arrays over all points: *n = how many points carry pressure (0: none, or
+ *  no such step); the first `room` of them, point numbers iy*nx + ix in ascending order and pressures [force/length^2], into
+ *  index and p [room], either of which may be NULL. Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
 /** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */

@@ -25,6 +25,7 @@ template <class Body> rc_status exclusively(const char* where, rc_contact* conta
 
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
   const rc_step today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
+  if (today.borrow != 0 && today.borrow != 1) fail(RC_ERR_ARGUMENT, "rc_step.borrow = ", today.borrow, " is neither 0 nor 1");
   rc_result defaults{};
   rc_result_init(&defaults);
   rc_result answer = read(result, "rc_result", defaults);
@@ -94,6 +95,15 @@ rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
   });
 }
 
+rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, double* p, int64_t* n) {
+  return exclusively("rc_contact_points", contact, [&](Contact& c) {
+    if (!n) fail(RC_ERR_ARGUMENT, "n is null");
+    if (room < 0) fail(RC_ERR_ARGUMENT, "room = ", room, " must be >= 0");
+    *n = c.contact_points(room, index, p);
+    return RC_OK;
+  });
+}
+
 rc_status rc_contact_reset(rc_contact* contact) {
   return exclusively("rc_contact_reset", contact, [&](Contact& c) {
     c.reset();
@@ -108,7 +118,10 @@ void rc_contact_cancel(rc_contact* contact) {
 rc_status rc_solve(const rc_system* system, const rc_step* step, const rc_options* options, rc_result* result) {
   return guard("rc_solve", [&] {
     Contact contact(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), options_or_defaults(options));
-    return with_step(contact, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.solve(s, r); });
+    return with_step(contact, step, result, [](Contact& each, rc_step s, rc_result& r) {
+      s.borrow = 1;  // the arrays outlive the contact
+      return each.solve(s, r);
+    });
   });
 }
 

@@ -67,6 +67,7 @@ struct Request {
     if (k > 0) return step;  // later steps find the surface as this one left it
     step.gap = given.gap + i * given.gap_stride;
     step.mask = given.mask ? given.mask + i * given.mask_stride : nullptr;
+    step.borrow = 1;  // the caller's arrays outlive the contacts
     step.p0 = given.p0 ? given.p0 + i * points : nullptr;
     return step;
   }
@@ -290,6 +291,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   set(RC_OPT_THREADS, std::int64_t{1});
   set(RC_OPT_TIME_LIMIT, 0.0);
   if (batch.stiffness) set(RC_OPT_STIFFNESS, std::int64_t{1});
+  if (!batch.fn) set(RC_OPT_BOUNDS, std::int64_t{0});  // nobody would see them
 
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };
   std::unique_ptr<Contact> first = contact();  // checks the system and the options

@@ -15,31 +15,6 @@ constexpr int most_rounds = 3;       // of leaving out what the round before pro
 
 double square(double x) { return x * x; }
 
-// A set of points on the grid.
-class Support {
- public:
-  explicit Support(const rc_system& unit) : unit_(&unit) {}
-
-  void add(std::int64_t x, std::int64_t y) {
-    ++points_;
-    left_ = std::min(left_, x);
-    right_ = std::max(right_, x);
-    lower_ = std::min(lower_, y);
-    upper_ = std::max(upper_, y);
-  }
-  double points() const { return points_; }
-  // Of the bounding box, cells included.
-  double diagonal() const {
-    if (points_ == 0) return 0;
-    return std::hypot(static_cast<double>(right_ - left_ + 1) * unit_->hx, static_cast<double>(upper_ - lower_ + 1) * unit_->hy);
-  }
-
- private:
-  const rc_system* unit_;
-  double points_ = 0;
-  std::int64_t left_ = std::numeric_limits<std::int64_t>::max(), right_ = -1, lower_ = left_, upper_ = -1;
-};
-
 // |sum of x| <= by_distance |x|_H + by_work x'w.
 struct SumBound {
   double by_distance = infinity, by_work = 0;
@@ -62,9 +37,15 @@ struct Distance {
 // - u.
 class Proof {
  public:
-  Proof(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double approach, std::span<const double> p,
-        std::span<const double> product)
-      : system_(system), spectrum_(spectrum), surface_(surface), approach_(approach), given_(p), product_(product) {
+  Proof(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double approach, const Deflected& answer)
+      : system_(system),
+        spectrum_(spectrum),
+        surface_(surface),
+        approach_(approach),
+        answer_(answer),
+        given_(answer.p()),
+        product_(answer.product) {
+    if (!all_listed()) candidates_ = surface_.extent_below(approach_);
     measure();
     residual();
   }
@@ -72,16 +53,16 @@ class Proof {
   Bounds bounds() {
     Bounds result;
     if (!std::isfinite(beta_ + delta_square_ + doubt_)) return result;
-    Support support = not_proven_open();  // no proof yet
+    Extent support = not_proven_open();  // no proof yet
     SumBound sum_bound = system_.periodic() ? better(sum_bound_below_mean(), sum_bound_of(support)) : sum_bound_of(support);
     for (int round = 0; round < most_rounds; ++round) {
       distance_.tighten(distance(sum_bound, support, beta_, 0));
       distance_.tighten(distance_without_stray(sum_bound, support));
-      const double before = support.points();
+      const double before = points_of(support);
       support = not_proven_open();
       sum_bound = sum_bound_of(support);
       distance_.sum = std::min(distance_.sum, sum_bound.by_distance * distance_.norm);
-      if (support.points() > 0.9 * before) break;
+      if (points_of(support) > 0.9 * before) break;
     }
     count(result);
     convert(support, result);
@@ -89,13 +70,19 @@ class Proof {
   }
 
  private:
-  double n() const { return static_cast<double>(given_.size()); }
+  double n() const { return static_cast<double>(system_.points()); }
+  bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == system_.points(); }
+  static double points_of(const Extent& support) { return static_cast<double>(support.n); }
+
+  // Of the points listed, by their place in the list.
+  double gap(std::size_t i) const { return surface_.gap()[answer_.point(i)]; }
+  bool included(std::size_t i) const { return surface_.included(answer_.point(i)); }
   double p(std::size_t i) const { return std::max(0.0, given_[i] * system_.length_per_pressure / length_); }
-  double u(std::size_t i) const { return (approach_ - surface_.gap()[i]) / length_; }
+  double u(std::size_t i) const { return (approach_ - gap(i)) / length_; }
   double w(std::size_t i) const { return distance_to_surface(i) / length_; }
-  double distance_to_surface(std::size_t i) const { return product_[i] - (approach_ - surface_.gap()[i]); }  // [length]
+  double distance_to_surface(std::size_t i) const { return product_[i] - (approach_ - gap(i)); }  // [length]
   // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0.
-  bool may_carry(std::size_t i) const { return surface_.included(i) && (!system_.positive || approach_ > surface_.gap()[i]); }
+  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || approach_ > gap(i)); }
 
   // Sizes, and the doubt about every w_i: round-off of the product, and what the negative entries of the given pressures would
   // have changed in it (no entry of H is larger than its largest diagonal entry).
@@ -103,8 +90,9 @@ class Proof {
     double largest_product = 0, largest_w = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       largest_product = std::max(largest_product, std::abs(product_[i]));
-      if (surface_.included(i)) largest_w = std::max(largest_w, std::abs(distance_to_surface(i)));
+      if (included(i)) largest_w = std::max(largest_w, std::abs(distance_to_surface(i)));
     }
+    if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.highest() - approach_));
     const bool none = surface_.included_points() == 0;
     const double depth = none ? 0 : std::max(0.0, approach_ - surface_.lowest());
     if (depth + largest_product > 0) length_ = depth + largest_product;
@@ -133,7 +121,7 @@ class Proof {
   // x'w <= beta + delta'x: a point with w > 0 gives at most w p, and none with w >= 0 where p is 0.
   void residual() {
     for (std::size_t i = 0; i < given_.size(); ++i) {
-      if (!surface_.included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
+      if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
       const double wi = w(i), pi = p(i);
       if (!may_carry(i) || (wi > 0 && 2 * spectrum_.lowest * pi < wi)) {  // then w p < w^2 / (2 lowest)
         beta_ += (std::max(0.0, wi) + doubt_) * pi;
@@ -150,42 +138,64 @@ class Proof {
   double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
 
   // Points that may carry pressure or were given one, but for those proven open: outside x is 0.
-  Support not_proven_open() const {
+  Extent not_proven_open() const {
     const double reach = open_beyond();
-    Support support(system_.unit);
+    const std::int64_t nx = system_.unit.nx;
+    Extent support;
+    if (!(reach < answer_.beyond) && !all_listed()) {  // the points that are not listed may be any candidates
+      support = candidates_;
+      for (std::size_t i = 0; i < given_.size(); ++i)
+        if (given_[i] > 0 && !may_carry(i)) add(support, i);
+      return support;
+    }
+    if (!all_listed()) {
+      for (std::size_t i = 0; i < given_.size(); ++i)
+        if (not_open(i, reach)) add(support, i);
+      return support;
+    }
     std::size_t i = 0;
     for (std::int64_t y = 0; y < system_.unit.ny; ++y)
-      for (std::int64_t x = 0; x < system_.unit.nx; ++x, ++i)
-        if (given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach)) support.add(x, y);
+      for (std::int64_t x = 0; x < nx; ++x, ++i)
+        if (not_open(i, reach)) support.add(x, y);
     return support;
+  }
+  bool not_open(std::size_t i, double reach) const { return given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach); }
+  void add(Extent& support, std::size_t i) const {
+    const auto point = static_cast<std::int64_t>(answer_.point(i));
+    support.add(point % system_.unit.nx, point / system_.unit.nx);
+  }
+  // Of the bounding box, cells included.
+  double diagonal(const Extent& support) const {
+    return std::hypot(static_cast<double>(support.width()) * system_.unit.hx,
+                      static_cast<double>(support.height()) * system_.unit.hy);
   }
 
   // (sum of x)^2 <= 1'H^-1 1 x'Hx on the support.
-  double flat_punch(const Support& support) const {
-    double least = support.points() / spectrum_.lowest;
+  double flat_punch(const Extent& support) const {
+    double least = points_of(support) / spectrum_.lowest;
     if (spectrum_.flat_punch > 0) least = std::min(least, spectrum_.flat_punch);
     // A flat punch on cells of the kernel galerkin is a constrained state of a disc around them, whose stiffness is its diameter.
-    if (spectrum_.galerkin_share > 0) least = std::min(least, support.diagonal() / spectrum_.galerkin_share);
+    if (spectrum_.galerkin_share > 0) least = std::min(least, diagonal(support) / spectrum_.galerkin_share);
     return least;
   }
 
-  SumBound sum_bound_of(const Support& support) const {
+  SumBound sum_bound_of(const Extent& support) const {
     if (!system_.periodic()) return {std::sqrt(flat_punch(support)), 0};
     // x is 0 off the support, so its part without mean has the mean's size there.
-    const double free = n() - support.points();
-    return {free > 0 ? std::sqrt(support.points() * n() / (free * spectrum_.lowest)) : infinity, 0};
+    const double free = n() - points_of(support);
+    return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
   }
 
   // Periodic, no mask, d below the mean plane: with e = u + eps of mean 0 and H q = e,  eps sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
-    if (!surface_.whole()) return {};
+    if (!surface_.whole() || !all_listed()) return {};
     long double u_sum = 0;  // [length]
     for (const double h : surface_.gap()) u_sum += approach_ - h;
     const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())), eps = mean_gap / length_;
     if (!(eps > 0)) return {};
     double e_square = 0, ep = 0, php = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
-      const double e = (approach_ - surface_.gap()[i] + mean_gap) / length_;
+      const double e = (approach_ - gap(i) + mean_gap) / length_;
       e_square += square(e);
       if (!(given_[i] > 0)) continue;
       ep += e * p(i);
@@ -197,8 +207,8 @@ class Proof {
   static SumBound better(const SumBound& a, const SumBound& b) { return a.by_distance < b.by_distance ? a : b; }
 
   // |x|_H^2 <= x'w <= beta + R |x|_H + a x'w, R and a from delta's constant part c and the rest.
-  Distance distance(const SumBound& sum_bound, const Support& support, double beta, double stray) const {
-    const double root = std::sqrt(spectrum_.lowest), points = system_.periodic() ? n() : support.points();
+  Distance distance(const SumBound& sum_bound, const Extent& support, double beta, double stray) const {
+    const double root = std::sqrt(spectrum_.lowest), points = system_.periodic() ? n() : points_of(support);
     const double noise = doubt_ * std::sqrt(points);
     const double c = points > 0 ? std::abs(delta_sum_) / points + doubt_ : 0, a = c * sum_bound.by_work;
     const double rest = std::sqrt(std::max(0.0, delta_square_ - square(delta_sum_) / std::max(points, 1.0))) + noise;
@@ -216,7 +226,7 @@ class Proof {
 
   // The points in beta may also be taken out of p: without them it is at the distance that R alone gives, and their pressures y
   // change H p by H y, whose dual norm is |y|_H <= sum(y) sqrt(max H_ii). Of first order in y where sqrt(beta) is of order 1/2.
-  Distance distance_without_stray(SumBound sum_bound, const Support& support) const {
+  Distance distance_without_stray(SumBound sum_bound, const Extent& support) const {
     const double norm = stray_ * std::sqrt(spectrum_.diagonal);
     sum_bound.by_distance += norm * sum_bound.by_work;
     Distance result = distance(sum_bound, support, 0, norm);
@@ -230,21 +240,21 @@ class Proof {
     const double mean = system_.periodic() ? distance_.sum / n() : 0;
     const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
     const double reach = open_beyond();
-    std::int64_t contacts = 0, open_points = 0;
+    std::int64_t contacts = 0, may = 0, undecided = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
-      if (!may_carry(i) || distance_to_surface(i) > reach)
-        ++open_points;
-      else if (given_[i] > 0 && p(i) > margin)
-        ++contacts;
+      may += may_carry(i);
+      if (!may_carry(i) || distance_to_surface(i) > reach) continue;
+      ++(given_[i] > 0 && p(i) > margin ? contacts : undecided);
     }
+    if (!all_listed() && !(reach < answer_.beyond)) undecided += candidates_.n - may;
     result.proven_contacts = contacts;
-    result.proven_open = open_points;
-    result.undecided = static_cast<std::int64_t>(given_.size()) - contacts - open_points;
+    result.proven_open = system_.points() - contacts - undecided;
+    result.undecided = undecided;
     result.area_lower = static_cast<double>(contacts) * system_.cell_area();
     result.area_upper = static_cast<double>(contacts + result.undecided) * system_.cell_area();
   }
 
-  void convert(const Support& support, Bounds& result) const {
+  void convert(const Extent& support, Bounds& result) const {
     const double force = length_ / system_.length_per_pressure * system_.cell_area();
     const double sum_error = distance_.sum + 4 * epsilon * sum_;
     double most = sum_ + sum_error;
@@ -262,7 +272,9 @@ class Proof {
   const Spectrum& spectrum_;
   const SurfaceState& surface_;
   const double approach_;
+  const Deflected& answer_;
   const std::span<const double> given_, product_;
+  Extent candidates_;                                               // points that may carry pressure
   double length_ = 1, depth_ = 0;                                   // [length]; largest compenetration
   double sum_ = 0, negative_ = 0, largest_w_ = 0, doubt_ = 0;       // of p; of what was cut off; of |w|; about every w_i
   double beta_ = 0, stray_ = 0, delta_sum_ = 0, delta_square_ = 0;  // see residual(); stray: the pressures in beta
@@ -284,9 +296,9 @@ void Bounds::write(rc_result& result) const {
 }
 
 Bounds prove_bounds(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double approach,
-                    std::span<const double> p, std::span<const double> product) {
+                    const Deflected& answer) {
   if (!(spectrum.lowest > 0)) return {};
-  return Proof(system, spectrum, surface, approach, p, product).bounds();
+  return Proof(system, spectrum, surface, approach, answer).bounds();
 }
 
 }  // namespace rc

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 
+#include "contact/pressures.h"
 #include "contact/spectrum.h"
 #include "contact/surface_state.h"
 #include "contact/system.h"
@@ -20,8 +20,7 @@ struct Bounds {
   void write(rc_result& result) const;
 };
 
-// p and product = H p over all points [pressure, length]; p is 0 on excluded points.
-Bounds prove_bounds(const System&, const Spectrum&, const SurfaceState&, double approach, std::span<const double> p,
-                    std::span<const double> product);
+// p is 0 on excluded points. Where not all points are listed, H has no negative entries.
+Bounds prove_bounds(const System&, const Spectrum&, const SurfaceState&, double approach, const Deflected& answer);
 
 }  // namespace rc

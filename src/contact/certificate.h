@@ -1,9 +1,7 @@
 // The library's own check of an answer, from one fresh product with H over all points.
 #pragma once
 
-#include <span>
-#include <vector>
-
+#include "contact/pressures.h"
 #include "contact/surface_state.h"
 
 namespace rc {
@@ -17,11 +15,10 @@ struct Certificate {
   bool within(double tol) const;  // false if any is NaN
 };
 
-// p and product = H p over all points [pressure, length], gap out: g = H p + h - d. Excluded points have p = 0 and do not count.
+// Excluded points have p = 0 and do not count; points that are not listed have p = 0 and g >= 0.
 // least_deflection: of a cell under unit pressure on it alone; in full periodic contact the compenetration may vanish under any
 // pressure, and residuals are relative to what the largest pressure does by itself.
-Certificate certify(const SurfaceState& surface, double approach, std::span<const double> p, std::span<const double> product,
-                    double least_deflection, std::span<double> gap);
+Certificate certify(const SurfaceState& surface, double approach, const Deflected& answer, double least_deflection);
 
 // |load - wanted| / wanted; 0 if both are 0.
 double load_imbalance(double load, double wanted);

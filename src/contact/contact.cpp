@@ -44,16 +44,25 @@ void Contact::reset() {
   std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
 }
 
+void Contact::forget() {
+  surface_.clear();
+  last_ = before_ = {};
+  std::erase_if(operators_, [](const auto& entry) { return !entry.second->forget(); });
+  for (auto& [points, level] : levels_) {
+    if (level.contact) level.contact->forget();
+    level.current = false;
+  }
+}
+
 // The surface as this step describes it; nothing where it is that of the step before.
 std::optional<SurfaceState> Contact::given_surface(const rc_step& step) const {
   const auto n = static_cast<std::size_t>(system_.points());
   if (!step.gap && surface_.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");
   if (!step.gap && !step.mask) return std::nullopt;
-  const std::vector<double> gap =
-      step.gap ? std::vector<double>(step.gap, step.gap + n) : std::vector<double>(surface_.gap().begin(), surface_.gap().end());
-  SurfaceState fresh;
-  fresh.set(gap, {step.mask, step.mask ? n : 0});
-  return fresh;
+  GivenSurface given{system_.given.nx, system_.given.ny, surface_.gap(), {step.mask, step.mask ? n : 0}, false};
+  if (step.gap) given.gap = {step.gap, n};
+  given.borrowed = step.gap && step.borrow != 0;
+  return SurfaceState(given, *team_);
 }
 
 void Contact::check_target(const rc_step& step, const SurfaceState& surface) const {
@@ -83,7 +92,7 @@ void Contact::begin(const rc_step& step) {
   std::optional<SurfaceState> given = given_surface(step);
   check_target(step, given ? *given : surface_);
   if (given) {
-    const bool same = *given == surface_;
+    const bool same = !surface_.empty() && given->equals(surface_, *team_);
     last_.same_gap = last_.same_gap && same;
     before_.same_gap = before_.same_gap && same;
     surface_ = std::move(*given);
@@ -120,8 +129,11 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   for (;;) {
     choice_ = {};
     try {
-      const Answer answer = step.control == RC_CONTROL_LOAD ? at_load(step, monitor) : at_displacement(step, monitor);
-      const rc_status status = finish(step, answer, monitor, result);
+      std::optional<Answer> few = at_few_points(step, monitor);
+      Answer answer = few                               ? std::move(*few)
+                      : step.control == RC_CONTROL_LOAD ? at_load(step, monitor)
+                                                        : at_displacement(step, monitor);
+      const rc_status status = finish(step, std::move(answer), monitor, result);
       const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
       if (!hopeless || !pass_over(choice_.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
         return status;
@@ -194,6 +206,19 @@ Answer Contact::prepare(const TrialSet& trial, std::int32_t control, double leng
 // A little less than is certified: the certificate's product rounds in its own way.
 double Contact::solver_tol() const { return 0.98 * options_.real(RC_OPT_TOL); }
 
+// Solvers ask for the same table at every step.
+rc_status Contact::coefficients(std::int64_t mx, std::int64_t my, double* out) {
+  constexpr std::int64_t most = 1 << 14;  // values that are kept
+  if (mx != table_.mx || my != table_.my) {
+    const rc_host& host = options_.context->host();
+    const rc_status status = host.coefficients(&host, &system_.unit, system_.kernel.c_str(), mx, my, out);
+    if (status == RC_OK && mx <= most / my) table_ = {mx, my, {out, out + mx * my}};
+    return status;
+  }
+  std::copy(table_.values.begin(), table_.values.end(), out);
+  return RC_OK;
+}
+
 SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
   rc_grid grid{};
   if (system_.halfspace())
@@ -222,10 +247,7 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
           grid_units ? answer.length_unit : 0,
           grid_units ? answer.pressure_unit : 0,
           [this, &monitor](rc_coarse& request) { return solve_coarse(request, monitor); },
-          [this](std::int64_t mx, std::int64_t my, double* out) {
-            const rc_host& host = options_.context->host();
-            return host.coefficients(&host, &system_.unit, system_.kernel.c_str(), mx, my, out);
-          },
+          [this](std::int64_t mx, std::int64_t my, double* out) { return coefficients(mx, my, out); },
           [this](const std::string& text) {
             const std::string from = text.substr(0, text.find(':'));
             std::erase_if(remarks_, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
@@ -235,7 +257,7 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
 
 // How far along the line through the last two steps the new one lies, beyond the last; 0 where there is no such line.
 double Contact::ahead(const rc_step& step) const {
-  if (step.p0 || !step.warm_start || !last_.same_gap || before_.p.empty() || !before_.same_gap) return 0;
+  if (step.p0 || !step.warm_start || !last_.same_gap || before_.pressures.empty() || !before_.same_gap) return 0;
   const bool by_load = step.control == RC_CONTROL_LOAD;
   const double newest = by_load ? last_.load : last_.approach, older = by_load ? before_.load : before_.approach;
   const double part = (step.target - newest) / (newest - older);
@@ -243,17 +265,36 @@ double Contact::ahead(const rc_step& step) const {
   return part >= -1 && part <= 2 ? part : 0;
 }
 
-std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, double pressure_unit) const {
-  std::vector<double> p(static_cast<std::size_t>(trial.n), 0.0);
-  const double* from = step.p0 ? step.p0 : step.warm_start && !last_.p.empty() ? last_.p.data() : nullptr;
-  if (!from) return p;
-  const double part = ahead(step);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto point = static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)));
-    const double change = part != 0 ? part * (from[point] - before_.p[point]) : 0;
-    p[i] = std::max(0.0, (from[point] + change) / pressure_unit);
+std::vector<double> Contact::start(const rc_step& step, const TrialSet& trial, double pressure_unit,
+                                   const Pressures* nearer) const {
+  std::vector<double> p;
+  if (nearer) {
+    p = nearer->at(trial);
+  } else if (step.p0) {
+    p.resize(static_cast<std::size_t>(trial.n));
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = step.p0[trial.point(static_cast<std::int64_t>(i))];
+  } else if (step.warm_start && !last_.pressures.empty()) {
+    p = last_.pressures.at(trial);
+    if (const double part = ahead(step); part != 0) {
+      const std::vector<double> older = before_.pressures.at(trial);
+      for (std::size_t i = 0; i < p.size(); ++i) p[i] += part * (p[i] - older[i]);
+    }
+  } else {
+    p.resize(static_cast<std::size_t>(trial.n));
+    return p;
   }
+  for (double& value : p) value = std::max(0.0, value / pressure_unit);
   return p;
+}
+
+// Dimensionless; none where the solver takes them from the gap.
+std::vector<double> Contact::compenetrations(const Answer& answer, double datum) const {
+  if (system_.halfspace() && takes_gap(*answer.choice.solver, options_)) return {};
+  const TrialSet& trial = answer.op->trial();
+  std::vector<double> u(static_cast<std::size_t>(trial.n));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = (datum - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
+  return u;
 }
 
 Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
@@ -261,24 +302,20 @@ Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
   Answer answer = prepare(trial, step.control, step.target - surface_.lowest());
   trial = widened(std::move(trial), answer.choice);
   answer.op = &bound_operator(*answer.choice.backend, trial);
-  answer.p = start(step, trial, answer.pressure_unit);
-  answer.approach = step.target;
-  std::vector<double> u(answer.p.size());
-  for (std::size_t i = 0; i < u.size(); ++i)
-    u[i] =
-        (step.target - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
+  answer.p = start(step, trial, answer.pressure_unit, nullptr);
+  answer.approach = answer.limit = step.target;
+  const std::vector<double> u = compenetrations(answer, step.target);
   double unused = 0;
   answer.status = run(answer, monitor)(step.control, u, 0, solver_tol(), step.target, answer.p, unused);
   return answer;
 }
 
-std::vector<double> Contact::over_all_points(const Answer& answer) const {
-  std::vector<double> p(static_cast<std::size_t>(system_.points()), 0.0);
-  if (!answer.op) return p;
-  const TrialSet& trial = answer.op->trial();
-  for (std::size_t i = 0; i < answer.p.size(); ++i)
-    p[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] = answer.p[i] * answer.pressure_unit;
-  return p;
+Pressures Contact::pressures_of(const Answer& answer) const {
+  Pressures result;
+  result.on = answer.op->trial();
+  result.p = answer.p;
+  for (double& value : result.p) value *= answer.pressure_unit;
+  return result;
 }
 
 }  // namespace rc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "contact/certificate.h"
 #include "contact/monitor.h"
+#include "contact/pressures.h"
 #include "contact/selection.h"
 #include "contact/solver_run.h"
 #include "contact/spectrum.h"
@@ -25,13 +27,21 @@ namespace rc {
 struct Answer {
   rc_status status = RC_OK;
   Choice choice;
-  Operator* op = nullptr;    // bound to the trial set
-  std::vector<double> p;     // on the trial set, dimensionless
-  double length_unit = 1;    // [length]
-  double pressure_unit = 1;  // [force/length^2]
-  double approach = 0;       // [length]
+  Operator* op = nullptr;                                   // bound to the trial set
+  std::vector<double> p;                                    // on the trial set, dimensionless
+  double length_unit = 1;                                   // [length]
+  double pressure_unit = 1;                                 // [force/length^2]
+  double approach = 0;                                      // [length]
+  double limit = -std::numeric_limits<double>::infinity();  // [length] the trial set holds every point of a smaller gap
+  std::optional<Deflected> checked;                         // what the operator's screening told of all points
   bool handed_over = false;  // the solver's own load control stalled; the core's iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
+};
+
+// What a coarser grid or an earlier step tells of a solution.
+struct Estimate {
+  Pressures pressures;  // of the points that carry some
+  double approach = 0;  // [length]
 };
 
 class Contact {
@@ -45,15 +55,14 @@ class Contact {
   // The steps of a history in order; `completed` counts those that are certified and written.
   rc_status solve_path(const rc_path& path, std::int64_t& completed);
   rc_status certify_given(const rc_step& step, rc_result& result);
+  // Points and pressures of the last certified step's contact set, as many as there is room for; returns how many there are.
+  std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;
   // A coarse solution of the last step, the coarsest first.
   void level(std::int64_t i, rc_level& out) const;
   void reset();
-  // As new: operators, too, may remember what they served (the lengths of transforms that a larger set called for), and answers
-  // would differ by round-off.
-  void forget() {
-    reset();
-    operators_.clear();
-  }
+  // As new: operators, too, forget what they served (the lengths of transforms that a larger set called for), since answers would
+  // differ by round-off. What is the same for all contacts of the system stays.
+  void forget();
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
   // True for the one thread that may use the contact now.
@@ -62,7 +71,7 @@ class Contact {
 
  private:
   struct Last {
-    std::vector<double> p;  // all points [pressure]; empty: none
+    Pressures pressures;  // empty: none
     double approach = 0, load = 0;
     bool same_gap = false;  // it belongs to the current gap
   };
@@ -73,6 +82,12 @@ class Contact {
     rc_level summary{};
     std::vector<double> p;
     bool current = false;  // of this step
+  };
+
+  // Influence coefficients, dimensionless.
+  struct Table {
+    std::int64_t mx = 0, my = 0;
+    std::vector<double> values;
   };
 
   struct ClearCancellation {
@@ -87,7 +102,9 @@ class Contact {
   void check_target(const rc_step& step, const SurfaceState& surface) const;
   bool nothing_touches(const rc_step& step) const;
   double ahead(const rc_step& step) const;
-  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit) const;
+  // nearer: better pressures than the step's.
+  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, const Pressures* nearer) const;
+  std::vector<double> compenetrations(const Answer& answer, double datum) const;
 
   TrialSet trial_below(double limit) const;
   Choice choose_for(const TrialSet& trial, std::int32_t control);
@@ -98,18 +115,30 @@ class Contact {
   SolverRun run(const Answer& answer, Monitor& monitor);
   double solver_tol() const;
   rc_status solve_coarse(rc_coarse& request, const Monitor& monitor);
+  rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
+
+  std::optional<Answer> at_few_points(const rc_step& step, Monitor& monitor);
+  std::optional<Estimate> last_estimate(const rc_step& step) const;
+  std::optional<Estimate> coarse_estimate(const rc_step& step, const Monitor& monitor);
+  std::optional<Answer> solve_few(const rc_step& step, const Choice& choice, Estimate estimate, Monitor& monitor);
+  Deflected screened(const Answer& answer, double approach, double margin);
+  TrialSet reachable(const Estimate& estimate, double limit) const;
+  std::vector<std::int64_t> tiles_under(const Estimate& estimate, const Choice& choice);
+  std::vector<std::int64_t> overlapping(const Deflected& found, double approach) const;
+  void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points) const;
 
   Answer at_displacement(const rc_step& step, Monitor& monitor);
   Answer at_load(const rc_step& step, Monitor& monitor);
   double approach_estimate(double load, bool warm) const;
   rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor);
 
-  std::vector<double> over_all_points(const Answer& answer) const;
-  rc_status finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result);
-  rc_status certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product, double approach,
-                             rc_result& result);
-  void deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result);
-  double fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const;
+  Pressures pressures_of(const Answer& answer) const;
+  rc_status finish(const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
+  bool only_unknowns_matter(const Answer& answer) const;
+  Deflected deflected(Answer& answer, bool everywhere);
+  rc_status certify_and_fill(const rc_step& step, const Deflected& answer, double approach, rc_result& result);
+  void deliver(Deflected&& answer, double approach, rc_result& result);
+  double fitting_approach(const Deflected& answer) const;
   void name_components(const Answer& answer, rc_result& result);
   double least_deflection() const;
   double stiffness(const Answer& answer) const;
@@ -124,6 +153,7 @@ class Contact {
   std::optional<Spectrum> spectrum_;  // once bounds were asked for
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   std::map<std::int64_t, Level> levels_;  // by number of points
+  Table table_;                           // the last that a solver asked for
   std::vector<std::string> remarks_;      // of this step's solver
   Choice choice_;                         // the latest of this step
   std::vector<std::string> failed_;       // components that "auto" passes over in this step

@@ -74,25 +74,25 @@ double Contact::stiffness(const Answer& answer) const {
   return sum * system_.cell_area() / system_.length_per_pressure;
 }
 
-rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<double>& p, std::vector<double>& product,
-                                    double approach, rc_result& result) {
-  const std::span<const double> h = surface_.gap();
+rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer, double approach, rc_result& result) {
+  const std::span<const double> h = surface_.gap(), p = answer.p();
   double sum = 0, work = 0;
   std::int64_t contacts = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
+    const std::size_t i = answer.point(k);
     if (!surface_.included(i)) continue;
-    sum += p[i];
-    contacts += p[i] > 0;
-    work += (0.5 * product[i] - (approach - h[i])) * p[i];
+    sum += p[k];
+    contacts += p[k] > 0;
+    work += (0.5 * answer.product[k] - (approach - h[i])) * p[k];
   }
   const double area = system_.cell_area();
   Bounds bounds;
   if (options_.integer(RC_OPT_BOUNDS) != 0) {
     if (!spectrum_) spectrum_ = spectrum_of(system_);
-    bounds = prove_bounds(system_, *spectrum_, surface_, approach, p, product);
+    bounds = prove_bounds(system_, *spectrum_, surface_, approach, answer);
   }
-  std::vector<double>& gap = product;
-  Certificate certificate = certify(surface_, approach, p, product, least_deflection(), gap);
+  Certificate certificate = certify(surface_, approach, answer, least_deflection());
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
   if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(work * area))
     fail(RC_ERR_NUMERIC,
@@ -101,11 +101,11 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
 
   result.reserved = 0;
   result.points = system_.points();
-  result.candidates = system_.positive ? surface_.count_below(approach) : surface_.included_points();
+  result.candidates = system_.positive ? surface_.extent_below(approach).n : surface_.included_points();
   result.contacts = contacts;
   result.load = sum * area;
   result.displacement = approach;
-  result.mean_pressure = sum / static_cast<double>(p.size());
+  result.mean_pressure = sum / static_cast<double>(system_.points());
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = work * area;
   result.kkt_primal = certificate.primal;
@@ -117,33 +117,81 @@ rc_status Contact::certify_and_fill(const rc_step& step, const std::vector<doubl
 }
 
 // The caller's arrays are written when nothing can fail any more.
-void Contact::deliver(std::vector<double>&& p, const std::vector<double>& gap, rc_result& result) {
-  if (result.p) std::copy(p.begin(), p.end(), result.p);
-  if (result.gap) std::copy(gap.begin(), gap.end(), result.gap);
+void Contact::deliver(Deflected&& answer, double approach, rc_result& result) {
+  if (result.p) answer.pressures.write(result.p, system_.points());
+  if (result.gap)
+    for (std::size_t i = 0; i < answer.size(); ++i) result.gap[i] = answer.product[i] - (approach - surface_.gap()[i]);
   if (result.status != RC_OK) return;
   before_ = std::move(last_);
-  last_ = {std::move(p), result.displacement, result.load, true};
+  last_ = {std::move(answer.pressures), result.displacement, result.load, true};
 }
 
-rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monitor& monitor, rc_result& result) {
-  std::vector<double> p = over_all_points(answer);
-  std::vector<double> product(p.size(), 0.0);
+std::int64_t Contact::contact_points(std::int64_t room, std::int64_t* index, double* p) const {
+  const Pressures& last = last_.pressures;
+  std::int64_t count = 0;
+  for (std::size_t k = 0; k < last.p.size(); ++k) {
+    if (!(last.p[k] > 0)) continue;
+    if (count < room && index) index[count] = last.on.point(static_cast<std::int64_t>(k));
+    if (count < room && p) p[count] = last.p[k];
+    ++count;
+  }
+  return count;
+}
+
+// Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
+bool Contact::only_unknowns_matter(const Answer& answer) const {
+  return answer.op && system_.positive && answer.status == RC_OK && answer.approach <= answer.limit &&
+         std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
+}
+
+// H p by the certifying operator: over all points, or over those that matter.
+Deflected Contact::deflected(Answer& answer, bool everywhere) {
+  if (answer.checked && !everywhere) return std::move(*answer.checked);
+  Deflected result;
+  if (!answer.op) {
+    result.pressures.on.n = system_.points();
+    result.pressures.p.assign(static_cast<std::size_t>(system_.points()), 0.0);
+    result.product.assign(result.size(), 0.0);
+    return result;
+  }
+  const std::string& certifier = options_.text(RC_OPT_CERTIFY_BACKEND);
+  Operator& op = certifier.empty() ? *answer.op : bound_operator(options_.context->backend(certifier), answer.op->trial());
+  if (!everywhere && only_unknowns_matter(answer)) {
+    result.product.resize(answer.p.size());
+    raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
+    for (double& value : result.product) value = value * answer.length_unit - answer.datum_shift;
+    result.pressures = pressures_of(answer);
+    return result;
+  }
+  result.product.resize(static_cast<std::size_t>(system_.points()));
+  op.field(answer.p, result.product);
+  for (double& value : result.product) value = value * answer.length_unit - answer.datum_shift;
+  result.pressures.on.n = system_.points();
+  Pressures own = pressures_of(answer);
+  answer.p = {};
+  if (own.on.index.empty()) {
+    result.pressures.p = std::move(own.p);
+  } else {
+    result.pressures.p.resize(result.product.size());
+    own.write(result.pressures.p.data(), system_.points());
+  }
+  return result;
+}
+
+rc_status Contact::finish(const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
+  const double rate = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
+  Deflected found = deflected(answer, result.gap != nullptr);
   double approach = step.target;
   result.modelled = 0;
   if (answer.op) {
-    const std::string& certifier = options_.text(RC_OPT_CERTIFY_BACKEND);
-    Operator& op = certifier.empty() ? *answer.op : bound_operator(options_.context->backend(certifier), answer.op->trial());
-    op.field(answer.p, product);
-    for (double& value : product) value = value * answer.length_unit - answer.datum_shift;
     const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK;
-    approach = stopped ? fitting_approach(p, product) : answer.approach;
+    approach = stopped ? fitting_approach(found) : answer.approach;
     result.modelled = answer.op->modelled();
   } else if (step.control == RC_CONTROL_LOAD) {
     approach = surface_.included_points() > 0 ? surface_.lowest() : 0;
   }
-  const double rate = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
   name_components(answer, result);
-  const rc_status checked = certify_and_fill(step, p, product, approach, result);
+  const rc_status checked = certify_and_fill(step, found, approach, result);
   result.stiffness = rate;
   result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
   result.iterations = monitor.iterations();
@@ -152,25 +200,26 @@ rc_status Contact::finish(const rc_step& step, const Answer& answer, const Monit
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL), remarks_).c_str());
-  deliver(std::move(p), product, result);
+  deliver(std::move(found), approach, result);
   return result.status;
 }
 
 // The approach at which the mean of the gap, weighted by the pressures, vanishes.
-double Contact::fitting_approach(const std::vector<double>& p, const std::vector<double>& product) const {
+double Contact::fitting_approach(const Deflected& answer) const {
   if (surface_.included_points() == 0) return 0;
   double sum = 0, moment = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p[i] == 0) continue;
-    sum += p[i];
-    moment += p[i] * (product[i] + (surface_.gap()[i] - surface_.lowest()));
+  for (std::size_t k = 0; k < answer.size(); ++k) {
+    const double p = answer.p()[k];
+    if (p == 0) continue;
+    sum += p;
+    moment += p * (answer.product[k] + (surface_.gap()[answer.point(k)] - surface_.lowest()));
   }
   return sum > 0 ? surface_.lowest() + moment / sum : surface_.lowest();
 }
 
 rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   if (!result.p) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
-  const std::vector<double> p(result.p, result.p + system_.points());
+  const std::span<const double> p(result.p, static_cast<std::size_t>(system_.points()));
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p[i], " is not finite");
     if (p[i] != 0 && (step.mask ? step.mask[i] == 0 : !step.gap && !surface_.empty() && !surface_.included(i)))
@@ -186,7 +235,11 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   trial.n = static_cast<std::int64_t>(trial.index.size());
   if (trial.n == system_.points()) trial.index.clear();
 
-  std::vector<double> product(p.size(), 0.0);
+  Deflected given;
+  given.pressures.on.n = system_.points();
+  given.pressures.p.assign(p.begin(), p.end());
+  given.product.assign(p.size(), 0.0);
+  std::vector<double>& product = given.product;
   Answer answer;
   if (trial.n > 0) {
     answer = prepare(trial, RC_CONTROL_DISPLACEMENT, 1);
@@ -198,12 +251,12 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   }
   double approach = step.target;
   if (step.control == RC_CONTROL_LOAD) {
-    approach = fitting_approach(p, product);
+    approach = fitting_approach(given);
   }
   name_components(answer, result);
   copy_text(result.solver, "none");
   result.modelled = answer.op ? answer.op->modelled() : 0;
-  result.status = certify_and_fill(step, p, product, approach, result);
+  result.status = certify_and_fill(step, given, approach, result);
   result.stiffness = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
   result.iterations = 0;
   result.levels = 0;
@@ -211,7 +264,8 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL), remarks_).c_str());
-  if (result.gap) std::copy(product.begin(), product.end(), result.gap);
+  if (result.gap)
+    for (std::size_t i = 0; i < given.size(); ++i) result.gap[i] = product[i] - (approach - surface_.gap()[i]);
   return result.status;
 }
 

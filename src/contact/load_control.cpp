@@ -41,7 +41,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
   if (!(height > 0)) height = load * system_.length_per_pressure;
   rc_step from = step;
   from.warm_start = near;
-  std::vector<double> start_pressures;
+  std::optional<Pressures> nearer;
   bool handed_over = false;
   for (int round = 0;; ++round) {
     const double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
@@ -50,6 +50,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
     trial = widened(std::move(trial), answer.choice);
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     answer.handed_over = handed_over;
+    answer.limit = limit;
     if (system_.periodic() && !direct) {
       // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
       // contact.
@@ -58,16 +59,14 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
           std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny)) / std::numbers::pi;
     }
     answer.op = &bound_operator(*answer.choice.backend, trial);
-    answer.p = start(from, trial, answer.pressure_unit);
+    answer.p = start(from, trial, answer.pressure_unit, nearer ? &*nearer : nullptr);
     const double wanted = load / answer.pressure_unit;
     const double shift = trial.zero_mode * wanted / static_cast<double>(system_.points());
     if (direct) {
-      std::vector<double> u(answer.p.size());
-      for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] = (lowest - surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / height;
+      const std::vector<double> u = compenetrations(answer, lowest);
       const double expected = last_.approach + ahead(step) * (last_.approach - before_.approach) - lowest;
       double d = warm ? std::clamp(expected / height, 0.0, 1.0) : 0;
-      answer.status = run(answer, monitor)(step.control, u, wanted, solver_tol(), 0, answer.p, d);
+      answer.status = run(answer, monitor)(step.control, u, wanted, solver_tol(), lowest, answer.p, d);
       answer.approach = d;
     } else {
       double first = warm ? (last_.approach - lowest) / height : 1;
@@ -88,8 +87,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
     const bool finite = std::isfinite(answer.approach);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_rounds) return answer;
     height = growth * (answer.approach - lowest);
-    start_pressures = over_all_points(answer);
-    from.p0 = start_pressures.data();
+    nearer = pressures_of(answer);
   }
 }
 

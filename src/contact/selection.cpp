@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
 #include "core/error.h"
 
@@ -46,6 +45,7 @@ bool prefers_direct(const Counts& counts) {
 
 constexpr std::int64_t least_dilute_points = 512 * 512;
 constexpr double least_approximate_tol = 1e-9;  // two digits above what approximate products are good for
+constexpr double few_share = 0.05;              // of the grid's points: products that cost by the contact are cheaper below
 
 // Contacts so sparse in their bounding box that products which cost by the contact are cheaper than transforms of the box.
 bool dilute(const Counts& counts) {
@@ -148,6 +148,32 @@ Choice choose(const rc_options& options, const System& system, std::int32_t cont
     choice.solver = &options.context->solver(name);
   }
   return choice;
+}
+
+bool few(std::int64_t contacts, std::int64_t points) {
+  return contacts > 0 && static_cast<double>(contacts) <= few_share * static_cast<double>(points);
+}
+
+std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control,
+                                     const std::vector<std::string>& failed) {
+  if (!system.halfspace() || system.periodic() || !system.positive || system.points() < least_dilute_points ||
+      options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
+      !options.text(RC_OPT_CERTIFY_BACKEND).empty())
+    return std::nullopt;
+  Choice choice;
+  choice.solver = &options.context->solver(suited(false, true));
+  const std::string& wanted = options.text(RC_OPT_BACKEND);
+  const bool accurate = options.real(RC_OPT_TOL) >= least_approximate_tol;
+  if (contains(failed, choice.solver->name)) return std::nullopt;
+  for (const auto* component : options.context->backends()) {
+    const rc_backend& backend = component->vtable;
+    if (!(backend.caps & RC_CAP_SCREEN) || contains(failed, backend.name)) continue;
+    if (wanted != backend.name && (wanted != "auto" || !accurate)) continue;
+    if (!obstacle(*choice.solver, backend, system, control, options.integer(RC_OPT_ALLOW_FALLBACK) != 0).empty()) continue;
+    choice.backend = &backend;
+    return choice;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rc

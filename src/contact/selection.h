@@ -4,6 +4,7 @@
 #include <roughcontact/plugin.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,12 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
 // Throws Error(NO_SOLVER, NO_BACKEND, INCOMPATIBLE, PLUGIN). "auto" passes over the names of components that failed.
 Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
               const std::vector<std::string>& failed = {});
+
+// For a step whose contact may be far sparser than its candidates: a backend that screens the points it does not look at, and the
+// solver for the others. Nothing where the options name others, or the grid is too small for that to pay.
+std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control,
+                                     const std::vector<std::string>& failed);
+// Whether contacts this dense are still few.
+bool few(std::int64_t contacts, std::int64_t points);
 
 }  // namespace rc

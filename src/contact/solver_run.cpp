@@ -142,8 +142,11 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   if (problem.trial.n < outer.n || !outer.trial.index.empty())
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
+  const auto compenetration = [&](std::int64_t i) {
+    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.gap[outer.trial.point(i)]) / outer.length;
+  };
   for (const std::int64_t i : a) {
-    u.push_back(outer.u[i]);
+    u.push_back(compenetration(i));
     start.push_back(p[i]);
   }
   problem.n = problem.trial.n;
@@ -230,14 +233,19 @@ rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d)
 
 }  // namespace
 
+bool takes_gap(const rc_solver& solver, const rc_options& options) {
+  const std::string& first = options.text(RC_OPT_WARMUP);
+  return (solver.needs & RC_READS_GAP) && (first == "none" || first == solver.name);
+}
+
 rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                                 std::vector<double>& p, double& d) {
   Session session{*this};
   BoundProblem problem{};
   problem.trial = op.trial();
-  problem.n = static_cast<std::int64_t>(u.size());
+  problem.n = static_cast<std::int64_t>(p.size());
   problem.control = control;
-  problem.u = u.data();
+  problem.u = u.empty() ? nullptr : u.data();
   problem.load = load;
   problem.tol = tol;
   problem.where = grid;

@@ -11,6 +11,9 @@
 
 namespace rc {
 
+// Whether a run of this solver is without the compenetrations.
+bool takes_gap(const rc_solver& solver, const rc_options& options);
+
 struct SolverRun {
   const rc_solver& solver;
   Context& context;
@@ -21,7 +24,7 @@ struct SolverRun {
   bool fallbacks;                     // operations that the backend lacks may be replaced
   double lambda_min;                  // a lower bound of the operator's eigenvalues; 0: none
   bool positive;                      // no entry of H is negative
-  rc_grid grid;                       // without its index and, in load control, its approach; gap null: there is no grid
+  rc_grid grid;                       // without its index and approach; gap null: there is no grid
   double length_unit, pressure_unit;  // of u and p; 0 without a grid
   std::function<rc_status(rc_coarse&)> coarse;
   std::function<rc_status(std::int64_t mx, std::int64_t my, double* out)> coefficients;
@@ -29,7 +32,8 @@ struct SolverRun {
   bool warmed_up = false;  // the warm-up runs once, however often the solver does
 
   // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
-  // p and d: start in, answer out. `approach`: that of the grid's units. Throws Error for a status < 0.
+  // p and d: start in, answer out. `approach`: the grid's. u may be empty for a solver that reads the gap.
+  // Throws Error for a status < 0.
   rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                        std::vector<double>& p, double& d);
 };

@@ -36,6 +36,8 @@ const std::vector<OptionSpec>& core_options() {
       number(RC_TYPE_INT, RC_OPT_MAX_ITER, "10000", 1, 1e9, "iterations of the solver after which it stops"),
       number(RC_TYPE_REAL, RC_OPT_TIME_LIMIT, "0", 0, 1e9, "seconds after which a step stops; 0: no limit"),
       fixed(number(RC_TYPE_INT, RC_OPT_THREADS, "1", 1, 1024, "threads that a contact may use, or a batch of contacts")),
+      fixed(number(RC_TYPE_INT, RC_OPT_DETERMINISTIC, "1", 0, 1,
+                   "1: the same bits in every run and for every number of threads; 0: components may trade them for speed")),
       number(RC_TYPE_INT, RC_OPT_STIFFNESS, "0", 0, 1, "1: compute dW/dd of the contact set, one more linear solve"),
       number(RC_TYPE_INT, RC_OPT_ALLOW_FALLBACK, "1", 0, 1,
              "1: the core may replace an operation that a backend lacks by a slower one, named in the result"),

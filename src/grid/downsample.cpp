@@ -38,17 +38,29 @@ class Block {
   double value_ = none;
 };
 
+// Whole blocks whose points all count.
+void mean_of_blocks(const double* upper, const double* lower, std::int64_t count, double* out) {
+  for (std::int64_t i = 0; i < count; ++i) out[i] = (((upper[2 * i] + upper[2 * i + 1]) + lower[2 * i]) + lower[2 * i + 1]) / 4;
+}
+
 }  // namespace
 
 CoarseGrid downsample(std::int64_t nx, std::int64_t ny, std::span<const double> gap, std::span<const std::uint8_t> mask,
-                      Filter filter) {
+                      Filter filter, const EachRow& each_row) {
   CoarseGrid coarse{(nx + 1) / 2, (ny + 1) / 2, {}, {}};
   const auto points = static_cast<std::size_t>(coarse.nx * coarse.ny);
-  coarse.gap.reserve(points);
-  if (!mask.empty()) coarse.mask.reserve(points);
+  coarse.gap.resize(points);
+  if (!mask.empty()) coarse.mask.resize(points);
 
-  for (std::int64_t cy = 0; cy < coarse.ny; ++cy) {
-    for (std::int64_t cx = 0; cx < coarse.nx; ++cx) {
+  const auto take_row = [&](std::int64_t cy) {
+    double* const out = coarse.gap.data() + cy * coarse.nx;
+    std::int64_t cx = 0;
+    if (filter == Filter::mean && mask.empty() && 2 * cy + 1 < ny) {
+      const double* const upper = gap.data() + 2 * cy * nx;
+      mean_of_blocks(upper, upper + nx, nx / 2, out);
+      cx = nx / 2;
+    }
+    for (; cx < coarse.nx; ++cx) {
       Block block{filter};
       for (std::int64_t iy = 2 * cy; iy < std::min(2 * cy + 2, ny); ++iy) {
         for (std::int64_t ix = 2 * cx; ix < std::min(2 * cx + 2, nx); ++ix) {
@@ -56,9 +68,14 @@ CoarseGrid downsample(std::int64_t nx, std::int64_t ny, std::span<const double> 
           if (mask.empty() || mask[i] != 0) block.add(gap[i]);
         }
       }
-      coarse.gap.push_back(block.value());
-      if (!mask.empty()) coarse.mask.push_back(block.empty() ? 0 : 1);
+      out[cx] = block.value();
+      if (!mask.empty()) coarse.mask[static_cast<std::size_t>(cy * coarse.nx + cx)] = block.empty() ? 0 : 1;
     }
+  };
+  if (each_row) {
+    each_row(coarse.ny, take_row);
+  } else {
+    for (std::int64_t cy = 0; cy < coarse.ny; ++cy) take_row(cy);
   }
   return coarse;
 }

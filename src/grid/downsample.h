@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct CoarseGrid {
 
 // Halves a grid of nx * ny gaps, point (ix, iy) at iy*nx + ix. Coarse point (ix, iy) stands for the fine points 2*ix, 2*ix + 1 by
 // 2*iy, 2*iy + 1; of odd sizes the last blocks are smaller. mask empty: all points; 0: the point's gap is not read.
+// each_row(rows, act) calls act(row) for every coarse row, in any order and by any threads.
+using EachRow = std::function<void(std::int64_t rows, const std::function<void(std::int64_t)>& act)>;
 CoarseGrid downsample(std::int64_t nx, std::int64_t ny, std::span<const double> gap, std::span<const std::uint8_t> mask,
-                      Filter filter);
+                      Filter filter, const EachRow& each_row = {});
 
 }  // namespace rc

@@ -28,6 +28,11 @@ void Operator::bind(const TrialSet& trial) {
   bound_ = true;
 }
 
+bool Operator::forget() {
+  bound_ = false;
+  return backend_.forget && backend_.forget(self_) == RC_OK;
+}
+
 rc_status Operator::apply(const double* x, double* y) {
   if (ask_)
     if (const rc_status stop = ask_(); stop != RC_OK) return stop;
@@ -54,6 +59,15 @@ void Operator::field(std::span<const double> x, std::span<double> y) {
   raise_if_failed(backend_.field(self_, x.data(), y.data()), "the product over all points");
   if (scale_ != 1)
     for (double& value : y) value /= scale_;
+}
+
+void Operator::screen(std::span<const double> x, rc_screen& request) {
+  ++applications_;
+  clear_message();
+  request.unit /= scale_;
+  raise_if_failed(backend_.screen(self_, x.data(), &request), "the search for overlapping points");
+  if (scale_ != 1)
+    for (std::int64_t i = 0; i < trial_.n; ++i) request.y[i] /= scale_;
 }
 
 rc_status Operator::subset(std::span<const std::int64_t> a, const double* b, double* x, double tol) {

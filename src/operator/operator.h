@@ -36,12 +36,17 @@ class Operator {
   void bind(const TrialSet& trial);
   const TrialSet& trial() const { return trial_; }
 
+  // As new, but for the count of products. False where the backend cannot: then make a new one.
+  bool forget();
+
   // Asked before every product; a status other than 0 stops it.
   void watch(std::function<rc_status()> ask) { ask_ = std::move(ask); }
 
   rc_status apply(const double* x, double* y);                 // y = H[T,T] x
   rc_status apply_float(const float* x, float* y);             // likewise; only with RC_CAP_FLOAT
   void field(std::span<const double> x, std::span<double> y);  // y = H[all,T] x
+  // H[T,T] x into request.y and the points outside that overlap; only with RC_CAP_SCREEN. unit: of H x as `apply` gives it.
+  void screen(std::span<const double> x, rc_screen& request);
   std::int64_t modelled() { return backend_.modelled(self_); }
 
   // H[a,a] x = b for ascending positions a in the trial set: the backend's factorisation, or conjugate gradients on `apply` from

@@ -12,12 +12,12 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "solvers/haar_nested.h"
 #include "solvers/haar_passes.h"
-#include "solvers/haar_tree.h"
+#include "solvers/haar_trees.h"
 #include "solvers/solver.h"
-#include "solvers/vector_math.h"
 
 namespace rc {
 
@@ -63,15 +63,14 @@ Cells cells_of(const rc_grid& grid, std::int64_t n) {
 
 template <class Real> class Iteration {
  public:
-  Iteration(const Problem& problem, Vector& p, double& d)
+  Iteration(const Problem& problem, std::span<double> p, double& d)
       : problem_(problem),
         team_(problem.team()),
         d_(d),
-        s_(problem.size(), problem.u(), p.data()),
+        trees_(planted()),
+        s_(problem.size(), {problem.u(), problem.grid(), problem.length_unit()}, p.data(), trees_.bytes(), team_),
         hopeless_(static_cast<int>(problem.option_int("haar-cg.patience"))) {
-    for (double& value : p) value = std::max(value, 0.0);
-    highest_ = *std::max_element(s_.u, s_.u + s_.n);
-    plant();
+    trees_.place(s_.tree_spare());
   }
 
   rc_status run() {
@@ -82,7 +81,7 @@ template <class Real> class Iteration {
   }
 
  private:
-  void plant() {
+  HaarTrees planted() {
     const rc_grid& grid = *problem_.grid();
     CouplingTable table{std::min(grid.nx, table_side), std::min(grid.ny, table_side), {}, grid.hx, grid.hy};
     problem_.coefficients(table.mx, table.my, table.k);
@@ -98,10 +97,7 @@ template <class Real> class Iteration {
       if (load_control()) mean_ = mean;
       periodic_mean_ = mean;
     }
-    const Cells cells = cells_of(grid, s_.n);
-    trees_.reserve(2);
-    trees_.emplace_back(cells, table, false);
-    trees_.emplace_back(cells, table, true);
+    return HaarTrees(cells_of(grid, problem_.size()), table);
   }
 
   // The operator with the trees' mean: it only shifts the datum by a multiple of the load, and without it the load of a periodic
@@ -109,9 +105,7 @@ template <class Real> class Iteration {
   template <class Value> void product(const Value* x, Value* y) const {
     problem_.apply(x, y);
     if (mean_ == 0) return;
-    const auto n = static_cast<std::size_t>(s_.n);
-    const double mean = mean_ * sum_of(n, [&](std::size_t i) { return static_cast<double>(x[i]); });
-    for (std::size_t i = 0; i < n; ++i) y[i] += static_cast<Value>(mean);
+    raise(s_.n, mean_ * total(s_.n, x, team_), y, team_);
   }
   bool load_control() const { return problem_.load_control(); }
   double scale() const {
@@ -121,6 +115,7 @@ template <class Real> class Iteration {
   double worst() const { return std::max(now_.largest / scale(), imbalance()); }
 
   void refresh() {
+    prepared_ = false;
     product(static_cast<const double*>(s_.p), s_.double_spare());
     now_ = replace_and_measure(s_, s_.double_spare(), datum_, team_);
     since_refresh_ = 0;
@@ -128,20 +123,19 @@ template <class Real> class Iteration {
   }
 
   void start() {
-    const bool warm = std::any_of(s_.p, s_.p + s_.n, [](double value) { return value > 0; });
+    const HaarStart given = begin(s_, team_);
+    highest_ = given.highest;
     if (load_control()) datum_ = (d_ > 0 ? d_ : 0.5) + mean_ * problem_.load();
-    if (!warm) {
-      std::fill_n(s_.double_spare(), s_.n, 0.0);
-      now_ = replace_and_measure(s_, s_.double_spare(), datum_, team_);
+    if (!given.warm) {
+      now_ = replace_and_measure(s_, nullptr, datum_, team_);
       exact_ = worst();
     } else {
       refresh();
       // A start that is worse than no pressure is reduced to its best multiple.
-      const double work = std::inner_product(s_.p, s_.p + s_.n, s_.u, 0.0) + datum_ * now_.load;
+      const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
       const double curved = now_.moment + work;
       if (0.5 * curved > work) {
-        const double factor = curved > 0 ? std::max(0.0, work / curved) : 0;
-        for (std::int64_t i = 0; i < s_.n; ++i) s_.p[i] *= factor;
+        multiply(s_, curved > 0 ? std::max(0.0, work / curved) : 0, team_);
         refresh();
       }
     }
@@ -149,27 +143,25 @@ template <class Real> class Iteration {
   }
 
   void choose(double threshold) {
-    if (!choose_set(s_, threshold, team_) && prepared_) return;
-    prepared_ = true;
-    // The trees take turns on one scratch, in which set_up leaves nothing that apply needs.
-    for (HaarTree& tree : trees_) tree.set_up(s_.active.data(), static_cast<float>(periodic_mean_ - mean_), scratch_, team_);
+    if (choose_set(s_, threshold, team_)) prepared_ = false;
   }
 
-  // z = M g on the contact set, z = first spare. Returns (z, q) where wanted.
+  // z = M g on the contact set, 0 elsewhere, z = first spare; g null: of ones. Returns (z, q) where wanted. The trees share
+  // their memory with the other spares.
   double precondition(const Real* g, const Real* q) {
-    const Real half{0.5};
-    trees_[0].apply(g, s_.active.data(), half, true, s_.first_spare(), static_cast<const Real*>(nullptr), scratch_, team_);
-    return trees_[1].apply(g, s_.active.data(), half, false, s_.first_spare(), q, scratch_, team_);
+    if (!prepared_) trees_.set_up(s_.active, static_cast<float>(periodic_mean_ - mean_), team_);
+    prepared_ = true;
+    return trees_.apply(g, s_.active, s_.first_spare(), q, team_);
   }
 
   // One step along a conjugate direction; pressures may become negative until the next bound.
   void step() {
-    const double zq = precondition(s_.w.data(), conjugate_ ? s_.q.data() : nullptr);
+    const double zq = precondition(s_.w, conjugate_ ? s_.q : nullptr);
     const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
     const double slope = turn(s_, s_.first_spare(), static_cast<Real>(beta), team_);
-    product(static_cast<const Real*>(s_.t.data()), s_.q.data());
+    product(static_cast<const Real*>(s_.t), s_.q);
     conjugate_ = true;
-    curvature_ = curvature(s_, team_);
+    curvature_ = inner<Real>(s_, s_.t, s_.q, team_);
     if (std::isnan(curvature_)) problem_.fail("haar-cg: the operator returned values that are not finite");
     ++phase_;
     const bool last = phase_ >= interval_ || !(curvature_ > 0);
@@ -187,7 +179,10 @@ template <class Real> class Iteration {
   void bound() {
     phase_ = 0;
     if (++since_refresh_ >= refresh_every) return refresh();
-    if (cut_any_) product(static_cast<const Real*>(s_.first_spare()), s_.second_spare());
+    if (cut_any_) {
+      prepared_ = false;
+      product(static_cast<const Real*>(s_.first_spare()), s_.second_spare());
+    }
     now_ = add_and_measure(s_, cut_any_ ? s_.second_spare() : nullptr, 0.0, team_);
   }
 
@@ -197,27 +192,21 @@ template <class Real> class Iteration {
   }
 
   // Of the multiples of z = M 1 that of least energy is 1'z / z'Hz: its error is of second order in that of M.
-  double measured_excess(double sum, Real* hz) {
-    Real* const z = s_.first_spare();
-    for (std::int64_t i = 0; i < s_.n; ++i)
-      if (!s_.active[static_cast<std::size_t>(i)]) z[i] = 0;
-    product(static_cast<const Real*>(z), hz);
-    const double energy = sum_of(static_cast<std::size_t>(s_.n),
-                                 [&](std::size_t i) { return static_cast<double>(z[i]) * static_cast<double>(hz[i]); });
+  double measured_excess(double sum) {
+    prepared_ = false;
+    const Real* const z = s_.first_spare();
+    product(z, s_.second_spare());
+    const double energy = inner<Real>(s_, z, s_.second_spare(), team_);
     return energy > 0 ? std::clamp(sum / energy, least_excess, most_excess) : 1;
   }
 
   // Newton's step of the approach on the load.
   void balance() {
     choose(0);
-    Real* const ones = s_.second_spare();
-    std::fill_n(ones, s_.n, Real{1});
-    const double pending = precondition(ones, s_.w.data());
-    const Real* const z = s_.first_spare();
-    const double sum =
-        sum_of(static_cast<std::size_t>(s_.n), [&](std::size_t i) { return s_.active[i] ? static_cast<double>(z[i]) : 0.0; });
+    const double pending = precondition(nullptr, s_.w);
+    const double sum = total<Real>(s_.n, s_.first_spare(), team_);
     if (!(sum > 0)) return;
-    if (excess_ == 0) excess_ = measured_excess(sum, ones);
+    if (excess_ == 0) excess_ = measured_excess(sum);
     const double depth = scale(), missing = problem_.load() - now_.load + excess_ * pending;
     // What the last step left of the missing load tells the true slope: at once where the step was too long.
     const double left = missing / missing_;
@@ -239,7 +228,7 @@ template <class Real> class Iteration {
       return;
     }
     const double factor = now_.load > 0 ? problem_.load() / now_.load : 1;
-    for (std::int64_t i = 0; i < s_.n; ++i) s_.p[i] *= factor;
+    multiply(s_, factor, team_);
     refresh();
     if (now_.load > 0) lower(now_.moment / now_.load);
     exact_ = worst();
@@ -294,13 +283,12 @@ template <class Real> class Iteration {
 
   const Problem& problem_;
   const rc_team& team_;
-  double& d_;  // approach, in load control
+  double& d_;                 // approach, in load control
+  double periodic_mean_ = 0;  // what the trees' operator adds to every coefficient
+  double mean_ = 0;           // that mean where it is added to the operator
+  HaarTrees trees_;
   HaarState<Real> s_;
   HaarMeasure now_;
-  std::vector<HaarTree> trees_;
-  HaarScratch scratch_;
-  double periodic_mean_ = 0;         // what the trees' operator adds to every coefficient
-  double mean_ = 0;                  // that mean where it is added to the operator
   double highest_ = 0;               // largest u
   double exact_ = 1;                 // residual of the last product in double precision
   double datum_ = 0;                 // w = H p - u - datum
@@ -318,7 +306,7 @@ constexpr rc_option_spec hopeless =
     int_option("haar-cg.patience", "120", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
 const rc_option_spec* const specs[] = {&products, &nested, &hopeless};
 
-rc_status solve(const Problem& problem, Vector& p, double& d) {
+rc_status solve(const Problem& problem, std::span<double> p, double& d) {
   if (problem.has_float() && problem.option_text("haar-cg.products") == "mixed") return Iteration<float>(problem, p, d).run();
   return Iteration<double>(problem, p, d).run();
 }
@@ -327,16 +315,16 @@ rc_status solve(const Problem& problem, Vector& p, double& d) {
 
 const Options haar_cg_options = listed(specs);
 
-rc_status haar_cg(const Problem& problem, Vector& p, double& d) {
-  const bool cold = std::all_of(p.begin(), p.end(), [](double value) { return !(value > 0); });
-  if (cold && problem.option_int("haar-cg.nested") != 0) start_nested(problem, p, d);
+rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
+  if (problem.option_int("haar-cg.nested") != 0 && !any_positive(problem.size(), p.data(), problem.team()))
+    start_nested(problem, p, d);
   const rc_status status = solve(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
   // Pivoting is finite whatever the surface.
   problem.note("haar-cg: stalled; nnls finished");
   Positions all(p.size());
   std::iota(all.begin(), all.end(), std::int64_t{0});
-  const rc_status finished = problem.inner("nnls", all, problem.tol(), p, nullptr);
+  const rc_status finished = problem.inner("nnls", all, problem.tol(), p.data(), nullptr);
   if (finished < 0) throw Leave{finished};
   return finished;
 }

@@ -1,16 +1,29 @@
 #include "solvers/haar_loops.h"
 
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <immintrin.h>
+#endif
+
+#include "solvers/haar_rows.h"
+
 namespace rc {
 
 namespace {
 
 typedef double Doubles __attribute__((vector_size(64), aligned(8), may_alias));
+typedef float Floats __attribute__((vector_size(32), aligned(4), may_alias));
+typedef std::int32_t Integers __attribute__((vector_size(32)));
+typedef std::uint32_t Words __attribute__((vector_size(32)));
+typedef std::int16_t Shorts __attribute__((vector_size(16), aligned(2), may_alias));
+typedef std::uint16_t HalfWords __attribute__((vector_size(16), aligned(2), may_alias));
+typedef std::uint64_t Eightfold __attribute__((aligned(1), may_alias));
 typedef std::uint8_t Bytes __attribute__((vector_size(8), aligned(1), may_alias));
+typedef std::uint8_t ManyBytes __attribute__((vector_size(16), aligned(1), may_alias));
 
 template <class R> struct Eight;
 template <> struct Eight<float> {
-  typedef float Value __attribute__((vector_size(32), aligned(4), may_alias));
-  typedef std::int32_t Mask __attribute__((vector_size(32)));
+  typedef Floats Value;
+  typedef Integers Mask;
 };
 template <> struct Eight<double> {
   typedef Doubles Value;
@@ -22,9 +35,21 @@ template <> struct Eight<double> {
 #define RC_AT(Type, to) (*reinterpret_cast<Type*>(to))
 #define RC_TOTAL(v) ((((v)[0] + (v)[1]) + ((v)[2] + (v)[3])) + (((v)[4] + (v)[5]) + ((v)[6] + (v)[7])))
 
+constexpr float most_share = 32767;  // in units of HaarBlocks::w
+constexpr float detail = 0.5F;       // damping of the differences inside a block
+constexpr float least_pivot = 1e-12F;
+
 namespace baseline {
 #define RC_TARGET
+inline Floats looked_up(const float* table, const Integers& at) {
+  Floats found;
+  for (int i = 0; i < 8; ++i) found[i] = table[at[i]];
+  return found;
+}
+#define RC_LOOKUP(table, at) looked_up(table, at)
 #include "solvers/haar_loops.inc"
+#include "solvers/haar_rows.inc"
+#undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace baseline
 
@@ -33,29 +58,59 @@ namespace baseline {
 
 namespace avx2 {
 #define RC_TARGET __attribute__((target("avx2")))
+// The upper eight where bit 3 is set.
+#define RC_LOOKUP(table, at)                                                                       \
+  ((Floats)_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), (__m256i)(at)),       \
+                            _mm256_permutevar8x32_ps(_mm256_loadu_ps((table) + 8), (__m256i)(at)), \
+                            _mm256_castsi256_ps(_mm256_slli_epi32((__m256i)(at), 28))))
 #include "solvers/haar_loops.inc"
+#include "solvers/haar_rows.inc"
+#undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace avx2
 
 namespace avx512 {
 #define RC_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
+#define RC_LOOKUP(table, at) ((Floats)_mm256_permutex2var_ps(_mm256_loadu_ps(table), (__m256i)(at), _mm256_loadu_ps((table) + 8)))
 #include "solvers/haar_loops.inc"
+#include "solvers/haar_rows.inc"
+#undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace avx512
 #endif
 
 }  // namespace
 
-template <class Real> HaarLoops<Real> best_haar_loops() {
+namespace {
+
+enum class Vectors { baseline, avx2, avx512 };
+
+Vectors best() {
 #ifdef RC_HAS_WIDER
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq"))
-    return avx512::loops<Real>;
-  if (__builtin_cpu_supports("avx2")) return avx2::loops<Real>;
+    return Vectors::avx512;
+  if (__builtin_cpu_supports("avx2")) return Vectors::avx2;
 #endif
-  return baseline::loops<Real>;
+  return Vectors::baseline;
 }
+
+}  // namespace
+
+#ifdef RC_HAS_WIDER
+#define RC_BEST(loops)         \
+  const Vectors with = best(); \
+  return with == Vectors::avx512 ? avx512::loops : with == Vectors::avx2 ? avx2::loops : baseline::loops
+#else
+#define RC_BEST(loops) return baseline::loops
+#endif
+
+template <class Real> HaarLoops<Real> best_haar_loops() { RC_BEST(loops<Real>); }
+HaarRows best_haar_rows() { RC_BEST(rows); }
+template <class Real> HaarFinest<Real> best_haar_finest() { RC_BEST(finest<Real>); }
 
 template HaarLoops<float> best_haar_loops();
 template HaarLoops<double> best_haar_loops();
+template HaarFinest<float> best_haar_finest();
+template HaarFinest<double> best_haar_finest();
 
 }  // namespace rc

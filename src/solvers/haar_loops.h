@@ -11,22 +11,24 @@ struct HaarMeasure {
   double moment = 0;           // sum of p w
 };
 
-// What becomes of w: w + change, w - shift, product - u - shift.
-enum class HaarUpdate { add, lower, replace };
+// What becomes of w: w + change, w - shift, product - u - shift, -u - shift.
+enum class HaarUpdate { add, lower, replace, begin };
 
-// Over n values from the pointers on; sums are in a fixed order.
+// Over n values from the pointers on; sums are in a fixed order. All pressures are in the contact set `active`.
 template <class Real> struct HaarLoops {
   using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const double* product, double shift,
-                                  const double* u, const double* p);
+                                  const double* u, const double* p, const std::uint8_t* active);
 
   // t = z + beta t where active, 0 elsewhere; the sum of w t
   double (*turn)(std::int64_t n, const Real* z, Real beta, Real* t, const Real* w, const std::uint8_t* active);
-  double (*inner)(std::int64_t n, const Real* a, const Real* b);
+  // a is 0 off the contact set
+  double (*inner)(std::int64_t n, const Real* a, const Real* b, const std::uint8_t* active);
   // p -= length t, w -= length q
-  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w);
+  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, const std::uint8_t* active);
   // The same; negative pressures are cut off. Whether there were any.
-  bool (*advance_and_cut)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, Real* cut);
-  Measure add, lower, replace;
+  bool (*advance_and_cut)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, Real* cut,
+                          const std::uint8_t* active);
+  Measure add, lower, replace, begin;
   // active = p > 0 or w < limit; whether it changed
   bool (*choose)(std::int64_t n, const double* p, const Real* w, Real limit, std::uint8_t* active);
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <roughcontact/plugin.hpp>
 
 #include "grid/downsample.h"
 
@@ -10,18 +11,31 @@ namespace rc {
 namespace {
 
 constexpr std::int64_t coarsest_side = 64;
+constexpr std::int64_t chunk = 8192;
 constexpr double coarse_tol = 1e-2;             // of the start: more digits are lost when the pressures are spread
 constexpr std::int64_t remembered = 256 * 256;  // points of a coarse grid whose operator is kept for later steps
 
+// Every point takes the pressure of the coarse cell in which it lies.
+void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressure, std::span<double> p) {
+  const rc_grid& grid = *problem.grid();
+  const double unit = problem.pressure_unit();
+  const auto n = static_cast<std::int64_t>(p.size());
+  roughcontact::for_each(problem.team(), (n + chunk - 1) / chunk, n >= 4 * chunk, [&](std::int64_t item, std::int64_t) {
+    for (std::int64_t i = item * chunk; i < std::min((item + 1) * chunk, n); ++i) {
+      const std::int64_t point = grid.index ? grid.index[i] : i, x = point % grid.nx, y = point / grid.nx;
+      p[static_cast<std::size_t>(i)] = pressure[static_cast<std::size_t>(y / 2 * coarse_nx + x / 2)] / unit;
+    }
+  });
+}
+
 }  // namespace
 
-void start_nested(const Problem& problem, Vector& p, double& d) {
+void start_nested(const Problem& problem, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
   if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
   const auto points = static_cast<std::size_t>(grid.nx * grid.ny);
   const CoarseGrid coarse = downsample(grid.nx, grid.ny, {grid.gap, points}, {grid.mask, grid.mask ? points : 0}, Filter::mean);
   Vector pressure(static_cast<std::size_t>(coarse.nx * coarse.ny));
-  const auto point = [&](std::size_t i) { return grid.index ? grid.index[i] : static_cast<std::int64_t>(i); };
   const double length = problem.length_unit();
 
   rc_coarse request{};
@@ -42,12 +56,10 @@ void start_nested(const Problem& problem, Vector& p, double& d) {
   if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) throw Leave{status};
   if (status < 0) return;
 
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const std::int64_t x = point(i) % grid.nx, y = point(i) / grid.nx;
-    p[i] = pressure[static_cast<std::size_t>(y / 2 * coarse.nx + x / 2)] / problem.pressure_unit();
-  }
+  spread(problem, coarse.nx, pressure, p);
   if (!problem.load_control()) return;
-  const double datum = grid.gap[point(0)] + problem.u()[0] * length;  // u = (datum - gap) / length
+  // u = (datum - gap) / length
+  const double datum = problem.u() ? grid.gap[grid.index ? grid.index[0] : 0] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
 }
 

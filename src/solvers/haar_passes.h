@@ -6,49 +6,67 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "solvers/haar_loops.h"
 
 namespace rc {
 
-// The state of an iteration: w = H p - u - d, a direction with its product, and the contact set. Residuals and directions are
-// in single or double precision.
-template <class Real> struct HaarState {
-  std::int64_t n;
+// u as the problem has it, or from the gap where it has none.
+struct Compenetration {
   const double* u;
-  double* p;
-  std::vector<Real> w, t, q;
-  std::vector<std::uint8_t> active;
-  std::unique_ptr<std::byte[]> spare;  // two vectors of Real, or one of doubles
+  const rc_grid* grid;
+  double length;
 
-  explicit HaarState(std::int64_t size, const double* compenetration, double* pressure)
-      : n(size),
-        u(compenetration),
-        p(pressure),
-        w(static_cast<std::size_t>(size)),
-        t(w.size()),
-        q(w.size()),
-        active(w.size(), 0),
-        spare(new std::byte[w.size() * 2 * sizeof(Real)]) {}
-
-  Real* first_spare() { return reinterpret_cast<Real*>(spare.get()); }
-  Real* second_spare() { return first_spare() + n; }
-  double* double_spare() { return reinterpret_cast<double*>(spare.get()); }
+  // `count` values from `begin` on; `room` holds them where they are made.
+  const double* values(std::int64_t begin, std::int64_t count, double* room) const;
 };
 
+struct HaarStart {
+  double highest;  // largest u
+  bool warm;       // any pressure
+};
+
+// The state of an iteration: w = H p - u - d, a direction with its product, and the contact set. Residuals and directions are
+// in single or double precision. The spare memory holds two vectors of Real, or one of doubles, or one of Real and what `trees`
+// bytes hold: these come after it.
+template <class Real> struct HaarState {
+  std::int64_t n;
+  Compenetration u;
+  double* p;
+  Real *w, *t, *q;
+  std::uint8_t* active;
+  std::byte* spare;
+  std::unique_ptr<std::byte[]> memory;
+
+  // All in the contact set, no direction.
+  HaarState(std::int64_t size, const Compenetration& compenetration, double* pressure, std::size_t trees, const rc_team& team);
+
+  Real* first_spare() { return reinterpret_cast<Real*>(spare); }
+  Real* second_spare() { return first_spare() + n; }
+  double* double_spare() { return reinterpret_cast<double*>(spare); }
+  std::byte* tree_spare() { return reinterpret_cast<std::byte*>(second_spare()); }
+};
+
+// Cuts negative pressures off.
+template <class Real> HaarStart begin(HaarState<Real>& s, const rc_team& team);
+// p *= factor
+template <class Real> void multiply(HaarState<Real>& s, double factor, const rc_team& team);
 // t = z + beta t on the contact set, 0 elsewhere. Returns (w, t).
 template <class Real> double turn(HaarState<Real>& s, const Real* z, Real beta, const rc_team& team);
-// (t, q)
-template <class Real> double curvature(const HaarState<Real>& s, const rc_team& team);
 // p -= length t, w -= length q. With `cut` given, negative pressures are cut off into it: returns whether there were any.
 template <class Real> bool advance(HaarState<Real>& s, double length, Real* cut, const rc_team& team);
 // w += change - shift, where given.
 template <class Real> HaarMeasure add_and_measure(HaarState<Real>& s, const Real* change, double shift, const rc_team& team);
-// w = product - u - shift
+// w = product - u - shift; without a product that of no pressure.
 template <class Real>
 HaarMeasure replace_and_measure(HaarState<Real>& s, const double* product, double shift, const rc_team& team);
 // Points with pressure, and those that overlap by more than the threshold. Returns whether the set changed.
 template <class Real> bool choose_set(HaarState<Real>& s, double threshold, const rc_team& team);
+
+// (a, b), where a is 0 off the contact set
+template <class Real> double inner(const HaarState<Real>& s, const Real* a, const Real* b, const rc_team& team);
+template <class Value> double total(std::int64_t n, const Value* x, const rc_team& team);
+template <class Value> void raise(std::int64_t n, double by, Value* x, const rc_team& team);
+bool any_positive(std::int64_t n, const double* x, const rc_team& team);
 
 }  // namespace rc

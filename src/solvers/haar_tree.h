@@ -1,11 +1,12 @@
-// A multilevel preconditioner for the contact set: a tree of blocks of 2 x 2 cells, each solved exactly for the loads that its
-// children carry, with the weights of least energy. Everything is in single precision.
+// One multilevel tree over the unknowns: blocks of 2 x 2 cells, each solved exactly for the loads that its children carry, with
+// the weights of least energy. Everything is in single precision.
 #pragma once
 
-#include <roughcontact/plugin.h>
-
+#include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "solvers/haar_rows.h"
 
 namespace rc {
 
@@ -24,52 +25,98 @@ struct Cells {
   bool full() const { return x.empty(); }
 };
 
-// Values on the levels above the finest, which trees that take turns may share.
-struct HaarScratch {
-  std::vector<float> g, y;
+// What the finest level works on.
+template <class Real> struct HaarFinestValues {
+  const std::uint8_t* active;  // [unknowns] the contact set
+  const Real* g;               // [unknowns]; null: 1 everywhere
+  const Real* ones;            // without g: [columns]
+  Real* z;                     // [unknowns]
+  Real scale;
+  bool add;
+
+  const Real* row(std::int64_t at) const { return g ? g + at : ones; }
 };
 
+// Work on a level is cut into parts, which may be done at the same time.
 class HaarTree {
  public:
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
   HaarTree(const Cells& cells, const CouplingTable& table, bool shifted);
 
-  // active [unknowns]: the contact set. surplus: a constant in every entry of the table that is not in the operator; it only
-  // shows at the top of the tree.
-  void set_up(const std::uint8_t* active, float surplus, HaarScratch& scratch, const rc_team& team);
-  // z = (first ? 0 : z) + scale * M g on the contact set. Returns the sum of z q over it, where q is given.
-  template <class Real>
-  double apply(const Real* g, const std::uint8_t* active, Real scale, bool first, Real* z, const Real* q, HaarScratch& scratch,
-               const rc_team& team) const;
+  // The tree's values and blocks live in the caller's memory, aligned for floats. What is there is lost where it moves or is
+  // written by others, and set up anew by solve() from the finest level on.
+  std::size_t bytes() const { return values_ * sizeof(float) + blocks_ * sizeof(HaarBlocks); }
+  void place(std::byte* memory) {
+    value_ = reinterpret_cast<float*>(memory);
+    block_ = reinterpret_cast<HaarBlocks*>(memory + values_ * sizeof(float));
+  }
+
+  std::size_t levels() const { return levels_.size() - 1; }
+  std::int64_t blocks(std::size_t level) const { return levels_[level].parents; }
+  std::int64_t parts(std::size_t level) const;
+  bool full() const { return full_; }
+  std::int64_t columns() const { return levels_.front().mx; }  // of cells
+  static std::int64_t rows_per_part(std::int64_t columns);     // of cells
+
+  // Blocks and self couplings, from the finest level up; then the whole, without a constant in every coefficient that is not in
+  // the operator and only shows at the top.
+  void solve_finest(std::int64_t part, const std::uint8_t* active);
+  void solve(std::size_t level, std::int64_t part);
+  void solve_top(float surplus);
+  // Loads up, pressures down.
+  template <class Real> void up_finest(std::int64_t part, const HaarFinestValues<Real>& values);
+  void up(std::size_t level, std::int64_t part);
+  void turn_top();
+  void down(std::size_t level, std::int64_t part);
+  template <class Real> void down_finest(std::int64_t part, const HaarFinestValues<Real>& values);  // where not every cell exists
+  template <class Real> void down_rows(std::int64_t begin, std::int64_t end, const HaarFinestValues<Real>& values);  // of cells
 
  private:
-  // One block: shares of the block's load, and couplings of the differences between children, 01 02 03 12 13 23.
-  struct Block {
-    float w[4], m[6];
-  };
   struct Level {
-    std::int64_t mx, my;              // cells of this level
-    bool merge_x, merge_y;            // how they join to cells of the next
-    std::int64_t shift_x, shift_y;    // 1: the first block is cut
-    double kx, ky, kxy;               // couplings of neighbours along x, y, and across
-    std::int64_t parents;             // number of blocks
-    std::vector<std::int32_t> child;  // [4*parents] where not every cell exists; -1: none
-    std::vector<Block> blocks;        // empty on the finest level, where the pattern of the contact set tells
-    std::size_t offset;               // of its blocks' values in the scratch
+    std::int64_t mx, my;                    // cells of this level
+    bool merge_x = false, merge_y = false;  // how they join to cells of the next
+    std::int64_t shift_x = 0, shift_y = 0;  // 1: the first block is cut
+    HaarCouplings coupling{};               // of neighbours
+    std::int64_t parents = 0;               // number of blocks
+    std::int64_t columns = 0, rows = 0;     // of blocks
+    std::int64_t groups = 0;                // of eight blocks in a row
+    std::int64_t lead_x = 0, lead_y = 0;    // empty cells before the first, so that no block is cut
+    std::int64_t pitch = 0, height = 0;     // columns and rows of values of the cells
+    std::size_t values = 0, blocks = 0;     // where they begin; not on the finest level
+    std::vector<std::int32_t> child{};      // [4*parents] where not every cell exists; -1: none
+  };
+  struct Places {
+    std::int64_t first[16], second[16];  // of the children of eight blocks; -1: none
   };
 
-  static Block solved(const Level& level, const double a[4], unsigned pattern, double& parent);
   void link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const;
-  static std::int64_t items(const Level& level);
-  template <class Visit> static void visit_item(const Level& level, std::int64_t item, const Visit& visit);
-  template <class Visit> static void visit_all(const Level& level, const rc_team& team, const Visit& visit);
+  void lay_out();
+  void tabulate(float self);
+  bool regular(const Level& level) const { return full_ && level.merge_x && level.merge_y; }
+  float* cells(std::size_t level) { return value_ + levels_[level].values; }
+  float* above(std::size_t level, std::int64_t row) {
+    const Level& next = levels_[level + 1];
+    return cells(level + 1) + (row + next.lead_y) * next.pitch + next.lead_x;
+  }
+  HaarBlocks* blocks_of(std::size_t level, std::int64_t row) {
+    return block_ + levels_[level].blocks + static_cast<std::size_t>(row * levels_[level].groups);
+  }
+  void clear_margins(std::size_t level, std::int64_t row);
+  Places places(std::size_t level, std::int64_t row, std::int64_t group) const;
+  template <class Visit> void each_row(std::size_t level, std::int64_t part, const Visit& visit) const;
+  template <class Run, class Single> void each_group(std::int64_t row, const Run& run, const Single& single) const;
+  template <class Real>
+  void down_group(std::int64_t row, std::int64_t group, std::int64_t begin, std::int64_t end,
+                  const HaarFinestValues<Real>& values);
 
-  std::vector<Level> levels_;
-  std::vector<Block> finest_;        // [16] by pattern
-  std::vector<float> finest_above_;  // [16] self coupling of the parent
-  float self_;                       // coefficient of a cell on itself
-  std::size_t above_ = 0;            // values above the finest level
-  float top_ = 0;                    // self coupling of the whole contact set
+  bool full_;
+  std::vector<Level> levels_;  // the last is the whole, one cell
+  HaarPatterns finest_{};
+  HaarRows loops_;
+  std::size_t values_ = 0, blocks_ = 0;
+  float* value_ = nullptr;
+  HaarBlocks* block_ = nullptr;
+  float top_ = 0;  // self coupling of the whole contact set
 };
 
 }  // namespace rc

@@ -27,6 +27,7 @@ std::string Problem::option_text(const char* key) const {
 namespace {
 
 using Function = rc_status (*)(const Problem&, Vector&, double&);
+using InPlace = rc_status (*)(const Problem&, std::span<double>, double&);
 
 template <Function function>
 rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d) {
@@ -46,6 +47,21 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
   return status;
 }
 
+template <InPlace function>
+rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d) {
+  rc_status status;
+  try {
+    status = function(Problem(*host, *problem, *options), {p, static_cast<std::size_t>(problem->n)}, *d);
+  } catch (const Leave& leave) {
+    status = leave.status;
+  } catch (const std::bad_alloc&) {
+    return host->fail(host, RC_ERR_MEMORY, "out of memory in the solver's vectors");
+  }
+  if (status > 0)
+    for (std::int64_t i = 0; i < problem->n; ++i) p[i] = std::max(p[i], 0.0);  // a stop may come midway
+  return status;
+}
+
 const char license[] = "BSD-3-Clause";
 
 // Built at the first query: options of other files are not constants of this one.
@@ -54,12 +70,14 @@ const rc_plugin& plugin() {
   static const rc_solver function##_entry = {                                                                   \
       sizeof(rc_solver),        name,           summary, license, needs, controls, 0, function##_options.count, \
       function##_options.specs, solve<function>};
+#define RC_SOLVER_IN_PLACE RC_SOLVER
 #include "solvers/solvers.def"
 #undef RC_SOLVER
   static const rc_solver* const entries[] = {
 #define RC_SOLVER(function, name, summary, needs, controls) &function##_entry,
 #include "solvers/solvers.def"
 #undef RC_SOLVER
+#undef RC_SOLVER_IN_PLACE
   };
   static const rc_plugin all = {
       sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "solvers", "0.1.0", 0, std::size(entries), nullptr, entries};

@@ -4,6 +4,7 @@
 #include <roughcontact/plugin.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ class Problem {
 
   std::int64_t size() const { return problem_.n; }
   bool load_control() const { return problem_.control == RC_CONTROL_LOAD; }
-  const double* u() const { return problem_.u; }
+  const double* u() const { return problem_.u; }  // null: (approach - gap) / length_unit()
   double load() const { return problem_.load; }
   double tol() const { return problem_.tol; }
   // What residuals are at least relative to: in full periodic contact the compenetration may vanish under any load.
@@ -55,9 +56,12 @@ class Problem {
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
   // Another solver, with pressure on the positions `a` only; product: null, or H p out.
-  rc_status inner(const char* solver, const Positions& a, double tol, Vector& p, Vector* product) const {
-    return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol, p.data(),
+  rc_status inner(const char* solver, const Positions& a, double tol, double* p, Vector* product) const {
+    return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol, p,
                           product ? product->data() : nullptr);
+  }
+  rc_status inner(const char* solver, const Positions& a, double tol, Vector& p, Vector* product) const {
+    return inner(solver, a, tol, p.data(), product);
   }
   rc_status coarse(rc_coarse& request) const { return problem_.coarse(&problem_, &request); }
   void coefficients(std::int64_t mx, std::int64_t my, Vector& out) const {
@@ -107,11 +111,16 @@ constexpr rc_option_spec real_option(const char* key, const char* value, double 
   return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
 }
 
-// Two declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met.
+// Two declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met; one in
+// place works on the caller's array.
 #define RC_SOLVER(function, name, summary, needs, controls)         \
   rc_status function(const Problem& problem, Vector& p, double& d); \
   extern const Options function##_options;
+#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls)          \
+  rc_status function(const Problem& problem, std::span<double> p, double& d); \
+  extern const Options function##_options;
 #include "solvers/solvers.def"
 #undef RC_SOLVER
+#undef RC_SOLVER_IN_PLACE
 
 }  // namespace rc

@@ -66,7 +66,7 @@ AT(rc_system, dense_ld, 64);
 AT(rc_system, apply, 72);
 AT(rc_system, user, 80);
 
-SIZE(rc_step, 48);
+SIZE(rc_step, 56);
 AT(rc_step, struct_size, 0);
 AT(rc_step, control, 8);
 AT(rc_step, warm_start, 12);
@@ -74,6 +74,8 @@ AT(rc_step, target, 16);
 AT(rc_step, gap, 24);
 AT(rc_step, p0, 32);
 AT(rc_step, mask, 40);
+AT(rc_step, borrow, 48);
+AT(rc_step, reserved, 52);
 
 SIZE(rc_result, 504);
 AT(rc_result, struct_size, 0);
@@ -222,7 +224,7 @@ AT(rc_option_spec, minimum, 48);
 AT(rc_option_spec, maximum, 56);
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 2);
+VALUE(RC_PLUGIN_ABI_MINOR, 3);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -272,7 +274,7 @@ AT(rc_domain, n, 8);
 AT(rc_domain, index, 16);
 AT(rc_domain, zero_mode, 24);
 
-SIZE(rc_screen, 80);
+SIZE(rc_screen, 88);
 AT(rc_screen, struct_size, 0);
 AT(rc_screen, approach, 8);
 AT(rc_screen, unit, 16);
@@ -283,8 +285,9 @@ AT(rc_screen, room, 48);
 AT(rc_screen, found, 56);
 AT(rc_screen, depth, 64);
 AT(rc_screen, n_found, 72);
+AT(rc_screen, tile_lowest, 80);
 
-SIZE(rc_backend, 144);
+SIZE(rc_backend, 152);
 AT(rc_backend, struct_size, 0);
 AT(rc_backend, name, 8);
 AT(rc_backend, summary, 16);
@@ -303,6 +306,7 @@ AT(rc_backend, shifted, 112);
 AT(rc_backend, norm, 120);
 AT(rc_backend, apply_float, 128);
 AT(rc_backend, screen, 136);
+AT(rc_backend, forget, 144);
 
 SIZE(rc_grid, 80);
 AT(rc_grid, struct_size, 0);

@@ -57,6 +57,17 @@ Outcome options_of_another_context() {
   return rc_contact_set_options(contact.get(), options);
 }
 
+// The operator is there already, and bound to the same points.
+Outcome tightened_later() {
+  const Scene scene;
+  const auto with = [](const char* tol) { return options_with({{"backend", "fft"}, {"fft.precision", "single"}, {"tol", tol}}); };
+  const ContactHandle contact = made(scene, with("1e-4").get());
+  assert_int_equal(solve(contact.get(), scene), RC_OK);
+  assert_int_equal(rc_contact_set_options(contact.get(), with("5e-6").get()), RC_OK);
+  answer().prepare();
+  return solve(contact.get(), scene);
+}
+
 Outcome long_key() {
   const OptionsHandle options = options_with({});
   return rc_options_parse(options.get(), std::string(100000, 'x').c_str(), "1");
@@ -110,8 +121,27 @@ Section options() {
            set_int("max_iter", INT64_MAX)},
           {"text that is not one of the choices",
            refused,
-           {"option \"fft.planning\" = \"mesure\" is none of estimate|measure; did you mean \"measure\"?"},
+           {"option \"fft.planning\" = \"mesure\" is none of auto|estimate|measure; did you mean \"measure\"?"},
            parse("fft.planning", "mesure"),
+           "fft"},
+          {"tolerance that single precision does not hold",
+           refused,
+           {"rc_solve: ",
+            "fft: tol = 1e-08 is below 1e-05, the limit of fft.precision=single; raise tol or set "
+            "fft.precision=mixed"},
+           [] {
+             return Outcome(solve(Scene(), options_with({{"backend", "fft"}, {"fft.precision", "single"}}).get()));
+           },
+           "fft"},
+          {"the same, set later", refused, {"rc_contact_solve: ", "fft: tol = 5e-06 is below 1e-05"}, tightened_later, "fft"},
+          {"measured plans, which differ from run to run",
+           refused,
+           {"rc_solve: ",
+            "fft: fft.planning=measure takes plans by their time, so that the last bits differ from run to run, but "
+            "deterministic = 1; set deterministic=0 or fft.planning=estimate"},
+           [] {
+             return Outcome(solve(Scene(), options_with({{"backend", "fft"}, {"fft.planning", "measure"}}).get()));
+           },
            "fft"},
           {"read as another type",
            refused,

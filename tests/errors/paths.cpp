@@ -204,6 +204,24 @@ Section paths() {
                refused,
                {"rc_contact_level: level 0 is not in 0 .. -1"},
                [] { return level_after(true, 0); }},
+              {"`rc_contact_points`: contact is null",
+               refused,
+               {"rc_contact_points: contact is null"},
+               [] {
+                 std::int64_t n = 0;
+                 return rc_contact_points(nullptr, 0, nullptr, nullptr, &n);
+               }},
+              {"`rc_contact_points`: n is null",
+               refused,
+               {"rc_contact_points: n is null"},
+               [] { return rc_contact_points(made(Scene()).get(), 0, nullptr, nullptr, nullptr); }},
+              {"`rc_contact_points`: room = -1",
+               refused,
+               {"rc_contact_points: room = -1 must be >= 0"},
+               [] {
+                 std::int64_t n = 0;
+                 return rc_contact_points(made(Scene()).get(), -1, nullptr, nullptr, &n);
+               }},
               {"level -1", refused, {"rc_contact_level: level -1 is not in 0 .. -1"}, [] { return level_after(true, -1); }},
           }};
 }

@@ -136,6 +136,7 @@ Section steps() {
               {"no gap ever given", refused, {"rc_step.gap is null and no earlier step gave one"}, step_with([](Scene& s) {
                  s.step.gap = nullptr;
                })},
+              {"borrow = 2", refused, {"rc_step.borrow = 2 is neither 0 nor 1"}, step_with([](Scene& s) { s.step.borrow = 2; })},
               {"approach at the lowest point: p = 0", RC_OK, {}, untouched_at(0)},
               {"approach below the lowest point: p = 0", RC_OK, {}, untouched_at(-1)},
               {"approach = -1e308: p = 0", RC_OK, {}, untouched_at(-1e308)},

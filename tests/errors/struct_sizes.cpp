@@ -142,7 +142,7 @@ Section struct_sizes() {
                [] { return step_of_size(47); }},
               {"rc_step.struct_size = SIZE_MAX",
                refused,
-               {"rc_step.struct_size = 18446744073709551615 is larger than 4144"},
+               {"rc_step.struct_size = 18446744073709551615 is larger than 4152"},
                [] { return step_of_size(SIZE_MAX); }},
               {"rc_result.struct_size = 0",
                refused,

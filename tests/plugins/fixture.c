@@ -58,7 +58,7 @@ static const rc_option_spec* const options[] = {&order};
   {                                                                                                                         \
     FIXTURE_BACKEND_SIZE, name, "naive products", FIXTURE_LICENSE, RC_CAP_FREE | RC_CAP_PERIODIC | FIXTURE_CAPS, n_options, \
         list, toy_create, toy_destroy, toy_bind, FIXTURE_APPLY, toy_field, toy_modelled, FIXTURE_SUBSET, FIXTURE_SHIFTED,   \
-        FIXTURE_NORM, NULL, NULL                                                                                            \
+        FIXTURE_NORM, NULL, NULL, NULL                                                                                      \
   }
 static const rc_backend first = BACKEND(FIXTURE, 1, options), second = BACKEND(FIXTURE_SECOND, 0, NULL);
 static const rc_backend* const backends[] = {&first, &second};

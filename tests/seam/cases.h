@@ -24,6 +24,9 @@ void constant_vector_has_the_zero_mode(const rc_backend&);
 void nan_is_not_hidden(const rc_backend&);
 void every_choice_of_an_option_gives_the_same_product(const rc_backend&);
 
+// forgetting.cpp
+void forgetting_equals_a_fresh_operator(const rc_backend&);
+
 // floats.cpp
 void float_products_agree_with_double_ones(const rc_backend&);
 void float_products_keep_their_accuracy_at_any_scale(const rc_backend&);

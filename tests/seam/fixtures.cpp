@@ -72,6 +72,8 @@ void Operator::bind(const Index& domain, double zero_mode, bool whole) {
   check(backend_.bind(self_, &bound));
 }
 
+void Operator::forget() { assert_int_equal(backend_.forget(self_), RC_OK); }
+
 Vector Operator::apply(const Vector& x) {
   Vector y(domain_.size(), std::numeric_limits<double>::quiet_NaN());
   check(backend_.apply(self_, x.data(), y.data()));

@@ -44,6 +44,7 @@ class Operator {
 
   // With NULL for the index if `whole`, which must then list every point.
   void bind(const Index& domain, double zero_mode = 0.0, bool whole = false);
+  void forget();
   Vector apply(const Vector& x);
   Vector apply_float(const Vector& x);  // x is rounded to single precision first
   Vector field(const Vector& x);

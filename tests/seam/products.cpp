@@ -117,15 +117,17 @@ void nan_is_not_hidden(const rc_backend& backend) {
 void every_choice_of_an_option_gives_the_same_product(const rc_backend& backend) {
   for (std::int64_t i = 0; i < backend.n_options; ++i) {
     if (!backend.options[i]->choices) continue;
-    const std::string choices = backend.options[i]->choices;
+    const std::string key = backend.options[i]->key, choices = backend.options[i]->choices;
     for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
       end = choices.find('|', begin);
+      const std::string choice = choices.substr(begin, end - begin);
       for_each_problem(backend, 21, 10, 1.0, 1.0, [&](const Problem& problem) {
         StandInHost host(backend);
-        host.set(backend.options[i]->key, choices.substr(begin, end - begin));
+        host.set("deterministic", "0");  // some choices are refused otherwise
+        host.set(key, choice);
         Operator op(backend, host, problem.system());
         op.bind(problem.all(), problem.zero_mode());
-        check_products(problem, op, problem.all(), 1e-13);
+        check_products(problem, op, problem.all(), choice == "single" ? 1e-6 : 1e-13);
       });
     }
   }

@@ -1,4 +1,5 @@
-// The column transforms of backend fft against sums written out, for every instruction set that this processor has.
+// The passes of backend fft's own, over columns and over halves of rows, against sums written out, for every instruction set that
+// this processor has.
 #include <cmath>
 #include <complex>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "fft/column_passes.h"
+#include "fft/half_length_passes.h"
 #include "support/cmocka.hpp"
 
 namespace {
@@ -140,9 +142,58 @@ void columns_are_multiplied_as_the_sums_say(void**) {
   }
 }
 
+// sum over j of x[j] exp(-2 pi i jk/n)
+std::complex<double> wave(const std::vector<std::complex<double>>& x, std::size_t k) {
+  std::complex<double> sum = 0;
+  for (std::size_t j = 0; j < x.size(); ++j)
+    sum += x[j] * std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(j * k % x.size()) / static_cast<double>(x.size()));
+  return sum;
+}
+
+template <class Real> void check_halves(std::size_t length, double tolerance) {
+  using Row = std::vector<std::complex<Real>>;
+  const rc_fft::HalfLength<Real> plan(static_cast<std::int64_t>(length));
+  const std::size_t half = length / 2;
+  std::mt19937 generator(static_cast<unsigned>(length));
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<std::complex<double>> line(length), pairs(half);
+  for (std::complex<double>& value : line) value = number(generator);
+  for (std::size_t j = 0; j < half; ++j) pairs[j] = {line[2 * j].real(), line[2 * j + 1].real()};
+  Row packed(half + 1);
+  for (std::size_t k = 0; k < half; ++k) packed[k] = std::complex<Real>(wave(pairs, k));
+  const auto verify = [&](const char* passes, const auto& to_real, const auto& from_real) {
+    Row row = packed;
+    to_real(plan, row.data());
+    double error = 0;
+    for (std::size_t k = 0; k <= half; ++k) error = std::max(error, std::abs(std::complex<double>(row[k]) - 2.0 * wave(line, k)));
+    from_real(plan, row.data());  // twice what to_real() began with, twice over
+    for (std::size_t k = 0; k < half; ++k)
+      error = std::max(error, 0.25 * static_cast<double>(std::abs(row[k] - Real{4} * packed[k])));
+    if (!(error <= tolerance * static_cast<double>(length)))
+      fail_msg("half of %lld, %s: error %.1e", static_cast<long long>(length), passes, error);
+  };
+  verify(
+      "chosen", [](const auto& p, auto* row) { p.to_real(row); }, [](const auto& p, auto* row) { p.from_real(row); });
+  verify("16 bytes", rc_fft::join_halves<Real, 16, false>, rc_fft::join_halves<Real, 16, true>);
+#ifdef RC_FFT_X86
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    verify("AVX2", rc_fft::join_halves_avx2<Real, false>, rc_fft::join_halves_avx2<Real, true>);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+    verify("AVX-512", rc_fft::join_halves_avx512<Real, false>, rc_fft::join_halves_avx512<Real, true>);
+#endif
+}
+
+void real_lines_are_made_of_halves_as_the_sums_say(void**) {
+  for (const std::size_t n : {2, 4, 6, 8, 10, 30, 34, 62, 64, 66, 70, 96, 128, 130, 270, 384}) {
+    check_halves<double>(n, 1e-15);
+    check_halves<float>(n, 5e-7);
+  }
+}
+
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(columns_are_multiplied_as_the_sums_say)};
+  const CMUnitTest tests[] = {cmocka_unit_test(columns_are_multiplied_as_the_sums_say),
+                              cmocka_unit_test(real_lines_are_made_of_halves_as_the_sums_say)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -64,6 +64,7 @@ struct Statuses {
 };
 Statuses multiply(const std::string& planning, const std::string& wisdom, std::int64_t n = 24) {
   seam::StandInHost host(fft());
+  host.set("deterministic", planning == "measure" ? "0" : "1");
   host.set("fft.planning", planning);
   host.set("fft.wisdom", wisdom);
   const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, n, n, 1.0, 1.0);

@@ -41,6 +41,7 @@ bool has_subset(const rc_backend& backend) { return backend.caps & RC_CAP_SUBSET
 bool has_shifted(const rc_backend& backend) { return backend.caps & RC_CAP_SHIFTED; }
 bool has_norm(const rc_backend& backend) { return backend.caps & RC_CAP_NORM; }
 bool has_float(const rc_backend& backend) { return backend.caps & RC_CAP_FLOAT; }
+bool can_forget(const rc_backend& backend) { return backend.forget != nullptr; }
 bool claims_thread_invariance(const rc_backend& backend) { return backend.caps & RC_CAP_THREAD_INVARIANT; }
 
 #define RC_CASE(function, applies) \
@@ -50,6 +51,7 @@ const Case cases[] = {
     RC_CASE(products_agree_with_the_matrix, always),
     RC_CASE(operator_is_linear_and_symmetric, always),
     RC_CASE(rebinding_equals_a_fresh_operator, always),
+    RC_CASE(forgetting_equals_a_fresh_operator, can_forget),
     RC_CASE(constant_vector_has_the_zero_mode, takes_periodic),
     RC_CASE(nan_is_not_hidden, takes_grids),
     RC_CASE(every_choice_of_an_option_gives_the_same_product, always),

@@ -37,20 +37,34 @@ void precisions_agree() {
   }
 }
 
-void threads_do_not_change_a_bit() {
-  for (const std::int32_t control : controls) {
-    Problem problem = rugged(side, side + 3, 0.7);
-    if (control == RC_CONTROL_LOAD) problem = at_load(problem, solved(problem, haar, {{RC_OPT_TOL, "1e-8"}}).result.load);
-    const auto with = [&](const char* threads) {
-      return solved(problem, haar, {{RC_OPT_THREADS, threads}, {RC_OPT_TOL, "1e-8"}});
-    };
-    const Answer alone = with("1");
-    for (const char* threads : {"2", "3"}) {
-      const Answer shared = with(threads);
-      check_same(shared.p, alone.p, "pressures");
-      check_equal(shared.result.applications, alone.result.applications, "products");
-    }
+void same_bits_for_any_threads(const Problem& problem, const Pair& pair, const char* precision) {
+  const auto with = [&](const char* threads) {
+    return solved(problem, pair,
+                  {{RC_OPT_DETERMINISTIC, "1"},
+                   {RC_OPT_THREADS, threads},
+                   {RC_OPT_TOL, std::string(precision) == "single" ? "1e-5" : "1e-8"},
+                   {"fft.precision", precision}});
+  };
+  const Answer alone = with("1");
+  for (const char* threads : {"1", "2", "3"}) {
+    const Answer shared = with(threads);
+    check_same(shared.p, alone.p, "pressures");
+    check_same(shared.gap, alone.gap, "gap");
+    check_equal(shared.result.applications, alone.result.applications, "products");
   }
+}
+
+void threads_and_runs_do_not_change_a_bit() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const char* backend : {"fft", "split"})
+      for (const std::int32_t control : controls) {
+        const Pair pair{"haar-cg", backend};
+        Problem problem = rugged(side, side + 3, 0.7, boundary);
+        if (!obstacle(pair, problem.system, control).empty()) continue;
+        if (control == RC_CONTROL_LOAD) problem = at_load(problem, solved(problem, haar, {{RC_OPT_TOL, "1e-8"}}).result.load);
+        same_bits_for_any_threads(problem, pair, "mixed");
+        if (pair.backend == "fft") same_bits_for_any_threads(problem, pair, "single");
+      }
 }
 
 void a_coarse_start_saves_products() {
@@ -126,7 +140,7 @@ int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("solvers.haar",
                    {{"precisions_agree", precisions_agree},
-                    {"threads_do_not_change_a_bit", threads_do_not_change_a_bit},
+                    {"threads_and_runs_do_not_change_a_bit", threads_and_runs_do_not_change_a_bit},
                     {"a_coarse_start_saves_products", a_coarse_start_saves_products},
                     {"load_control_costs_little_more", load_control_costs_little_more},
                     {"full_contact_is_no_harder", full_contact_is_no_harder},

@@ -126,11 +126,54 @@ void rebinding_equals_a_fresh_operator(void**) {
     const Floats single = op.apply_float(x);
     Operator fresh(grid);
     fresh.bind(domain);
-    const double scale = largest(field);
-    assert_true(largest_difference(y, fresh.apply(x)) <= accuracy * scale);
-    assert_true(largest_difference(field, fresh.field(x)) <= accuracy * scale);
-    const Floats other = fresh.apply_float(x);
-    assert_true(largest_difference(single, Vector(other.begin(), other.end())) <= float_accuracy * scale);
+    assert_true(y == fresh.apply(x));
+    assert_true(field == fresh.field(x));
+    assert_true(single == fresh.apply_float(x));
+  }
+}
+
+// What is kept from other domains changes nothing: domains that gain tiles around those that they have, up to the whole grid, and
+// the first one again.
+void a_growing_domain_equals_a_fresh_operator(void**) {
+  const Grid grid{620, 560, 1.0, 1.0, "love"};
+  Random random(9);
+  const Vector gap(static_cast<std::size_t>(grid.points()), 0.5);
+  std::vector<char> inside(static_cast<std::size_t>(grid.points()));
+  for (const std::int64_t i : islands({grid.nx / 2, grid.ny / 2, 1.0, 1.0, "love"}, 0.01, random))
+    inside[static_cast<std::size_t>(i / (grid.nx / 2) * grid.nx + i % (grid.nx / 2))] = 1;
+  const auto every_product = [&](Operator& op, const Index& domain, const Vector& x, bool float_first) {
+    op.bind(domain);
+    Floats single;
+    if (float_first) single = op.apply_float(x);
+    Vector all = op.apply(x);
+    if (!float_first) single = op.apply_float(x);
+    all.insert(all.end(), single.begin(), single.end());
+    Vector y(domain.size()), depth(100);
+    Index found(100);
+    rc_screen request{sizeof(rc_screen), 20.0, 1.0, gap.data(), nullptr, y.data(), 100, found.data(), depth.data(), 0, nullptr};
+    op.screen(x, request);
+    for (const Vector& values : {y, depth, op.field(x)}) all.insert(all.end(), values.begin(), values.end());
+    return all;
+  };
+  for (const char* spacing : {"auto", "16"}) {
+    Operator op(grid, spacing);
+    std::vector<char> now = inside;
+    for (int step = 0; step < 9; ++step) {
+      if (step == 8) now = inside;
+      Index domain;
+      for (std::int64_t i = 0; i < grid.points(); ++i)
+        if (now[static_cast<std::size_t>(i)]) domain.push_back(i);
+      const Vector x = pressures(domain, random);
+      Operator fresh(grid, spacing);
+      assert_true(every_product(op, domain, x, true) == every_product(fresh, domain, x, step % 2 == 0));
+      for (int tile = 0; tile < (step < 6 ? 4 : 200); ++tile) {
+        const auto near = [&](std::int64_t length) { return std::min<std::int64_t>(length, (step + 5) * length / 11) / 16; };
+        const auto column = static_cast<std::int64_t>(random()) % near(grid.nx),
+                   row = static_cast<std::int64_t>(random()) % near(grid.ny);
+        for (std::int64_t iy = 16 * row; iy < 16 * row + 16; ++iy)
+          for (std::int64_t ix = 16 * column; ix < 16 * column + 16; ++ix) now[static_cast<std::size_t>(iy * grid.nx + ix)] = 1;
+      }
+    }
   }
 }
 
@@ -152,7 +195,7 @@ void results_do_not_depend_on_threads(void**) {
     for (const double value : op.field(x)) all.push_back(value);
     Vector y(domain.size()), depth(100);
     Index found(100);
-    rc_screen request{sizeof(rc_screen), 20.0, 1.0, gap.data(), nullptr, y.data(), 100, found.data(), depth.data(), 0};
+    rc_screen request{sizeof(rc_screen), 20.0, 1.0, gap.data(), nullptr, y.data(), 100, found.data(), depth.data(), 0, nullptr};
     op.screen(x, request);
     for (const double value : y) all.push_back(value);
     for (const double value : depth) all.push_back(value);

@@ -86,6 +86,7 @@ void every_spacing_is_accurate(void** state);
 void cells_need_not_be_square(void** state);
 void any_domain_is_accurate(void** state);
 void rebinding_equals_a_fresh_operator(void** state);
+void a_growing_domain_equals_a_fresh_operator(void** state);
 void pressure_far_from_the_domain_s_middle_counts(void** state);
 void results_do_not_depend_on_threads(void** state);
 void long_cells_are_refused(void** state);
@@ -96,6 +97,8 @@ void screen_proves_no_more_than_holds(void** state);
 void screen_counts_beyond_its_room(void** state);
 void screen_respects_the_mask(void** state);
 void screen_of_nothing_finds_all_below_the_approach(void** state);
+void known_lowest_gaps_change_nothing(void** state);
+void tiles_known_to_lie_apart_are_not_looked_at(void** state);
 void any_allocation_may_fail(void** state);
 
 }  // namespace split

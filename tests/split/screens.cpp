@@ -1,6 +1,8 @@
 // Overlapping points against products at all points.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "scene.h"
 #include "support/cmocka.hpp"
@@ -45,9 +47,10 @@ struct Answer {
   std::int64_t n_found;
 };
 
-Answer screened(Operator& op, const Index& domain, const Vector& x, const Surface& surface, std::size_t room) {
+Answer screened(Operator& op, const Index& domain, const Vector& x, const Surface& surface, std::size_t room,
+                const double* tile_lowest = nullptr, std::size_t struct_size = sizeof(rc_screen)) {
   Answer answer{Vector(domain.size()), {Index(room), Vector(room)}, -1};
-  rc_screen request{sizeof(rc_screen),
+  rc_screen request{struct_size,
                     surface.approach,
                     surface.unit,
                     surface.gap.data(),
@@ -56,7 +59,8 @@ Answer screened(Operator& op, const Index& domain, const Vector& x, const Surfac
                     static_cast<std::int64_t>(room),
                     answer.found.point.data(),
                     answer.found.depth.data(),
-                    0};
+                    0,
+                    tile_lowest};
   op.screen(x, request);
   answer.n_found = request.n_found;
   const std::size_t filled = std::min(room, static_cast<std::size_t>(request.n_found));
@@ -188,6 +192,57 @@ void screen_of_nothing_finds_all_below_the_approach(void**) {
   check_scene(scene, "auto");
   scene.surface.approach = -1e6;
   check_scene(scene, "auto");
+}
+
+namespace {
+
+// Of the points that are looked at, tile by tile.
+Vector lowest_of_tiles(const Grid& grid, const Surface& surface) {
+  const std::int64_t columns = (grid.nx + 15) / 16, rows = (grid.ny + 15) / 16;
+  Vector lowest(static_cast<std::size_t>(columns * rows), std::numeric_limits<double>::infinity());
+  for (std::int64_t i = 0; i < grid.points(); ++i) {
+    const auto point = static_cast<std::size_t>(i);
+    double& least = lowest[static_cast<std::size_t>(i / grid.nx / 16 * columns + i % grid.nx / 16)];
+    if (surface.mask.empty() || surface.mask[point]) least = std::min(least, surface.gap[point]);
+  }
+  return lowest;
+}
+
+}  // namespace
+
+void known_lowest_gaps_change_nothing(void**) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    Random random(20 + seed);
+    const Scene scene = dilute_scene({220, 201, 1.0, 1.0, "love"}, random, seed % 2 == 1);
+    const Vector lowest = lowest_of_tiles(scene.grid, scene.surface);
+    Operator op(scene.grid);
+    op.bind(scene.domain);
+    const auto room = static_cast<std::size_t>(scene.grid.points());
+    const Answer with = screened(op, scene.domain, scene.x, scene.surface, room, lowest.data());
+    const Answer without = screened(op, scene.domain, scene.x, scene.surface, room);
+    assert_true(with.n_found > 0);
+    assert_int_equal(with.n_found, without.n_found);
+    assert_true(with.y == without.y && with.found.point == without.found.point && with.found.depth == without.found.depth);
+  }
+}
+
+// The gap of such a tile is not read; a caller that does not know the member is not taken at its word.
+void tiles_known_to_lie_apart_are_not_looked_at(void**) {
+  const Grid grid{200, 170, 1.0, 1.0, "love"};
+  const std::int64_t point = 150 * grid.nx + 180;
+  Surface surface{Vector(static_cast<std::size_t>(grid.points()), 10.0), {}, 1.0, 1.0};
+  surface.gap[static_cast<std::size_t>(point)] = -10.0;
+  Vector lowest = lowest_of_tiles(grid, surface);
+  lowest[static_cast<std::size_t>(150 / 16 * 13 + 180 / 16)] = 10.0;
+  const Index domain{0, 1};
+  Operator op(grid);
+  op.bind(domain);
+  const auto found = [&](const double* tile_lowest, std::size_t struct_size) {
+    return screened(op, domain, {1.0, 1.0}, surface, 4, tile_lowest, struct_size).n_found;
+  };
+  assert_int_equal(found(nullptr, sizeof(rc_screen)), 1);
+  assert_int_equal(found(lowest.data(), sizeof(rc_screen)), 0);
+  assert_int_equal(found(lowest.data(), offsetof(rc_screen, tile_lowest)), 1);
 }
 
 }  // namespace split

@@ -10,6 +10,7 @@ int main() {
       cmocka_unit_test(cells_need_not_be_square),
       cmocka_unit_test(any_domain_is_accurate),
       cmocka_unit_test(rebinding_equals_a_fresh_operator),
+      cmocka_unit_test(a_growing_domain_equals_a_fresh_operator),
       cmocka_unit_test(pressure_far_from_the_domain_s_middle_counts),
       cmocka_unit_test(results_do_not_depend_on_threads),
       cmocka_unit_test(long_cells_are_refused),
@@ -20,6 +21,8 @@ int main() {
       cmocka_unit_test(screen_counts_beyond_its_room),
       cmocka_unit_test(screen_respects_the_mask),
       cmocka_unit_test(screen_of_nothing_finds_all_below_the_approach),
+      cmocka_unit_test(known_lowest_gaps_change_nothing),
+      cmocka_unit_test(tiles_known_to_lie_apart_are_not_looked_at),
 #ifdef RC_SPLIT_FAILING_NEW
       cmocka_unit_test(any_allocation_may_fail),
 #endif

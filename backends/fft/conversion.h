@@ -1,0 +1,35 @@
+// Vectors in double precision on their way through products in single precision.
+#pragma once
+
+#include <cstdint>
+#include <roughcontact/plugin.hpp>
+#include <type_traits>
+
+namespace rc_fft {
+
+// x = mean + unit v, where v is what is multiplied, and H x = offset + unit (H v).
+struct Conversion {
+  double mean = 0, unit = 1, offset = 0;
+
+  // Neither direction rounds anything where both are of the same precision.
+  template <class Real, class Outer> Real in(Outer x) const {
+    if constexpr (std::is_same_v<Real, Outer>)
+      return x;
+    else
+      return static_cast<Real>((x - mean) / unit);
+  }
+  template <class Outer, class Real> Outer out(Real y) const {
+    if constexpr (std::is_same_v<Real, Outer>)
+      return y;
+    else
+      return offset + unit * static_cast<Outer>(y);
+  }
+};
+
+// A unit, a power of two, in which v is near 1 and nothing over- or underflows. With zero_mode, the eigenvalue of H for the
+// constant vector, the mean of x over so many `points`, zero but for the n entries, is multiplied apart: a large one, as near
+// full contact, would leave single precision with few digits for what varies.
+Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x);
+Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x, double zero_mode, std::int64_t points);
+
+}  // namespace rc_fft

@@ -1,0 +1,36 @@
+#include "half_length.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "half_length_passes.h"
+
+namespace rc_fft {
+
+namespace {
+
+template <class Real, bool Back> auto pass_for_this_processor() {
+  auto* run = &join_halves<Real, 16, Back>;
+#ifdef RC_FFT_X86
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) run = &join_halves_avx2<Real, Back>;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) run = &join_halves_avx512<Real, Back>;
+#endif
+  return run;
+}
+
+}  // namespace
+
+template <class Real>
+HalfLength<Real>::HalfLength(std::int64_t length)
+    : half_(length / 2), to_real_(pass_for_this_processor<Real, false>()), from_real_(pass_for_this_processor<Real, true>()) {
+  const double turn = -2 * std::numbers::pi / static_cast<double>(length);
+  for (std::int64_t k = 0; k <= half_ / 2; ++k) {
+    re_.push_back(static_cast<Real>(std::sin(turn * static_cast<double>(k))));
+    im_.push_back(static_cast<Real>(-std::cos(turn * static_cast<double>(k))));
+  }
+}
+
+template class HalfLength<double>;
+template class HalfLength<float>;
+
+}  // namespace rc_fft

@@ -1,0 +1,103 @@
+// The pass between the transforms of a real line and of its complex form, for one width of the vector registers.
+#pragma once
+
+#include <utility>
+
+#include "columns.h"
+#include "half_length.h"
+#include "lanes.h"
+
+namespace rc_fft {
+
+template <class Real, int Bytes> struct HalfLengthPass {
+  using V = Vector<Real, Bytes>;
+  static constexpr int lanes = V::lanes;
+  using Lanes = std::make_integer_sequence<int, lanes>;
+  typedef Real Unaligned __attribute__((vector_size(Bytes), may_alias, aligned(sizeof(Real))));
+
+  RC_FFT_INLINE static const Unaligned& at(const Real* p) { return *reinterpret_cast<const Unaligned*>(p); }
+  RC_FFT_INLINE static Unaligned& at(Real* p) { return *reinterpret_cast<Unaligned*>(p); }
+
+  // Of `lanes` complex numbers, in their order and from the last to the first.
+  template <int... I> RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
+    const auto a = at(p), b = at(p + lanes);
+    z.re = __builtin_shufflevector(a, b, (2 * I)...);
+    z.im = __builtin_shufflevector(a, b, (2 * I + 1)...);
+  }
+  template <int... I> RC_FFT_INLINE static void load_back(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
+    const auto a = at(p), b = at(p + lanes);
+    z.re = __builtin_shufflevector(a, b, (2 * (lanes - 1 - I))...);
+    z.im = __builtin_shufflevector(a, b, (2 * (lanes - 1 - I) + 1)...);
+  }
+  template <int... I> RC_FFT_INLINE static void store(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
+    at(p) = __builtin_shufflevector(z.re, z.im, (I / 2 + I % 2 * lanes)...);
+    at(p + lanes) = __builtin_shufflevector(z.re, z.im, (lanes / 2 + I / 2 + I % 2 * lanes)...);
+  }
+  template <int... I> RC_FFT_INLINE static void store_back(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
+    at(p) = __builtin_shufflevector(z.re, z.im, (lanes - 1 - I / 2 + I % 2 * lanes)...);
+    at(p + lanes) = __builtin_shufflevector(z.re, z.im, (lanes / 2 - 1 - I / 2 + I % 2 * lanes)...);
+  }
+
+  // The elements k and M - k; `mirrored` is the latter before, and after.
+  template <bool Back, class Number>
+  RC_FFT_INLINE static void join(Number& re, Number& im, Number& mirrored_re, Number& mirrored_im, const Number& turn_re,
+                                 const Number& turn_im) {
+    const Number sum_re = re + mirrored_re, sum_im = im - mirrored_im;
+    const Number difference_re = re - mirrored_re, difference_im = im + mirrored_im;
+    const Number factor_im = Back ? -turn_im : turn_im;
+    const Number turned_re = difference_re * turn_re - difference_im * factor_im;
+    const Number turned_im = difference_re * factor_im + difference_im * turn_re;
+    re = sum_re + turned_re;
+    im = sum_im + turned_im;
+    mirrored_re = sum_re - turned_re;
+    mirrored_im = turned_im - sum_im;
+  }
+
+  template <bool Back> RC_FFT_INLINE static void run(const HalfLength<Real>& plan, std::complex<Real>* row) {
+    const std::int64_t half = plan.half();
+    Real* const z = reinterpret_cast<Real*>(row);
+    const auto one = [&](std::int64_t k, std::int64_t mirror) {
+      Real re = z[2 * k], im = z[2 * k + 1], mirrored_re = z[2 * mirror], mirrored_im = z[2 * mirror + 1];
+      join<Back>(re, im, mirrored_re, mirrored_im, plan.re()[k], plan.im()[k]);
+      z[2 * mirror] = mirrored_re;
+      z[2 * mirror + 1] = mirrored_im;
+      z[2 * k] = re;
+      z[2 * k + 1] = im;
+    };
+    if (!Back) {
+      z[2 * half] = z[0];
+      z[2 * half + 1] = z[1];
+    }
+    one(0, half);
+    std::int64_t k = 1;
+    for (; k + lanes <= (half + 1) / 2; k += lanes) {
+      Complex<V> a, b;
+      Real* const left = z + 2 * k;
+      Real* const right = z + 2 * (half - k - lanes + 1);
+      load(left, a, Lanes{});
+      load_back(right, b, Lanes{});
+      const typename V::Type turn_re = at(plan.re() + k), turn_im = at(plan.im() + k);
+      join<Back, typename V::Type>(a.re, a.im, b.re, b.im, turn_re, turn_im);
+      store(left, a, Lanes{});
+      store_back(right, b, Lanes{});
+    }
+    for (; k <= half / 2; ++k) one(k, half - k);
+  }
+};
+
+template <class Real, int Bytes, bool Back> void join_halves(const HalfLength<Real>& plan, std::complex<Real>* row) {
+  HalfLengthPass<Real, Bytes>::template run<Back>(plan, row);
+}
+
+#ifdef RC_FFT_X86
+template <class Real, bool Back>
+[[gnu::target("avx2,fma")]] void join_halves_avx2(const HalfLength<Real>& plan, std::complex<Real>* row) {
+  HalfLengthPass<Real, 32>::template run<Back>(plan, row);
+}
+template <class Real, bool Back>
+[[gnu::target("avx512f,avx512dq,fma")]] void join_halves_avx512(const HalfLength<Real>& plan, std::complex<Real>* row) {
+  HalfLengthPass<Real, 64>::template run<Back>(plan, row);
+}
+#endif
+
+}  // namespace rc_fft

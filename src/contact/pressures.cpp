@@ -1,0 +1,36 @@
+#include "contact/pressures.h"
+
+#include <algorithm>
+
+namespace rc {
+
+std::vector<double> Pressures::at(const TrialSet& other) const {
+  if (on == other) return p;
+  std::vector<double> values(static_cast<std::size_t>(other.n), 0.0);
+  if (on.index.empty()) {
+    for (std::size_t i = 0; i < values.size() && !p.empty(); ++i)
+      values[i] = p[static_cast<std::size_t>(other.point(static_cast<std::int64_t>(i)))];
+    return values;
+  }
+  if (other.index.empty()) {
+    for (std::size_t k = 0; k < p.size(); ++k) values[static_cast<std::size_t>(on.index[k])] = p[k];
+    return values;
+  }
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    while (k < p.size() && on.index[k] < other.index[i]) ++k;
+    if (k < p.size() && on.index[k] == other.index[i]) values[i] = p[k];
+  }
+  return values;
+}
+
+void Pressures::write(double* everywhere, std::int64_t points) const {
+  if (!p.empty() && on.index.empty()) {
+    std::copy(p.begin(), p.end(), everywhere);
+    return;
+  }
+  std::fill_n(everywhere, points, 0.0);
+  for (std::size_t k = 0; k < p.size(); ++k) everywhere[on.index[k]] = p[k];
+}
+
+}  // namespace rc

@@ -1,0 +1,116 @@
+#include "solvers/haar_trees.h"
+
+#include <algorithm>
+#include <roughcontact/plugin.hpp>
+#include <vector>
+
+#include "solvers/haar_loops.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t least_shared = 16384;  // blocks of a level below which one thread does it sooner
+constexpr std::int64_t chunk = 8192;          // unknowns of a partial sum where they are not in rows
+
+}  // namespace
+
+HaarTrees::HaarTrees(const Cells& cells, const CouplingTable& table)
+    : tree_{HaarTree(cells, table, false), HaarTree(cells, table, true)},
+      unknowns_(cells.full() ? cells.mx * cells.my : static_cast<std::int64_t>(cells.x.size())) {}
+
+void HaarTrees::place(std::byte* memory) {
+  tree_[0].place(memory);
+  tree_[1].place(memory + tree_[0].bytes());
+}
+
+// Levels above the finest that all threads do together; the smaller ones are done by one thread for each tree.
+std::size_t HaarTrees::shared_levels() const {
+  std::size_t level = 1;
+  while (level < std::min(tree_[0].levels(), tree_[1].levels()) && tree_[0].blocks(level) >= least_shared) ++level;
+  return level;
+}
+
+// work(tree, part) for all parts of a level of both trees.
+template <class Work> void HaarTrees::on_level(std::size_t level, const rc_team& team, const Work& work) {
+  const std::int64_t first = tree_[0].parts(level), all = first + tree_[1].parts(level);
+  roughcontact::for_each(team, all, tree_[0].blocks(level) >= least_shared, [&](std::int64_t part, std::int64_t) {
+    part < first ? work(tree_[0], part) : work(tree_[1], part - first);
+  });
+}
+
+// The same for the finest level, where both trees visit the same unknowns one after the other.
+template <class Work> void HaarTrees::on_finest(const rc_team& team, const Work& work) {
+  const std::int64_t parts[2] = {tree_[0].parts(0), tree_[1].parts(0)};
+  const std::int64_t all = std::max(parts[0], parts[1]);
+  roughcontact::for_each(team, all, tree_[0].blocks(0) >= least_shared, [&](std::int64_t part, std::int64_t) {
+    for (int i = 0; i < 2; ++i)
+      if (part < parts[i]) work(tree_[i], part);
+  });
+}
+
+void HaarTrees::set_up(const std::uint8_t* active, float surplus, const rc_team& team) {
+  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active); });
+  const std::size_t small = shared_levels();
+  for (std::size_t level = 1; level < small; ++level)
+    on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.solve(level, part); });
+  roughcontact::for_each(team, 2, small > 1, [&](std::int64_t i, std::int64_t) {
+    HaarTree& tree = tree_[i];
+    for (std::size_t level = small; level < tree.levels(); ++level)
+      for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.solve(level, part);
+    tree.solve_top(surplus);
+  });
+}
+
+template <class Real>
+double HaarTrees::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team) {
+  const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
+  HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
+  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.up_finest(part, values); });
+  const std::size_t small = shared_levels();
+  for (std::size_t level = 1; level < small; ++level)
+    on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.up(level, part); });
+  roughcontact::for_each(team, 2, small > 1, [&](std::int64_t i, std::int64_t) {
+    HaarTree& tree = tree_[i];
+    for (std::size_t level = small; level < tree.levels(); ++level)
+      for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.up(level, part);
+    tree.turn_top();
+    for (std::size_t level = tree.levels(); level-- > small;)
+      for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.down(level, part);
+  });
+  for (std::size_t level = small; level-- > 1;)
+    on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.down(level, part); });
+
+  const bool parallel = tree_[0].blocks(0) >= least_shared;
+  HaarFinestValues<Real> second = values;
+  second.add = true;
+  const auto inner = best_haar_loops<Real>().inner;
+  std::int64_t piece = chunk;  // unknowns of a partial sum
+  if (tree_[0].full()) {
+    piece = HaarTree::rows_per_part(tree_[0].columns()) * tree_[0].columns();
+  } else {
+    roughcontact::for_each(team, tree_[0].parts(0), parallel,
+                           [&](std::int64_t part, std::int64_t) { tree_[0].down_finest(part, values); });
+    roughcontact::for_each(team, tree_[1].parts(0), parallel,
+                           [&](std::int64_t part, std::int64_t) { tree_[1].down_finest(part, second); });
+    if (!q) return 0;
+  }
+  const std::int64_t pieces = (unknowns_ + piece - 1) / piece;
+  std::vector<double> sums(q ? static_cast<std::size_t>(pieces) : 0, 0.0);
+  roughcontact::for_each(team, pieces, parallel, [&](std::int64_t i, std::int64_t) {
+    const std::int64_t begin = i * piece, end = std::min(begin + piece, unknowns_);
+    if (tree_[0].full()) {
+      tree_[0].down_rows(begin / tree_[0].columns(), end / tree_[0].columns(), values);
+      tree_[1].down_rows(begin / tree_[0].columns(), end / tree_[0].columns(), second);
+    }
+    if (q) sums[static_cast<std::size_t>(i)] = inner(end - begin, z + begin, q + begin, active + begin);
+  });
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+template double HaarTrees::apply(const float*, const std::uint8_t*, float*, const float*, const rc_team&);
+template double HaarTrees::apply(const double*, const std::uint8_t*, double*, const double*, const rc_team&);
+
+}  // namespace rc

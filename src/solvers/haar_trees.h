@@ -1,0 +1,32 @@
+// The preconditioner: the average of two multilevel trees that cut the surface at different places.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include "solvers/haar_tree.h"
+
+namespace rc {
+
+class HaarTrees {
+ public:
+  HaarTrees(const Cells& cells, const CouplingTable& table);
+
+  // The caller's memory, in which all of it lives. set_up() anew where it has moved or was written by others.
+  std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }
+  void place(std::byte* memory);
+
+  // active [unknowns]: the contact set. surplus: a constant in every entry of the table that is not in the operator.
+  void set_up(const std::uint8_t* active, float surplus, const rc_team& team);
+  // z = M g on the contact set, 0 elsewhere; g null: of ones. Returns the sum of z q, where q is given.
+  template <class Real> double apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team);
+
+ private:
+  std::size_t shared_levels() const;
+  template <class Work> void on_level(std::size_t level, const rc_team& team, const Work& work);
+  template <class Work> void on_finest(const rc_team& team, const Work& work);
+
+  HaarTree tree_[2];
+  std::int64_t unknowns_;
+};
+
+}  // namespace rc
