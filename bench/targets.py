@@ -37,7 +37,11 @@ def growth_of(document):
 def against(document, code, surface, control=None):
     """(case, level, our seconds, theirs, our memory over theirs) at the tightest level that both met, by size and contact."""
     found = []
-    mine = {group['case']: group for group in document['groups'] if group['code'] == 'ours'}
+    own = {group['code']: {} for group in document['groups']}
+    for group in document['groups']:
+        own[group['code']][group['case']] = group
+    single = own.get('ours-float', {}) if code.endswith('-float') else {}
+    mine = {**own.get('ours', {}), **single}
     for group in document['groups']:
         case = document['cases'][group['case']]
         if group['code'] != code or case['surface'] != surface or case['control'] != (control or case['control']):

@@ -11,7 +11,7 @@ from charts import Panels, decades  # noqa: E402
 from results import load  # noqa: E402
 
 # A colour a code, a dash and a marker a variant.
-STYLES = {'ours': 'lc rgb "#000000" dt 1 pt 7', 'baseline': 'lc rgb "#777777" dt 1 pt 5',
+STYLES = {'ours': 'lc rgb "#000000" dt 1 pt 7', 'ours-float': 'lc rgb "#000000" dt 2 pt 6', 'baseline': 'lc rgb "#777777" dt 1 pt 5',
           'aspher-fft': 'lc rgb "#D55E00" dt 1 pt 9', 'aspher-h2': 'lc rgb "#D55E00" dt (8,4) pt 11',
           'aspher-fft-float': 'lc rgb "#E69F00" dt 1 pt 8', 'aspher-h2-float': 'lc rgb "#E69F00" dt (8,4) pt 10',
           'aspher-periodic': 'lc rgb "#D55E00" dt (2,3) pt 9', 'tamaas': 'lc rgb "#0072B2" dt 1 pt 13',

@@ -20,7 +20,7 @@ class System(C.Structure):
 
 class Step(C.Structure):
     _fields_ = [('struct_size', C.c_size_t), ('control', C.c_int32), ('warm_start', C.c_int32), ('target', C.c_double),
-                ('gap', DOUBLES), ('p0', DOUBLES), ('mask', C.POINTER(C.c_uint8))]
+                ('gap', DOUBLES), ('p0', DOUBLES), ('mask', C.POINTER(C.c_uint8)), ('borrow', C.c_int32), ('reserved', C.c_int32)]
 
 
 class Result(C.Structure):
@@ -103,7 +103,8 @@ class Contact:
         self.library.c.rc_contact_destroy(self.handle)
 
     def _call(self, function, control, target, gap, pressure):
-        step = Step(struct_size=C.sizeof(Step), control=CONTROLS[control], warm_start=0, target=target, gap=pointer(gap))
+        step = Step(struct_size=C.sizeof(Step), control=CONTROLS[control], warm_start=0, target=target, gap=pointer(gap),
+                    borrow=1)
         result = Result(struct_size=C.sizeof(Result), p=pointer(pressure))
         self.library.check(function(self.handle, C.byref(step), C.byref(result)))
         return result

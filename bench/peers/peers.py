@@ -151,7 +151,7 @@ class Bench:
         """A group that need not be measured again."""
         group = self.store.group(key, name)
         return (not self.arguments.again and group and group['threads'] == self.threads and group['digest'] == self.store.document['cases'][key]['digest'] and
-                (name != 'ours' or group['library'] == self.fingerprint) and
+                (CODES[name].family != 'ours' or group['library'] == self.fingerprint) and
                 group['stopped'] != SPENT and not ('limit' in group['stopped'] and group['limit'] < self.arguments.limit))
 
     def too_slow_before(self, name, case):
@@ -170,7 +170,7 @@ class Bench:
         names = [name for name in case.codes() if name in self.usable]
         problem = self.problem(case)
         groups = {name: {'case': case.key, 'code': name, 'threads': self.threads, 'limit': self.arguments.limit,
-                         'digest': problem['digest'], 'library': self.fingerprint if name == 'ours' else '',
+                         'digest': problem['digest'], 'library': self.fingerprint if CODES[name].family == 'ours' else '',
                          'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'runs': [],
                          'stopped': self.too_slow_before(name, case) or ''}
                   for name in names if not self.measured(name, case.key)}
@@ -200,7 +200,7 @@ class Bench:
                 errors = [answer['error'] for answer in answers if answer.get('error')]
                 if errors:
                     group['stopped'], waiting[name] = errors[0], []
-                if name != 'ours' and best(group, LEVELS[-1]):
+                if CODES[name].family != 'ours' and best(group, LEVELS[-1]):
                     waiting[name] = []
             backwards = not backwards
 

@@ -23,6 +23,7 @@ def aspher(backend, precision, **more):
 FLOAT = {'tols': (1e-3, 1e-4, 1e-5, 2e-6)}  # its floor in single precision is 2e-6
 CODES = {
     'ours': Code('roughcontact', 'ours', '', ('free', 'periodic'), ('load', 'displacement'), (1e-4, 1e-6, 1e-8)),
+    'ours-float': Code('roughcontact, single', 'ours', '', ('free',), ('load',), (1e-4,), options={'fft.precision': 'single'}),
     'baseline': Code('standard Polonsky-Keer, padded FFTW', 'baseline', '', ('free',), ('load', 'displacement'), (1e-8,)),
     'aspher-fft': Code('ASPHER, fft, double', 'aspher', 'aspher', ('free',), options=aspher('fft', 'double')),
     'aspher-h2': Code('ASPHER, h2, double', 'aspher', 'aspher', ('free',), options=aspher('h2', 'double', active_set=True)),
