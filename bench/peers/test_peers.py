@@ -26,15 +26,15 @@ def run(folder, *more):
 
 
 def check_document(document):
-    assert set(document['codes']) == {'ours', 'baseline', 'mirco'} and not document['left_out']
-    assert len(document['calibration']) == 3, document['calibration']
-    for row in document['calibration'].values():
-        assert row['passed'] and row['residual'] <= 1e-6, row
+    assert set(document['codes']) == {'ours', 'ours-float', 'baseline', 'mirco'} and not document['left_out']
+    assert len(document['calibration']) == 4, document['calibration']
+    for name, row in document['calibration'].items():
+        assert row['passed'] and row['residual'] <= (1e-4 if 'float' in name else 1e-6), (name, row)
     controls = {document['cases'][group['case']]['control'] for group in document['groups'] if group['code'] == 'baseline'}
     assert controls == {'load', 'displacement'}
     for group in document['groups']:
         assert not group['stopped'], group
-        assert [run['residual'] <= run['tol'] for run in group['runs']] == [True] * 3, group
+        assert [run['residual'] <= run['tol'] for run in group['runs']] == [True] * (1 if group['code'] == 'ours-float' else 3), group
         assert all(run['peak_bytes'] > run['start_bytes'] >= 0 or group['code'].startswith('ours') for run in group['runs']), group
 
 
