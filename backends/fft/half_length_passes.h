@@ -1,6 +1,7 @@
 // The pass between the transforms of a real line and of its complex form, for one width of the vector registers.
 #pragma once
 
+#include <cstring>
 #include <utility>
 
 #include "columns.h"
@@ -13,29 +14,34 @@ template <class Real, int Bytes> struct HalfLengthPass {
   using V = Vector<Real, Bytes>;
   static constexpr int lanes = V::lanes;
   using Lanes = std::make_integer_sequence<int, lanes>;
-  typedef Real Unaligned __attribute__((vector_size(Bytes), may_alias, aligned(sizeof(Real))));
+  using Plain = typename V::Type;
 
-  RC_FFT_INLINE static const Unaligned& at(const Real* p) { return *reinterpret_cast<const Unaligned*>(p); }
-  RC_FFT_INLINE static Unaligned& at(Real* p) { return *reinterpret_cast<Unaligned*>(p); }
+  // At any address.
+  RC_FFT_INLINE static void get(const Real* p, Plain& v) { std::memcpy(&v, p, Bytes); }
+  RC_FFT_INLINE static void put(Real* p, const Plain& v) { std::memcpy(p, &v, Bytes); }
 
   // Of `lanes` complex numbers, in their order and from the last to the first.
   template <int... I> RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
-    const auto a = at(p), b = at(p + lanes);
+    Plain a, b;
+    get(p, a);
+    get(p + lanes, b);
     z.re = __builtin_shufflevector(a, b, (2 * I)...);
     z.im = __builtin_shufflevector(a, b, (2 * I + 1)...);
   }
   template <int... I> RC_FFT_INLINE static void load_back(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
-    const auto a = at(p), b = at(p + lanes);
+    Plain a, b;
+    get(p, a);
+    get(p + lanes, b);
     z.re = __builtin_shufflevector(a, b, (2 * (lanes - 1 - I))...);
     z.im = __builtin_shufflevector(a, b, (2 * (lanes - 1 - I) + 1)...);
   }
   template <int... I> RC_FFT_INLINE static void store(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
-    at(p) = __builtin_shufflevector(z.re, z.im, (I / 2 + I % 2 * lanes)...);
-    at(p + lanes) = __builtin_shufflevector(z.re, z.im, (lanes / 2 + I / 2 + I % 2 * lanes)...);
+    put(p, __builtin_shufflevector(z.re, z.im, (I / 2 + I % 2 * lanes)...));
+    put(p + lanes, __builtin_shufflevector(z.re, z.im, (lanes / 2 + I / 2 + I % 2 * lanes)...));
   }
   template <int... I> RC_FFT_INLINE static void store_back(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
-    at(p) = __builtin_shufflevector(z.re, z.im, (lanes - 1 - I / 2 + I % 2 * lanes)...);
-    at(p + lanes) = __builtin_shufflevector(z.re, z.im, (lanes / 2 - 1 - I / 2 + I % 2 * lanes)...);
+    put(p, __builtin_shufflevector(z.re, z.im, (lanes - 1 - I / 2 + I % 2 * lanes)...));
+    put(p + lanes, __builtin_shufflevector(z.re, z.im, (lanes / 2 - 1 - I / 2 + I % 2 * lanes)...));
   }
 
   // The elements k and M - k; `mirrored` is the latter before, and after.
@@ -76,8 +82,10 @@ template <class Real, int Bytes> struct HalfLengthPass {
       Real* const right = z + 2 * (half - k - lanes + 1);
       load(left, a, Lanes{});
       load_back(right, b, Lanes{});
-      const typename V::Type turn_re = at(plan.re() + k), turn_im = at(plan.im() + k);
-      join<Back, typename V::Type>(a.re, a.im, b.re, b.im, turn_re, turn_im);
+      Plain turn_re, turn_im;
+      get(plan.re() + k, turn_re);
+      get(plan.im() + k, turn_im);
+      join<Back, Plain>(a.re, a.im, b.re, b.im, turn_re, turn_im);
       store(left, a, Lanes{});
       store_back(right, b, Lanes{});
     }

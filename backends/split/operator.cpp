@@ -73,6 +73,13 @@ Product<T>& Operator::ready(Bound<T>& bound, std::optional<Tables<T>>& tables, c
   return *bound.product;
 }
 
+Product<double>& Operator::domain_product() { return ready(product_, tables_, frame_, Targets::domain); }
+
+// Where the domain's frame is the grid, one product serves both.
+Product<double>& Operator::screen_product() {
+  return frame_ == grid_ ? domain_product() : ready(screen_product_, tables_, grid_, Targets::domain);
+}
+
 template <class T> void Operator::multiply(Product<T>& product, const T* x, T* y) {
   product.load(x);
   roughcontact::for_each(*spec_.team, tiles_.count(), product.parallel(), [&](std::int64_t tile, std::int64_t) {

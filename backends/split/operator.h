@@ -35,7 +35,8 @@ class Operator {
   };
 
   template <class T> Product<T>& ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, Targets targets);
-  Product<double>& domain_product() { return ready(product_, tables_, frame_, Targets::domain); }
+  Product<double>& domain_product();
+  Product<double>& screen_product();
   template <class T> void multiply(Product<T>& product, const T* x, T* y);
 
   const rc_host* host_;

@@ -151,8 +151,7 @@ class Screen {
 }  // namespace
 
 void Operator::screen(const double* x, rc_screen& request) {
-  // Where the domain's frame is the grid, one product serves both.
-  Product<double>& product = frame_ == grid_ ? domain_product() : ready(screen_product_, tables_, grid_, Targets::domain);
+  Product<double>& product = screen_product();
   product.load(x);
   Screen(spec_, grid_, tiles_, product, x, request).run();
 }
