@@ -10,15 +10,15 @@ namespace rc {
 
 namespace {
 
-typedef double Doubles __attribute__((vector_size(64), aligned(8), may_alias));
-typedef float Floats __attribute__((vector_size(32), aligned(4), may_alias));
+typedef double Doubles __attribute__((vector_size(64)));
+typedef float Floats __attribute__((vector_size(32)));
 typedef std::int32_t Integers __attribute__((vector_size(32)));
 typedef std::uint32_t Words __attribute__((vector_size(32)));
-typedef std::int16_t Shorts __attribute__((vector_size(16), aligned(2), may_alias));
-typedef std::uint16_t HalfWords __attribute__((vector_size(16), aligned(2), may_alias));
-typedef std::uint64_t Eightfold __attribute__((aligned(1), may_alias));
-typedef std::uint8_t Bytes __attribute__((vector_size(8), aligned(1), may_alias));
-typedef std::uint8_t ManyBytes __attribute__((vector_size(16), aligned(1), may_alias));
+typedef std::int16_t Shorts __attribute__((vector_size(16)));
+typedef std::uint16_t HalfWords __attribute__((vector_size(16)));
+typedef std::uint64_t Eightfold;
+typedef std::uint8_t Bytes __attribute__((vector_size(8)));
+typedef std::uint8_t ManyBytes __attribute__((vector_size(16)));
 
 template <class R> struct Eight;
 template <> struct Eight<float> {
@@ -30,9 +30,14 @@ template <> struct Eight<double> {
   typedef std::int64_t Mask __attribute__((vector_size(64)));
 };
 
+// A vector at any address: a member of a packed struct, because an alignment that is part of a type's alias can get lost.
+template <class Type> struct __attribute__((packed, may_alias)) Anywhere {
+  Type v;
+};
+
 // Macros: a function would not have the caller's instructions.
-#define RC_READ(Type, from) (*reinterpret_cast<const Type*>(from))
-#define RC_AT(Type, to) (*reinterpret_cast<Type*>(to))
+#define RC_READ(Type, from) (static_cast<Type>(reinterpret_cast<const Anywhere<Type>*>(from)->v))
+#define RC_AT(Type, to) (reinterpret_cast<Anywhere<Type>*>(to)->v)
 #define RC_TOTAL(v) ((((v)[0] + (v)[1]) + ((v)[2] + (v)[3])) + (((v)[4] + (v)[5]) + ((v)[6] + (v)[7])))
 
 constexpr float most_share = 32767;  // in units of HaarBlocks::w
