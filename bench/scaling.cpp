@@ -76,7 +76,8 @@ Json measure_solve(const ScalingRequest& request, std::int64_t n, double area, c
   const rc_system system = unit_square(n);
   Field pressure(area < sparse_area ? 0 : gap.size());
   const double before = resident_memory();
-  const TimedSolve timed = time_solve(system, step, options_of(request, request.tol), request.budget, pressure.empty() ? nullptr : pressure.data());
+  const TimedSolve timed =
+      time_solve(system, step, options_of(request, request.tol), request.budget, pressure.empty() ? nullptr : pressure.data());
   const double peak = std::max(peak_memory(), before);
 
   const double points = static_cast<double>(timed.result.points);

@@ -31,9 +31,7 @@ template <> struct Eight<double> {
 };
 
 // A vector at any address: a member of a packed struct, because an alignment that is part of a type's alias can get lost.
-template <class Type> struct __attribute__((packed, may_alias)) Anywhere {
-  Type v;
-};
+template <class Type> struct __attribute__((packed, may_alias)) Anywhere { Type v; };
 
 // Macros: a function would not have the caller's instructions.
 #define RC_READ(Type, from) (static_cast<Type>(reinterpret_cast<const Anywhere<Type>*>(from)->v))
