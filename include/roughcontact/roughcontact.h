@@ -111,8 +111,8 @@ typedef struct rc_step {
   const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none   */
   const uint8_t *mask; /* [n] 0: this point carries no pressure and its gap is ignored (it may be NaN);
                           NULL with gap given: all points; NULL without gap: as in the previous step        */
-  int32_t borrow;      /* 1: gap and mask are not copied; they stay as they are until a step brings other arrays
-                          or the contact is reset or destroyed. 0: copied (default)                         */
+  int32_t borrow;      /* 1: gap and mask are not copied; they stay as they are until a step that brings other
+                          arrays has returned, or the contact is reset or destroyed. 0: copied (default)    */
   int32_t reserved;    /* 0                                                                                 */
 } rc_step;
 #define RC_STEP_INIT \

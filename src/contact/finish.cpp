@@ -184,7 +184,8 @@ rc_status Contact::finish(const rc_step& step, Answer&& answer, const Monitor& m
   double approach = step.target;
   result.modelled = 0;
   if (answer.op) {
-    const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK;
+    // Screening holds for its own approach alone.
+    const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK && !answer.checked;
     approach = stopped ? fitting_approach(found) : answer.approach;
     result.modelled = answer.op->modelled();
   } else if (step.control == RC_CONTROL_LOAD) {
