@@ -8,7 +8,7 @@ namespace rc_split {
 struct Plan {
   int spacing = 0;                                  // of the coarse grid, in cells; 0: none, every product is summed directly
   double seconds = 0;                               // of a product, roughly
-  bool parallel() const { return seconds > 1e-3; }  // else waking threads costs more than they save
+  bool parallel() const { return seconds > 1e-4; }  // else waking threads costs more than they save
 };
 
 // What is asked for: products at the tiles of the domain, perhaps with a few more, or at all tiles of the frame.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float least_top = 0.1F;  // of what is taken off the top
 constexpr std::int64_t cells_per_part = 32768;
-constexpr std::int64_t groups_per_part = cells_per_part / 32;
+constexpr std::int64_t groups_per_part = 64;  // where they are scattered
 
 // What is at those places, 0 where there is none.
 template <class Value> void gather(const Value* from, const std::int64_t* place, Value* to) {

@@ -31,6 +31,7 @@ std::vector<double> halved(const std::vector<double>& k, std::int64_t mx, std::i
 // Blocks of cells that are given by their places; these become the places of the blocks.
 void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const {
   std::vector<std::int32_t> px, py;
+  level.child.clear();
   const auto column = [&](std::size_t i) { return level.merge_x ? (x[i] + level.shift_x) / 2 : std::int64_t{x[i]}; };
   const auto row = [&](std::size_t i) { return level.merge_y ? (y[i] + level.shift_y) / 2 : std::int64_t{y[i]}; };
   // The rows of a block follow each other; each is in ascending order, so the two are merged.
@@ -107,33 +108,51 @@ HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted)
     } else {
       scale *= level.merge_x && level.merge_y ? 0.5 : std::sqrt(0.5);
     }
-    level.columns = full_ ? mx : level.parents;
+    level.columns = mx;
     level.rows = full_ ? my : 1;
     levels_.push_back(std::move(level));
   }
   levels_.push_back({1, 1});
-  lay_out();
+  size_ = lay_out();
   tabulate(static_cast<float>(table.k[0]));
 }
 
+void HaarTree::take(const Cells& cells, const std::vector<std::int32_t>& unknowns) {
+  std::vector<std::int32_t> x, y;
+  x.reserve(unknowns.size());
+  y.reserve(unknowns.size());
+  for (const std::int32_t unknown : unknowns) {
+    x.push_back(cells.x[static_cast<std::size_t>(unknown)]);
+    y.push_back(cells.y[static_cast<std::size_t>(unknown)]);
+  }
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) link(levels_[l], x, y);
+  for (std::int32_t& child : levels_.front().child)
+    if (child >= 0) child = unknowns[static_cast<std::size_t>(child)];
+  lay_out();
+  if (unknowns.empty()) *this->cells(levels()) = 0;
+}
+
 // Rows of values begin with the cells that a shift leaves out, and are as long as whole groups of blocks read or write.
-void HaarTree::lay_out() {
+HaarTree::Size HaarTree::lay_out() {
+  Size size;
   std::int64_t written = 0;  // values in a row of the level's cells, as the level below writes them
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     Level& level = levels_[l];
+    if (!full_) level.columns = level.parents;
     level.groups = (level.columns + 7) / 8;
     level.lead_x = full_ ? level.shift_x : 0;
     level.lead_y = full_ ? level.shift_y : 0;
     if (l > 0) {
       level.pitch = std::max(level.lead_x + written, full_ ? 16 * level.groups : 0);
       level.height = !full_ ? 1 : level.merge_y ? 2 * level.rows : level.my;
-      level.values = values_;
-      values_ += static_cast<std::size_t>(level.pitch * level.height);
-      level.blocks = blocks_;
-      blocks_ += static_cast<std::size_t>(level.rows * level.groups);
+      level.values = size.values;
+      size.values += static_cast<std::size_t>(level.pitch * level.height);
+      level.blocks = size.blocks;
+      size.blocks += static_cast<std::size_t>(level.rows * level.groups);
     }
     written = 8 * level.groups;
   }
+  return size;
 }
 
 void HaarTree::tabulate(float self) {

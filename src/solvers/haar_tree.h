@@ -43,12 +43,15 @@ class HaarTree {
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
   HaarTree(const Cells& cells, const CouplingTable& table, bool shifted);
 
+  // Where not every cell exists: a tree over some of the unknowns only, in ascending order; after place().
+  void take(const Cells& cells, const std::vector<std::int32_t>& unknowns);
+
   // The tree's values and blocks live in the caller's memory, aligned for floats. What is there is lost where it moves or is
   // written by others, and set up anew by solve() from the finest level on.
-  std::size_t bytes() const { return values_ * sizeof(float) + blocks_ * sizeof(HaarBlocks); }
+  std::size_t bytes() const { return size_.values * sizeof(float) + size_.blocks * sizeof(HaarBlocks); }
   void place(std::byte* memory) {
     value_ = reinterpret_cast<float*>(memory);
-    block_ = reinterpret_cast<HaarBlocks*>(memory + values_ * sizeof(float));
+    block_ = reinterpret_cast<HaarBlocks*>(memory + size_.values * sizeof(float));
   }
 
   std::size_t levels() const { return levels_.size() - 1; }
@@ -85,12 +88,15 @@ class HaarTree {
     std::size_t values = 0, blocks = 0;     // where they begin; not on the finest level
     std::vector<std::int32_t> child{};      // [4*parents] where not every cell exists; -1: none
   };
+  struct Size {
+    std::size_t values = 0, blocks = 0;
+  };
   struct Places {
     std::int64_t first[16], second[16];  // of the children of eight blocks; -1: none
   };
 
   void link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const;
-  void lay_out();
+  Size lay_out();
   void tabulate(float self);
   bool regular(const Level& level) const { return full_ && level.merge_x && level.merge_y; }
   float* cells(std::size_t level) { return value_ + levels_[level].values; }
@@ -113,7 +119,7 @@ class HaarTree {
   std::vector<Level> levels_;  // the last is the whole, one cell
   HaarPatterns finest_{};
   HaarRows loops_;
-  std::size_t values_ = 0, blocks_ = 0;
+  Size size_;  // of the tree over all unknowns
   float* value_ = nullptr;
   HaarBlocks* block_ = nullptr;
   float top_ = 0;  // self coupling of the whole contact set

@@ -1,6 +1,7 @@
 #include "solvers/haar_trees.h"
 
 #include <algorithm>
+#include <cstring>
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
@@ -10,13 +11,15 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t least_shared = 16384;  // blocks of a level below which one thread does it sooner
-constexpr std::int64_t chunk = 8192;          // unknowns of a partial sum where they are not in rows
+// Blocks of a level below which one thread does it sooner: in rows, and scattered.
+constexpr std::int64_t least_shared = 16384, least_scattered = 1024;
+constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where they are not in rows
 
 }  // namespace
 
 HaarTrees::HaarTrees(const Cells& cells, const CouplingTable& table)
     : tree_{HaarTree(cells, table, false), HaarTree(cells, table, true)},
+      cells_(cells),
       unknowns_(cells.full() ? cells.mx * cells.my : static_cast<std::int64_t>(cells.x.size())) {}
 
 void HaarTrees::place(std::byte* memory) {
@@ -27,14 +30,18 @@ void HaarTrees::place(std::byte* memory) {
 // Levels above the finest that all threads do together; the smaller ones are done by one thread for each tree.
 std::size_t HaarTrees::shared_levels() const {
   std::size_t level = 1;
-  while (level < std::min(tree_[0].levels(), tree_[1].levels()) && tree_[0].blocks(level) >= least_shared) ++level;
+  while (level < std::min(tree_[0].levels(), tree_[1].levels()) && worth_sharing(level)) ++level;
   return level;
+}
+
+bool HaarTrees::worth_sharing(std::size_t level) const {
+  return tree_[0].blocks(level) >= (tree_[0].full() ? least_shared : least_scattered);
 }
 
 // work(tree, part) for all parts of a level of both trees.
 template <class Work> void HaarTrees::on_level(std::size_t level, const rc_team& team, const Work& work) {
   const std::int64_t first = tree_[0].parts(level), all = first + tree_[1].parts(level);
-  roughcontact::for_each(team, all, tree_[0].blocks(level) >= least_shared, [&](std::int64_t part, std::int64_t) {
+  roughcontact::for_each(team, all, worth_sharing(level), [&](std::int64_t part, std::int64_t) {
     part < first ? work(tree_[0], part) : work(tree_[1], part - first);
   });
 }
@@ -43,18 +50,31 @@ template <class Work> void HaarTrees::on_level(std::size_t level, const rc_team&
 template <class Work> void HaarTrees::on_finest(const rc_team& team, const Work& work) {
   const std::int64_t parts[2] = {tree_[0].parts(0), tree_[1].parts(0)};
   const std::int64_t all = std::max(parts[0], parts[1]);
-  roughcontact::for_each(team, all, tree_[0].blocks(0) >= least_shared, [&](std::int64_t part, std::int64_t) {
+  roughcontact::for_each(team, all, worth_sharing(0), [&](std::int64_t part, std::int64_t) {
     for (int i = 0; i < 2; ++i)
       if (part < parts[i]) work(tree_[i], part);
   });
 }
 
+// Where points are scattered, trees over those in contact alone.
+void HaarTrees::take(const std::uint8_t* active, const rc_team& team) {
+  const auto n = static_cast<std::size_t>(unknowns_);
+  if (taken_.size() == n && std::memcmp(taken_.data(), active, n) == 0) return;
+  taken_.assign(active, active + n);
+  std::vector<std::int32_t> unknowns;
+  for (std::size_t i = 0; i < n; ++i)
+    if (active[i]) unknowns.push_back(static_cast<std::int32_t>(i));
+  roughcontact::for_each(team, 2, static_cast<std::int64_t>(unknowns.size()) >= least_scattered,
+                         [&](std::int64_t i, std::int64_t) { tree_[i].take(cells_, unknowns); });
+}
+
 void HaarTrees::set_up(const std::uint8_t* active, float surplus, const rc_team& team) {
+  if (!tree_[0].full()) take(active, team);
   on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active); });
   const std::size_t small = shared_levels();
   for (std::size_t level = 1; level < small; ++level)
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.solve(level, part); });
-  roughcontact::for_each(team, 2, small > 1, [&](std::int64_t i, std::int64_t) {
+  roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
     for (std::size_t level = small; level < tree.levels(); ++level)
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.solve(level, part);
@@ -64,13 +84,14 @@ void HaarTrees::set_up(const std::uint8_t* active, float surplus, const rc_team&
 
 template <class Real>
 double HaarTrees::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team) {
+  if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
   const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
   HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
   on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.up_finest(part, values); });
   const std::size_t small = shared_levels();
   for (std::size_t level = 1; level < small; ++level)
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.up(level, part); });
-  roughcontact::for_each(team, 2, small > 1, [&](std::int64_t i, std::int64_t) {
+  roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
     for (std::size_t level = small; level < tree.levels(); ++level)
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.up(level, part);
@@ -81,7 +102,7 @@ double HaarTrees::apply(const Real* g, const std::uint8_t* active, Real* z, cons
   for (std::size_t level = small; level-- > 1;)
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.down(level, part); });
 
-  const bool parallel = tree_[0].blocks(0) >= least_shared;
+  const bool parallel = worth_sharing(0);
   HaarFinestValues<Real> second = values;
   second.add = true;
   const auto inner = best_haar_loops<Real>().inner;

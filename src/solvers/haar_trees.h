@@ -22,11 +22,15 @@ class HaarTrees {
 
  private:
   std::size_t shared_levels() const;
+  bool worth_sharing(std::size_t level) const;
+  void take(const std::uint8_t* active, const rc_team& team);
   template <class Work> void on_level(std::size_t level, const rc_team& team, const Work& work);
   template <class Work> void on_finest(const rc_team& team, const Work& work);
 
   HaarTree tree_[2];
+  Cells cells_;
   std::int64_t unknowns_;
+  std::vector<std::uint8_t> taken_;  // the contact set that the trees stand over, where not every cell exists
 };
 
 }  // namespace rc

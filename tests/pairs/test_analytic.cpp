@@ -74,15 +74,19 @@ void approach_is_hertz(const Pair& pair) {
   check_near(solved(problem, pair).result.displacement, 1 / sphere, 1e-3 / sphere, "approach a^2 / R");
 }
 
-// Load of a square flat punch of side 1 per modulus and approach.
-double punch_load(std::int64_t cells, const std::string& kernel) {
+// A square flat punch of side 1 under unit approach.
+Problem flat_square(std::int64_t cells, const std::string& kernel) {
   Problem problem;
   problem.kernel = kernel;
   problem.system.nx = problem.system.ny = cells;
   problem.system.hx = problem.system.hy = 1 / static_cast<double>(cells);
   problem.gap.assign(problem.points(), 0.0);
   problem.target = 1;
-  return solved(problem, automatic, {{RC_OPT_TOL, "1e-9"}}).result.load;
+  return problem;
+}
+
+double punch_load(std::int64_t cells, const std::string& kernel) {
+  return solved(flat_square(cells, kernel), automatic, {{RC_OPT_TOL, "1e-9"}}).result.load;
 }
 
 struct PunchLoads {
@@ -99,6 +103,24 @@ void punch_converges(const PunchLoads& expected) {
   report(std::string(expected.kernel) + ": " + text(loads[0]) + " " + text(loads[1]) + " " + text(loads[2]) + " " +
          text(loads[3]) + ", extrapolated " + text(2 * loads[3] - loads[2]));
   check_near(2 * loads[3] - loads[2], 1.1523, 5e-4, "extrapolated to h = 0");
+}
+
+// The contact of flat punches does not change with the approach: dW/dd = W/d, 2 a E* for a round one of radius a.
+void punches_are_springs() {
+  const Settings settings = {{RC_OPT_TOL, "1e-9"}, {RC_OPT_STIFFNESS, "1"}};
+  const Problem square = flat_square(64, "love");
+  const rc_result of_square = solved(square, automatic, settings).result;
+  check_near(of_square.stiffness, of_square.load / square.target, 1e-8 * of_square.load, "stiffness of a square");
+  check_near(of_square.stiffness, 1.1523, 0.01 * 1.1523, "stiffness of a square of side 1");
+
+  Problem disc = flat_square(64, "love");
+  disc.system.modulus = 3;
+  for (std::int64_t iy = 0; iy < 64; ++iy)
+    for (std::int64_t ix = 0; ix < 64; ++ix)
+      disc.mask.push_back(std::hypot(static_cast<double>(ix) - 31.5, static_cast<double>(iy) - 31.5) < 32);
+  const rc_result of_disc = solved(disc, automatic, settings).result;
+  check_near(of_disc.stiffness, of_disc.load / disc.target, 1e-8 * of_disc.load, "stiffness of a disc");
+  check_near(of_disc.stiffness, 3, 0.015 * 3, "stiffness 2 a E* of a disc");
 }
 
 void single_cell(const Pair& pair) {
@@ -151,6 +173,7 @@ std::vector<Test> free_tests() {
     tests.push_back(
         {std::string("load_of_a_flat_square_tends_to_1.1523/") + expected.kernel, [=] { punch_converges(expected); }});
   tests.push_back({"area_stiffness_and_energy_of_a_sphere_are_hertz", area_stiffness_and_energy_are_hertz});
+  tests.push_back({"stiffness_of_flat_punches_is_load_over_approach", punches_are_springs});
   add_for_pairs(tests, "approach_of_a_loaded_sphere_is_hertz", RC_BOUNDARY_FREE, approach_is_hertz);
   add_for_pairs(tests, "single_cell_is_a_spring", RC_BOUNDARY_FREE, single_cell);
   add_for_pairs(tests, "two_cells_share_the_load", RC_BOUNDARY_FREE, two_cells);
