@@ -71,8 +71,11 @@ def baseline_table(document):
     ratios = targets.against(document, 'baseline', 'rough') if document else []
     if not ratios:
         return missing('bench/peers/peers.sh build --only ours,baseline')
-    rows = [[f'{case["n"]}²', f'{case["percent"]:g}', case['control'], f'{level:.0e}', seconds(ours), seconds(theirs), f'{theirs / ours:.1f}',
-             f'{memory:.2f}'] for case, level, ours, theirs, memory in ratios]
+    rows = []
+    for each in ratios:
+        more = '> ' if each.at_least else ''
+        rows.append([f'{each.case["n"]}²', f'{each.case["percent"]:g}', each.case['control'], f'{each.level:.0e}', seconds(each.ours),
+                     more + seconds(each.theirs), f'{more}{each.ratio:.1f}', '' if each.at_least else f'{each.memory:.2f}'])
     return table(['grid', 'contact [%]', 'control', 'level', 'roughcontact [s]', 'standard method [s]', 'ratio', 'memory ratio'], rows)
 
 

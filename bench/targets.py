@@ -34,8 +34,31 @@ def growth_of(document):
     return found
 
 
+def over_limit(group):
+    """Seconds that a code was given without an answer at a tighter level, or None."""
+    return group['limit'] if 'limit' in group['stopped'] else None
+
+
+@dataclass(frozen=True)
+class Comparison:
+    case: dict
+    level: float
+    ours: float            # seconds
+    theirs: float          # seconds
+    at_least: bool         # the code was stopped there, without an answer
+    memory: float          # ours over theirs
+
+    @property
+    def ratio(self):
+        return self.theirs / self.ours
+
+    @property
+    def label(self):
+        return f'{self.case["n"]}² {self.case["percent"]:g} % {self.case["control"]}, {"> " if self.at_least else ""}{self.level:.0e}'
+
+
 def against(document, code, surface, control=None):
-    """(case, level, our seconds, theirs, our memory over theirs) at the tightest level that both met, by size and contact."""
+    """Comparisons at the tightest level that we met and that they met or were stopped before, by size and contact."""
     found = []
     own = {group['code']: {} for group in document['groups']}
     for group in document['groups']:
@@ -50,9 +73,12 @@ def against(document, code, surface, control=None):
             ours, theirs = best(mine[group['case']], level) if group['case'] in mine else None, best(group, level)
             if ours and theirs:
                 memory = memory_growth(ours) / memory_growth(theirs) if memory_growth(theirs) > 0 else math.nan
-                found.append((case, level, total(ours), total(theirs), memory))
+                found.append(Comparison(case, level, total(ours), total(theirs), False, memory))
                 break
-    return sorted(found, key=lambda entry: (entry[0]['n'], entry[0]['percent'], entry[0]['control']))
+            if ours and over_limit(group):
+                found.append(Comparison(case, level, total(ours), over_limit(group), True, math.nan))
+                break
+    return sorted(found, key=lambda each: (each.case['n'], each.case['percent'], each.case['control']))
 
 
 @dataclass(frozen=True)
@@ -69,9 +95,8 @@ class Target:
 
 def baseline(document):
     limits = {512: 8, 1024: 15, 2048: 25, 4096: 30}
-    return [(f'{case["n"]}² {case["control"]}', theirs / ours, limits[case['n']])
-            for case, level, ours, theirs, _ in against(document, 'baseline', 'rough')
-            if case['n'] in limits and case['percent'] == 10 and level == TIGHT]
+    return [(each.label, each.ratio, limits[each.case['n']]) for each in against(document, 'baseline', 'rough')
+            if each.case['n'] in limits and each.case['percent'] == 10 and each.level == TIGHT]
 
 
 def products_to_tolerance(document):
@@ -143,11 +168,10 @@ def peer(codes, surface, limit_of, what='time'):
     def find(document):
         found = []
         for code in codes:
-            for case, level, ours, theirs, memory_ratio in against(document, code, surface, 'load'):
-                label = f'{code} {case["n"]}² {case["percent"]:g} % at {level:.0e}'
-                limit = limit_of(case['percent'])
-                if limit:
-                    found.append((label, memory_ratio if what == 'memory' else theirs / ours, limit))
+            for each in against(document, code, surface, 'load'):
+                value, limit = each.memory if what == 'memory' else each.ratio, limit_of(each.case['percent'])
+                if limit and not math.isnan(value):
+                    found.append((f'{code} {each.label}', value, limit))
         return found
     return find
 

@@ -13,6 +13,9 @@ RUNNERS = {'ours': 'run_ours', 'aspher': 'run_aspher', 'tamaas': 'run_tamaas', '
            'nnls': 'run_nnls', 'osqp': 'run_osqp'}
 
 
+TWICE = 5  # seconds: faster solves are done again in the same process
+
+
 def memory(name):
     with open('/proc/self/status') as status:
         for line in status:
@@ -29,6 +32,17 @@ def forget_peak():
         pass
 
 
+def timed(runner, request, gap):
+    """One cold solve, set-up included."""
+    begun = time.perf_counter()
+    code = runner.Code(request, gap)
+    ready = time.perf_counter()
+    pressure = code.solve()
+    done = time.perf_counter()
+    inside = code.setup_inside()  # set-up that the code does within its solving call
+    return {'setup_seconds': ready - begun + inside, 'solve_seconds': done - ready - inside}, pressure, code
+
+
 def main():
     request = json.load(sys.stdin)
     answers = os.dup(1)
@@ -38,16 +52,14 @@ def main():
     forget_peak()
     start, cpu_start = memory('VmHWM'), time.process_time()
     gap = np.load(request['gap'])
-    begun = time.perf_counter()
-    code = runner.Code(request, gap)
-    ready = time.perf_counter()
-    pressure = code.solve()
-    done = time.perf_counter()
+    seconds, pressure, code = timed(runner, request, gap)
     peak, cpu = memory('VmHWM'), time.process_time() - cpu_start
-    inside = code.setup_inside()  # set-up that the code does within its solving call
+    if sum(seconds.values()) < TWICE:  # plans and caches are warm for everyone
+        del pressure, code
+        seconds, pressure, code = timed(runner, request, gap)
     np.save(request['out'], np.asarray(pressure, dtype=np.float64).reshape(gap.shape))
-    answer = {'version': runner.version(request), 'setup_seconds': ready - begun + inside, 'solve_seconds': done - ready - inside,
-              'cpu_seconds': cpu, 'start_bytes': start, 'peak_bytes': peak, 'file': request['out'], **code.details()}
+    answer = {'version': runner.version(request), **seconds, 'cpu_seconds': cpu, 'start_bytes': start, 'peak_bytes': peak,
+              'file': request['out'], **code.details()}
     os.write(answers, json.dumps(answer).encode())
 
 

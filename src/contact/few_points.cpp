@@ -118,7 +118,8 @@ std::optional<Estimate> Contact::coarse_estimate(const rc_step& step, const Moni
     answer = half.solve_few(at, *choice, std::move(*estimate), watch);
     if (!answer) return std::nullopt;
   } else {
-    answer = at.control == RC_CONTROL_LOAD ? half.at_load(at, watch) : half.at_displacement(at, watch);
+    answer = at.control == RC_CONTROL_LOAD ? half.at_load(at, watch, half.coarse_estimate(at, monitor))
+                                           : half.at_displacement(at, watch);
   }
   if (!few(count_positive(answer->p), half.system_.points())) return std::nullopt;
   return Estimate{spread(*answer, coarse, surface_, system_.given.nx, system_.given.ny), answer->approach};

@@ -33,15 +33,20 @@ double Contact::approach_estimate(double load, bool warm) const {
   return height;
 }
 
-Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
+Answer Contact::at_load(const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate) {
   const double lowest = surface_.lowest(), load = step.target / system_.cell_area();
   const double ratio = last_.load > 0 ? step.target / last_.load : infinite;
   const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last_.same_gap;
-  double height = system_.halfspace() ? approach_estimate(step.target, warm) : surface_.highest() - lowest;
+  double height = estimate              ? growth * (estimate->approach - lowest)
+                  : system_.halfspace() ? approach_estimate(step.target, warm)
+                                        : surface_.highest() - lowest;
   if (!(height > 0)) height = load * system_.length_per_pressure;
   rc_step from = step;
   from.warm_start = near;
+  const bool foretold = warm || estimate;
+  const double likely = estimate ? estimate->approach : last_.approach + ahead(step) * (last_.approach - before_.approach);
   std::optional<Pressures> nearer;
+  if (estimate) nearer = std::move(estimate->pressures);
   bool handed_over = false;
   for (int round = 0;; ++round) {
     const double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
@@ -64,13 +69,12 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor) {
     const double shift = trial.zero_mode * wanted / static_cast<double>(system_.points());
     if (direct) {
       const std::vector<double> u = compenetrations(answer, lowest);
-      const double expected = last_.approach + ahead(step) * (last_.approach - before_.approach) - lowest;
-      double d = warm ? std::clamp(expected / height, 0.0, 1.0) : 0;
+      double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
       answer.status = run(answer, monitor)(step.control, u, wanted, solver_tol(), lowest, answer.p, d);
       answer.approach = d;
     } else {
-      double first = warm ? (last_.approach - lowest) / height : 1;
-      if (system_.periodic() && !warm) first = (surface_.mean() - lowest) / height;
+      double first = estimate ? (likely - lowest) / height : warm ? (last_.approach - lowest) / height : 1;
+      if (system_.periodic() && !foretold) first = (surface_.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, monitor);
     }
     if (direct && answer.status == RC_STOP_STALLED && (options_.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
