@@ -86,7 +86,7 @@ def provenance(document):
     left = document.get('left_out') or []
     text = (f'{known["cpu"]}, {known["threads"]} threads a code; roughcontact {known["version"]} ({known["commit"]}), library '
             f'{known["library"]}; Python {known["python"]}, NumPy {known["numpy"]}; {known["date"][:10]}; load average at the start '
-            f'{known["load_average_at_start"]:.1f}; limit {known["limit_seconds"]:g} s a run.')
+            f'{known["load_average_at_start"]:.1f}.')
     return text + (f' Not run, because the budget was spent: {"; ".join(left)}.' if left else '')
 
 
