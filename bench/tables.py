@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """tables.py RESULTS DOCUMENT: writes the tables of the JSON files in the folder RESULTS between the markers of DOCUMENT."""
+import math
 import re
 import sys
 
-from results import load
+from results import groups, load, scene_title, solved, total_seconds
 
 
 def table(titles, rows):
@@ -17,6 +18,10 @@ def seconds(value):
 
 def error(value):
     return '0' if value == 0 else f'{value:.0e}'
+
+
+def digits(tol):
+    return -round(math.log10(tol))
 
 
 def worst_residual(row):
@@ -42,6 +47,24 @@ def product_table(document):
     return table(['grid', 'threads'] + names + ([f'single: {name}' for name in names] if both else []), rows)
 
 
+def accuracy_table(document):
+    rows = []
+    for (scene, n, solver, backend), line in groups(solved(document['rows']), 'scene', 'n', 'solver', 'backend').items():
+        for row in line:
+            if digits(row['tol']) in (2, 4, 8, 12):
+                rows.append([scene_title(scene, n), f'{solver}, {backend}', error(row['tol']), seconds(total_seconds(row)),
+                             str(row['products']), error(row['load_error']), error(row['area_error']), error(row['pressure_error']),
+                             error(worst_residual(row))])
+    return table(['scene', 'solver, backend', 'tol', 'time [s]', 'products', 'load error', 'area error', 'pressure error',
+                  'worst residual'], rows)
+
+
+def grid_table(document):
+    rows = [[scene_title(row['scene'], row['n']), row['against'], error(row['load_error']), error(row['area_error']),
+             error(row['pressure_error'])] for row in document['discretisation']]
+    return table(['scene', 'against', 'load error', 'area error', 'pressure error'], rows)
+
+
 def fill(file, sections):
     """Replaces what stands between the markers of each section of a document."""
     with open(file, encoding='utf-8') as source:
@@ -57,8 +80,9 @@ def fill(file, sections):
 
 def main():
     results, file = sys.argv[1:]
-    products = load(results, 'products')
-    fill(file, {'provenance': provenance(products), 'products': product_table(products)})
+    products, accuracy = load(results, 'products'), load(results, 'accuracy')
+    fill(file, {'provenance': provenance(products), 'products': product_table(products), 'accuracy': accuracy_table(accuracy),
+                'discretisation': grid_table(accuracy)})
 
 
 if __name__ == '__main__':

@@ -118,34 +118,6 @@ module roughcontact
     character(kind=c_char) :: note(160) = c_null_char
   end type
 
-  type, bind(c) :: rc_area
-    integer(c_size_t) :: struct_size = 40
-    integer(c_int64_t) :: contacts = 0
-    real(c_double) :: area = 0, perimeter = 0, corrected_area = 0
-  end type
-
-  type, bind(c) :: rc_patches
-    integer(c_size_t) :: struct_size = 96
-    integer(c_int32_t) :: neighbours = 4, reserved = 0
-    integer(c_int64_t) :: room = 0
-    type(c_ptr) :: label = c_null_ptr, cells = c_null_ptr  ! integer(c_int64_t), patches and points from 0
-    type(c_ptr) :: area = c_null_ptr, perimeter = c_null_ptr, load = c_null_ptr
-    type(c_ptr) :: mean_pressure = c_null_ptr, max_pressure = c_null_ptr
-    type(c_ptr) :: peak = c_null_ptr  ! integer(c_int64_t)
-    integer(c_int64_t) :: count = 0
-  end type
-
-  type, bind(c) :: rc_histogram
-    integer(c_size_t) :: struct_size = 80
-    integer(c_int64_t) :: bins = 0
-    real(c_double) :: upper = 0
-    type(c_ptr) :: counts = c_null_ptr  ! integer(c_int64_t)
-    type(c_ptr) :: density = c_null_ptr
-    real(c_double) :: width = 0
-    integer(c_int64_t) :: contacts = 0, above = 0
-    real(c_double) :: mean_pressure = 0, max_pressure = 0
-  end type
-
   type, bind(c) :: rc_progress
     integer(c_size_t) :: struct_size = 40
     integer(c_int64_t) :: iteration = 0, applications = 0
@@ -207,15 +179,6 @@ module roughcontact
     end subroutine
     subroutine rc_direct_init(result) bind(c); import
       type(rc_direct), intent(out) :: result
-    end subroutine
-    subroutine rc_area_init(area) bind(c); import
-      type(rc_area), intent(out) :: area
-    end subroutine
-    subroutine rc_patches_init(patches) bind(c); import
-      type(rc_patches), intent(out) :: patches
-    end subroutine
-    subroutine rc_histogram_init(histogram) bind(c); import
-      type(rc_histogram), intent(out) :: histogram
     end subroutine
 
     integer(rc_status) function rc_context_create(config, out) bind(c); import
@@ -419,25 +382,6 @@ module roughcontact
       character(kind=c_char), intent(in), optional :: inner(*)
       real(c_double), intent(inout) :: p(nx, *)
       type(rc_direct), intent(inout), optional :: result
-    end function
-
-    integer(rc_status) function rc_area_measure(system, p, mask, out) bind(c); import
-      type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask  ! integer(c_int8_t)
-      type(rc_area), intent(inout) :: out
-    end function
-    integer(rc_status) function rc_patches_find(system, p, mask, out) bind(c); import
-      type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask  ! integer(c_int8_t)
-      type(rc_patches), intent(inout) :: out
-    end function
-    integer(rc_status) function rc_histogram_fill(system, p, mask, out) bind(c); import
-      type(rc_system), intent(in) :: system
-      real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask  ! integer(c_int8_t)
-      type(rc_histogram), intent(inout) :: out
     end function
   end interface
 

@@ -190,40 +190,6 @@ AT(rc_direct, load_lower, 72);
 AT(rc_direct, load_upper, 80);
 AT(rc_direct, note, 88);
 
-SIZE(rc_area, 40);
-AT(rc_area, struct_size, 0);
-AT(rc_area, contacts, 8);
-AT(rc_area, area, 16);
-AT(rc_area, perimeter, 24);
-AT(rc_area, corrected_area, 32);
-
-SIZE(rc_patches, 96);
-AT(rc_patches, struct_size, 0);
-AT(rc_patches, neighbours, 8);
-AT(rc_patches, reserved, 12);
-AT(rc_patches, room, 16);
-AT(rc_patches, label, 24);
-AT(rc_patches, cells, 32);
-AT(rc_patches, area, 40);
-AT(rc_patches, perimeter, 48);
-AT(rc_patches, load, 56);
-AT(rc_patches, mean_pressure, 64);
-AT(rc_patches, max_pressure, 72);
-AT(rc_patches, peak, 80);
-AT(rc_patches, count, 88);
-
-SIZE(rc_histogram, 80);
-AT(rc_histogram, struct_size, 0);
-AT(rc_histogram, bins, 8);
-AT(rc_histogram, upper, 16);
-AT(rc_histogram, counts, 24);
-AT(rc_histogram, density, 32);
-AT(rc_histogram, width, 40);
-AT(rc_histogram, contacts, 48);
-AT(rc_histogram, above, 56);
-AT(rc_histogram, mean_pressure, 64);
-AT(rc_histogram, max_pressure, 72);
-
 SIZE(rc_progress, 40);
 AT(rc_progress, struct_size, 0);
 AT(rc_progress, iteration, 8);

@@ -43,6 +43,5 @@ Section order_of_calls();
 Section paths();
 Section batches();
 Section direct_routines();
-Section analyses();
 
 }  // namespace errors
