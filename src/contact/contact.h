@@ -128,8 +128,8 @@ class Contact {
   void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points) const;
 
   Answer at_displacement(const rc_step& step, Monitor& monitor);
-  // expected: from a coarser grid, where there is one.
-  Answer at_load(const rc_step& step, Monitor& monitor, std::optional<Estimate> expected = std::nullopt);
+  // estimate: from a coarser grid, where there is one.
+  Answer at_load(const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate = std::nullopt);
   double approach_estimate(double load, bool warm) const;
   rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor);
 
