@@ -52,15 +52,16 @@ if [ "$quick" != --quick ]; then
   check .ci/globals.sh build-gcc
   check .ci/no_side_effects.sh build-gcc
 
-  # The numerical families left out run with gcc, in full and under the sanitizers.
+  # The benchmarks and numerical families left out run with gcc; the latter in full, and under the sanitizers.
   stage "clang, warnings are errors, quick tests"
   if build clang; then
-    RC_TEST_QUICK=1 run_tests clang -LE slow -E 'pairs\.(analytic|certificate|cmr|invariance)|failures|scenes|paths'
+    RC_TEST_QUICK=1 run_tests clang -LE slow -E 'bench|pairs\.(analytic|certificate|cmr|invariance)|failures|scenes|paths'
     check .ci/tidy.sh build-clang
   fi
 
   stage "address and undefined behaviour sanitizers"
-  if build asan; then RC_TEST_QUICK=1 run_tests asan -LE slow; fi
+  # Families that only do more of what others do are left to gcc.
+  if build asan; then RC_TEST_QUICK=1 run_tests asan -LE slow -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'; fi
 
   stage "thread sanitizer, tests with threads"
   # Loops that a library spreads with OpenMP wait in a runtime that the sanitizer cannot see into: one thread for those.

@@ -11,9 +11,10 @@ LAYERS = {  # folder under src: folders it may include
     'registry': {'registry', 'core', 'kernel'},
     'operator': {'operator', 'registry', 'core'},
     'grid': {'grid'},
+    'analysis': {'analysis', 'core'},
     'solvers': {'solvers', 'operator', 'grid', 'core'},
     'contact': {'contact', 'solvers', 'operator', 'registry', 'kernel', 'grid', 'core'},
-    'abi': {'abi', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend

@@ -157,10 +157,11 @@ ExitCode run_solve(const SolveArguments& arguments) {
 
     context.report_warnings();
     if (number == 1 && !problem.note.empty()) report(problem.note);
-    if (step.result.status > 0) code = exit_uncertified;
+    const bool good = step.result.status == RC_OK || step.result.status == RC_WITHIN_GOAL;
+    if (!good) code = exit_uncertified;
     if (!arguments.quiet && number == 1) print_table_head(problem);
     if (!arguments.quiet) print_table_row(step);
-    if (step.result.status > 0 || (!arguments.quiet && !bar.enabled())) report_step(step, steps);
+    if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, steps);
     if (files) files->write(step, fields);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }

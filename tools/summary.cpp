@@ -73,6 +73,11 @@ void Summary::add(const StepRecord& step) {
                                 {"proven_contacts", r.proven_contacts},
                                 {"proven_open", r.proven_open},
                                 {"undecided", r.undecided},
+                                {"tolerance", r.tolerance},
+                                {"model_nx", r.model_nx},
+                                {"model_ny", r.model_ny},
+                                {"error_estimate", r.error_estimate},
+                                {"left_out", r.left_out},
                                 {"note", r.note},
                                 {"message", step.message}});
 }

@@ -29,16 +29,17 @@ const rc_option_spec wisdom = {
     1,
     0.0,
     0.0};
-const rc_option_spec precision = {
-    sizeof(rc_option_spec),
-    "fft.precision",
-    "mixed",
-    "mixed|single",
-    "single: half the memory, every product off by up to 5e-7 of its largest entry; for tol of 1e-5 and above only",
-    RC_TYPE_TEXT,
-    1,
-    0.0,
-    0.0};
+const rc_option_spec precision = {sizeof(rc_option_spec),
+                                  "fft.precision",
+                                  "auto",
+                                  "auto|mixed|single",
+                                  "single: half the memory, every product off by up to 5e-7 of its largest entry; for tol of "
+                                  "1e-5 and above only. auto: single where "
+                                  "option accuracy allows it, else mixed",
+                                  RC_TYPE_TEXT,
+                                  1,
+                                  0.0,
+                                  0.0};
 const rc_option_spec* const options[] = {&planning, &wisdom, &precision};
 const rc_backend backend = {sizeof(rc_backend),
                             "fft",

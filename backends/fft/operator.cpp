@@ -21,13 +21,24 @@ std::size_t cache_limit(const rc_system& system) {
 // Products in single precision were off by at most 5e-7 of the largest entry, see README.md; residuals are made of them.
 constexpr double least_single_tol = 1e-5;
 
+// Whether to keep and make nothing in double precision: as named, or where the accuracy asked for never needs a smaller tol. The
+// core asks for a hundredth of a goal of the load, a thousandth of one of the area.
+bool in_single_precision(const rc_host* host, const rc_options* options) {
+  const char* const named = roughcontact::option_text(host, options, "fft.precision");
+  if (std::strcmp(named, "auto") == 0) {
+    const bool of_area = std::strcmp(roughcontact::option_text(host, options, "accuracy.of"), "area") == 0;
+    return roughcontact::option_real(host, options, "accuracy") >= (of_area ? 1000 : 100) * least_single_tol;
+  }
+  return std::strcmp(named, "single") == 0;
+}
+
 }  // namespace
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
       spec_(spec),
       planning_(host, spec.options),
-      single_(std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0),
+      single_(in_single_precision(host, spec.options)),
       team_(*spec.team),
       cache_(cache_limit(*spec.system)),
       whole_(spec.system->nx, spec.system->ny) {

@@ -13,7 +13,7 @@ module roughcontact
   integer, parameter :: rc_status = c_int32_t  ! the kind of a status
 
   integer(rc_status), parameter :: RC_OK = 0, RC_STOP_MAX_ITER = 1, RC_STOP_TIME = 2, RC_STOP_CANCELLED = 3, &
-    RC_STOP_STALLED = 4, RC_STOP_UNCERTIFIED = 5, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, RC_ERR_OPTION = -3, &
+    RC_STOP_STALLED = 4, RC_STOP_UNCERTIFIED = 5, RC_WITHIN_GOAL = 6, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, RC_ERR_OPTION = -3, &
     RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, RC_ERR_MEMORY = -8, &
     RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, RC_ERR_INTERNAL = -99
 
@@ -29,7 +29,7 @@ module roughcontact
     RC_OPT_TOL = 'tol', RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', &
     RC_OPT_STIFFNESS = 'stiffness', RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend', &
     RC_OPT_WARMUP = 'warmup', RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds', &
-    RC_OPT_DETERMINISTIC = 'deterministic'
+    RC_OPT_DETERMINISTIC = 'deterministic', RC_OPT_ACCURACY = 'accuracy', RC_OPT_ACCURACY_OF = 'accuracy.of'
 
   type, bind(c) :: rc_system
     integer(c_size_t) :: struct_size = 88
@@ -52,7 +52,7 @@ module roughcontact
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 504
+    integer(c_size_t) :: struct_size = 544
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
@@ -64,6 +64,9 @@ module roughcontact
     character(kind=c_char) :: note(160) = c_null_char
     real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
+    real(c_double) :: tolerance = 0
+    integer(c_int64_t) :: model_nx = 0, model_ny = 0
+    real(c_double) :: error_estimate = 0, left_out = 0
   end type
 
   type, bind(c) :: rc_level
@@ -116,6 +119,34 @@ module roughcontact
     integer(c_int64_t) :: iterations = 0, applications = 0, contacts = 0
     real(c_double) :: load = 0, energy = 0, kkt = 0, duality_gap = 0, load_lower = 0, load_upper = 0
     character(kind=c_char) :: note(160) = c_null_char
+  end type
+
+  type, bind(c) :: rc_area
+    integer(c_size_t) :: struct_size = 40
+    integer(c_int64_t) :: contacts = 0
+    real(c_double) :: area = 0, perimeter = 0, corrected_area = 0
+  end type
+
+  type, bind(c) :: rc_patches
+    integer(c_size_t) :: struct_size = 96
+    integer(c_int32_t) :: neighbours = 4, reserved = 0
+    integer(c_int64_t) :: room = 0
+    type(c_ptr) :: label = c_null_ptr, cells = c_null_ptr  ! integer(c_int64_t), patches and points from 0
+    type(c_ptr) :: area = c_null_ptr, perimeter = c_null_ptr, load = c_null_ptr
+    type(c_ptr) :: mean_pressure = c_null_ptr, max_pressure = c_null_ptr
+    type(c_ptr) :: peak = c_null_ptr  ! integer(c_int64_t)
+    integer(c_int64_t) :: count = 0
+  end type
+
+  type, bind(c) :: rc_histogram
+    integer(c_size_t) :: struct_size = 80
+    integer(c_int64_t) :: bins = 0
+    real(c_double) :: upper = 0
+    type(c_ptr) :: counts = c_null_ptr  ! integer(c_int64_t)
+    type(c_ptr) :: density = c_null_ptr
+    real(c_double) :: width = 0
+    integer(c_int64_t) :: contacts = 0, above = 0
+    real(c_double) :: mean_pressure = 0, max_pressure = 0
   end type
 
   type, bind(c) :: rc_progress
@@ -179,6 +210,15 @@ module roughcontact
     end subroutine
     subroutine rc_direct_init(result) bind(c); import
       type(rc_direct), intent(out) :: result
+    end subroutine
+    subroutine rc_area_init(area) bind(c); import
+      type(rc_area), intent(out) :: area
+    end subroutine
+    subroutine rc_patches_init(patches) bind(c); import
+      type(rc_patches), intent(out) :: patches
+    end subroutine
+    subroutine rc_histogram_init(histogram) bind(c); import
+      type(rc_histogram), intent(out) :: histogram
     end subroutine
 
     integer(rc_status) function rc_context_create(config, out) bind(c); import
@@ -382,6 +422,25 @@ module roughcontact
       character(kind=c_char), intent(in), optional :: inner(*)
       real(c_double), intent(inout) :: p(nx, *)
       type(rc_direct), intent(inout), optional :: result
+    end function
+
+    integer(rc_status) function rc_area_measure(system, p, mask, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      real(c_double), intent(in) :: p(*)
+      type(c_ptr), value :: mask  ! integer(c_int8_t)
+      type(rc_area), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_patches_find(system, p, mask, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      real(c_double), intent(in) :: p(*)
+      type(c_ptr), value :: mask  ! integer(c_int8_t)
+      type(rc_patches), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_histogram_fill(system, p, mask, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      real(c_double), intent(in) :: p(*)
+      type(c_ptr), value :: mask  ! integer(c_int8_t)
+      type(rc_histogram), intent(inout) :: out
     end function
   end interface
 

@@ -51,12 +51,14 @@ extern "C" {
  *  @{ */
 typedef int32_t rc_status;
 enum {
-  RC_OK = 0,               /* certified: every kkt_* residual is <= tol                                     */
+  RC_OK = 0,               /* certified: every kkt_* residual is <= rc_result.tolerance                     */
   RC_STOP_MAX_ITER = 1,    /* max_iter reached before the tolerance                                          */
   RC_STOP_TIME = 2,        /* time_limit reached                                                             */
   RC_STOP_CANCELLED = 3,   /* the progress callback or rc_contact_cancel asked to stop                       */
   RC_STOP_STALLED = 4,     /* no further progress is possible in double precision                            */
   RC_STOP_UNCERTIFIED = 5, /* the solver claimed success, the library's own check disagrees                  */
+  RC_WITHIN_GOAL = 6,      /* option accuracy is met, by the library's estimate, on a coarser grid, where the answer
+                              is certified; see rc_result.model_nx                                           */
   RC_ERR_ARGUMENT = -1,    /* a null pointer, NaN, a value out of range, a bad struct_size                   */
   RC_ERR_SHAPE = -2,       /* array shape: nx, ny, dense_ld, or nx*ny too large                              */
   RC_ERR_OPTION = -3,      /* unknown option key, wrong type, value out of range                             */
@@ -153,14 +155,23 @@ typedef struct rc_result {
   char kernel[32];
   char note[160];      /* operations the core had to substitute and remarks of the solver; "" if none       */
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
-                          this and the bounds below: NaN (counts: -1) where no proof is known or option
-                          bounds is 0. Full periodic contact: NaN, and intervals that exclude nothing       */
+                          this and the bounds below: NaN (counts: -1) where no proof is known, option bounds is
+                          0 or accuracy is set. Full periodic contact: NaN, and intervals that exclude nothing */
   double load_lower, load_upper; /* the exact load at this approach lies between [force]                    */
   double area_lower, area_upper; /* and the exact contact area [length^2]                                   */
   int64_t proven_contacts; /* points proven to be in contact                                                */
   int64_t proven_open;     /* points proven to be out of contact                                            */
   int64_t undecided;       /* the other points                                                              */
   int64_t levels;      /* coarse solutions kept, see rc_contact_level                                       */
+  double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger    */
+  int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or with RC_WITHIN_GOAL those of a
+                          coarser one whose cells are the means over blocks of 2^k by 2^k points. Then all points of a
+                          block have its pressure (so that the load is kept where a block is cut by the grid's end or the
+                          mask) and its gap (infinite: all masked); contacts, area, load are those of p; modelled, candidates,
+                          energy, stiffness and kkt_* are the coarser grid's. A stop gives the last such grid */
+  double error_estimate; /* with accuracy: estimated relative error of the load or the area, against the answer on
+                          the whole grid; 0 on it; NaN without accuracy, and where a coarser grid was stopped at */
+  double left_out;     /* rms of gap less its block's mean, over the points in contact [length]; 0 on the whole grid */
 } rc_result;
 
 /** A solution on a coarser grid that a multilevel solver left behind. The caller sets struct_size and p. */
@@ -199,7 +210,7 @@ typedef struct rc_path {
   int64_t *applications; /* out, products with H                                                               */
   rc_path_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                */
   void *user;           /* handed to fn                                                                        */
-  int64_t completed;    /* out: steps whose outputs are written; all of them certified                         */
+  int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                      */
 } rc_path;
 #define RC_PATH_INIT \
   { sizeof(rc_path), RC_CONTROL_DISPLACEMENT, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
@@ -234,15 +245,16 @@ typedef struct rc_batch {
   double *contact_area; /* out [length^2]                                                                      */
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is */
   double *certificate;  /* out, the largest kkt_* residual                                                     */
-  rc_status *status;    /* out; the first step that is not RC_OK ends its contact, and the steps after it have its
-                           status. RC_STOP_CANCELLED or RC_STOP_TIME also where the batch ended before the step */
+  rc_status *status;    /* out; the first step that is neither RC_OK nor RC_WITHIN_GOAL ends its contact, and the
+                           steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also where the
+                           batch ended before the step                                                         */
   int64_t *iterations;  /* out, of the solver                                                                  */
   int64_t *applications; /* out, products with H                                                               */
   rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                          */
   void *user;           /* handed to fn                                                                        */
   int64_t written;      /* out: contacts whose outputs are written: n, or 0 if the call itself was refused     */
   int64_t certified;    /* out: contacts of which every step is certified                                      */
-  int64_t first;        /* out: the contact whose status is returned; -1: none                                 */
+  int64_t first;        /* out: the contact whose status is returned; -1: none, or RC_WITHIN_GOAL              */
 } rc_batch;
 #define RC_BATCH_INIT                                                                                                    \
   { sizeof(rc_batch), RC_CONTROL_DISPLACEMENT, 1, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, \
@@ -262,6 +274,55 @@ typedef struct rc_direct {
   double duality_gap, load_lower, load_upper; /* as in rc_result                                               */
   char note[160];       /* as in rc_result                                                                     */
 } rc_direct;
+
+/** How large a contact is, by rc_area_measure. All of it is written. */
+typedef struct rc_area {
+  size_t struct_size;
+  int64_t contacts;     /* points with p > 0                                                                   */
+  double area;          /* contacts hx hy [length^2]                                                           */
+  double perimeter;     /* edges between a cell in contact and one that is not [length]; outside of a free grid
+                           and where the mask is 0 nothing is in contact                                       */
+  double corrected_area; /* area less what the cells at its border add, see rc_area_measure [length^2]          */
+} rc_area;
+
+/** Connected parts of a contact, by rc_patches_find. The caller sets struct_size, neighbours, room and the arrays, which may be
+ *  NULL. Patches are numbered from 0 by their lowest point number, whatever their size. */
+typedef struct rc_patches {
+  size_t struct_size;
+  int32_t neighbours;   /* 4: points are connected across edges; 8: across corners as well                     */
+  int32_t reserved;     /* 0                                                                                   */
+  int64_t room;         /* length of the arrays from `cells` to `peak`: the first `room` patches are written   */
+  int64_t *label;       /* out [nx*ny] number of the patch; -1: no contact                                     */
+  int64_t *cells;       /* out, points of the patch                                                            */
+  double *area;         /* out, cells hx hy [length^2]                                                         */
+  double *perimeter;    /* out [length], as rc_area.perimeter                                                  */
+  double *load;         /* out, hx hy sum(p) [force]                                                           */
+  double *mean_pressure; /* out, load / area [force/length^2]                                                   */
+  double *max_pressure; /* out [force/length^2]                                                                */
+  int64_t *peak;        /* out, the point with max_pressure, of equal ones the first                           */
+  int64_t count;        /* out: patches, also those beyond room                                                */
+} rc_patches;
+#define RC_PATCHES_INIT \
+  { sizeof(rc_patches), 4, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+
+/** Distribution of pressure over the points in contact, by rc_histogram_fill. The caller sets struct_size, bins, upper and the
+ *  arrays, which may be NULL. Bin k holds the pressures k width < p <= (k + 1) width, to round-off. */
+typedef struct rc_histogram {
+  size_t struct_size;
+  int64_t bins;         /* 1 .. 2^40                                                                           */
+  double upper;         /* end of the last bin [force/length^2]; 0: the largest pressure                       */
+  int64_t *counts;      /* out [bins] points; their sum and `above` are `contacts`                             */
+  double *density;      /* out [bins] share of the contact per pressure: counts / (contacts width)
+                           [length^2/force]; width sum(density) + above / contacts = 1. Times contacts / (nx*ny):
+                           share of all points. 0 without contact                                              */
+  double width;         /* out, of a bin [force/length^2]: edges are at k width, k = 0 .. bins                 */
+  int64_t contacts;     /* out: points with p > 0                                                              */
+  int64_t above;        /* out: points with p > upper                                                          */
+  double mean_pressure; /* out, of the points in contact [force/length^2]; 0 without contact                   */
+  double max_pressure;  /* out [force/length^2]                                                                */
+} rc_histogram;
+#define RC_HISTOGRAM_INIT \
+  { sizeof(rc_histogram), 0, 0.0, NULL, NULL, 0.0, 0, 0, 0.0, 0.0 }
 
 /** Handed to the progress callback. */
 typedef struct rc_progress {
@@ -329,6 +390,8 @@ typedef struct rc_option_spec {
 #define RC_OPT_WARMUP_ITERATIONS "warmup.iterations"
 #define RC_OPT_BOUNDS "bounds"
 #define RC_OPT_DETERMINISTIC "deterministic"
+#define RC_OPT_ACCURACY "accuracy"
+#define RC_OPT_ACCURACY_OF "accuracy.of"
 
 /** @defgroup general General  @{ */
 /** Version of the library in use; any pointer may be NULL. */
@@ -349,6 +412,9 @@ RC_API void rc_path_init(rc_path *path);
 RC_API void rc_batch_init(rc_batch *batch);
 RC_API void rc_level_init(rc_level *level);
 RC_API void rc_direct_init(rc_direct *result);
+RC_API void rc_area_init(rc_area *area);
+RC_API void rc_patches_init(rc_patches *patches);
+RC_API void rc_histogram_init(rc_histogram *histogram);
 /** @} */
 
 /** @defgroup context Context: the registry  @{ */
@@ -413,13 +479,13 @@ RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_r
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
 /** Solves the steps of a loading history in order. A step that fails or is not certified ends the path with its
  *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step
- *  counts as completed). Errors: as rc_contact_solve. */
+ *  counts as completed). RC_WITHIN_GOAL: all steps are written, some with this status. Errors: as rc_contact_solve. */
 RC_API rc_status rc_contact_solve_path(rc_contact *contact, rc_path *path);
 /** The i-th coarse solution of the last step, 0 (coarsest) .. rc_result.levels-1. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out);
-/** The contact set of the last certified step, without arrays over all points: *n = how many points carry pressure (0: none, or
- *  no such step); the first `room` of them, point numbers iy*nx + ix in ascending order and pressures [force/length^2], into
- *  index and p [room], either of which may be NULL. Errors: ARGUMENT, BUSY. */
+/** The contact set of the last step that was certified or within its goal, without arrays over all points: *n = how many
+ *  points carry pressure (0: none, or no such step); the first `room` of them, point numbers iy*nx + ix in ascending order
+ *  and pressures [force/length^2], into index and p [room], either of which may be NULL. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
 /** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
@@ -437,8 +503,8 @@ RC_API rc_status rc_solve(const rc_system *system, const rc_step *step, const rc
  *  called from several threads at the same time. All threads have ended when the call returns.
  *  A contact that fails does not stop the others. RC_OK: every step of every contact is certified. Otherwise the status of the
  *  first contact that failed (< 0) or, if none did, of the first that is not certified (> 0), and rc_last_error() says how many
- *  contacts ended with which status. All outputs are then written (rc_batch.written is n). RC_STOP_CANCELLED if fn ended the
- *  batch and no contact failed: what was finished stays.
+ *  contacts ended with which status. RC_WITHIN_GOAL: some steps ended so, all others are certified. All outputs are then
+ *  written (rc_batch.written is n). RC_STOP_CANCELLED if fn ended the batch and no contact failed: what was finished stays.
  *  Errors: as rc_contact_create and rc_contact_solve; ARGUMENT and SHAPE for the batch itself, with written = 0. */
 RC_API rc_status rc_batch_solve(const rc_system *system, const rc_options *options, rc_batch *batch);
 /** @} */
@@ -471,6 +537,27 @@ RC_API rc_status rc_admm(int64_t n, const double *H, int64_t ld, const double *u
  *  p [nx*ny]: pressures out [force/length^2]. Errors: as above, and NO_SOLVER, INCOMPATIBLE. */
 RC_API rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, const double *heights, double delta,
                         int64_t levels, double h, const char *inner, double *p, rc_direct *result);
+/** @} */
+
+/** @defgroup analysis Analysis: what a contact looks like
+ *  Functions of pressures alone, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
+ *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid. For DENSE and CALLBACK the points are taken as a free
+ *  grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in contact, its p is ignored
+ *  (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every run.
+ *  Errors: ARGUMENT (null, NaN or negative p, the struct's own limits), SHAPE (nx, ny), MEMORY.
+ *  @{ */
+/** Area, perimeter, and the area corrected for the grid: cells that touch in part carry pressure as well, so that the area of a
+ *  solved contact is too large by about (pi - 1 + ln 2)/24 = 0.118 cells for every edge of its border (Yastrebov, Anciaux &
+ *  Molinari, Tribology International 114 (2017) 161; an edge counts with the pitch across it, which makes hx hy of each). Edges
+ *  at the border of a free grid and of the mask are left out: there the body ends, not the contact.
+ *  The corrected area is between 0.527 and 1 times the area. It says something where patches are several cells wide, nothing of
+ *  single cells (0.527 cells each) or a checkerboard, and cells that were chosen by their centres need no correction. */
+RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const uint8_t *mask, rc_area *out);
+/** Connected parts of the contact, in time proportional to the points. Memory: 40 bytes for each row of neighbouring cells in
+ *  contact, and 56 for each patch. */
+RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
+/** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
+RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
 /** @} */
 
 #ifdef __cplusplus

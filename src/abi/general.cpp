@@ -41,6 +41,15 @@ void rc_direct_init(rc_direct* result) {
   give(result, empty);
 }
 
+void rc_area_init(rc_area* area) {
+  rc_area empty{};
+  empty.struct_size = sizeof(rc_area);
+  give(area, empty);
+}
+
+void rc_patches_init(rc_patches* patches) { give<rc_patches>(patches, RC_PATCHES_INIT); }
+void rc_histogram_init(rc_histogram* histogram) { give<rc_histogram>(histogram, RC_HISTOGRAM_INIT); }
+
 void rc_result_init(rc_result* result) {
   rc_result empty{};
   empty.struct_size = sizeof(rc_result);

@@ -133,6 +133,9 @@ class Progress {
     std::snprintf(first_message_, sizeof first_message_, "%s", message);
   }
 
+  // Contact i, every step of which is certified, on a coarser grid where its goal of accuracy allowed that.
+  void ended_within_goal(std::int64_t i) { endings_[static_cast<std::size_t>(i)] = RC_WITHIN_GOAL; }
+
   // When all threads have ended.
   BatchOutcome outcome() const {
     BatchOutcome result;
@@ -142,8 +145,13 @@ class Progress {
     counts.erase(RC_OK);
     const auto n = static_cast<std::int64_t>(endings_.size());
     if (first_ < 0) {
-      result.status = stop_;
-      if (stop_ != RC_OK) result.message = join(why_stopped(), "; all ", n, " contacts are certified");
+      const std::int64_t within_goal = n - result.certified;
+      result.status = stop_ != RC_OK || within_goal == 0 ? stop_.load() : RC_WITHIN_GOAL;
+      if (stop_ != RC_OK)
+        result.message = join(why_stopped(), "; ", within_goal > 0 ? "" : "all ", result.certified, " contacts are certified");
+      if (within_goal > 0)
+        result.message +=
+            join(result.message.empty() ? "" : ", ", within_goal, " of ", n, " contacts within accuracy on coarser grids");
       return result;
     }
     result.status = first_status_;
@@ -189,14 +197,17 @@ class Worker {
 
   void follow(std::int64_t i) {
     contact_->forget();
+    bool within_goal = false;
     for (std::int64_t k = 0; k < request_.given.steps; ++k) {
       if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
       rc_result result{};
       result.struct_size = sizeof(rc_result);
       const rc_status status = solve(i, k, result);
       if (status >= 0) deliver(i, k, result);
-      if (status != RC_OK) return end(i, k, status < 0 ? k : k + 1, status, message_);
+      within_goal = within_goal || status == RC_WITHIN_GOAL;
+      if (status != RC_OK && status != RC_WITHIN_GOAL) return end(i, k, status < 0 ? k : k + 1, status, message_);
     }
+    if (within_goal) progress_.ended_within_goal(i);
   }
 
   // At step k, with no answer from step `unanswered` on.

@@ -9,11 +9,20 @@ namespace rc {
 
 Contact::Contact(const rc_system& system, const rc_options& options, const rc_team* team)
     : system_(checked_system(system, options.text(RC_OPT_KERNEL), true)), options_(options), team_(team) {
-  check_names(options_);
+  adopt(options);
   if (!team_) {
     own_team_ = std::make_unique<Team>(options_.integer(RC_OPT_THREADS));
     team_ = own_team_.get();
   }
+}
+
+// What the grid is off by leaves no use for digits of the solver's.
+void Contact::adopt(const rc_options& options) {
+  check_names(options);
+  rc_options copy = options;
+  goal_ = goal_of(options);
+  if (goal_.tol() > copy.real(RC_OPT_TOL)) copy.values.set(copy.context->option(RC_OPT_TOL), goal_.tol());
+  options_ = std::move(copy);
 }
 
 // Names are checked before a step needs them, and a pair that is fully named must go together.
@@ -31,15 +40,15 @@ void Contact::set_options(const rc_options& options) {
   for (const OptionSpec* spec : options_.context->options())
     if (spec->fixed && options.values.get(*spec) != options_.values.get(*spec))
       fail(RC_ERR_OPTION, "option \"", spec->key, "\" is fixed when the contact is created; make a new contact to change it");
-  check_names(options);
-  rc_options copy = options;
-  options_ = std::move(copy);
+  adopt(options);
 }
 
 void Contact::reset() {
   surface_.clear();
   last_ = before_ = {};
   levels_.clear();
+  models_.clear();
+  models_current_ = false;
   // A factor remembers the order in which points came, so an answer after a reset would differ from a first one by round-off.
   std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
 }
@@ -52,6 +61,8 @@ void Contact::forget() {
     if (level.contact) level.contact->forget();
     level.current = false;
   }
+  for (Model& model : models_) model.contact->forget();
+  models_current_ = false;
 }
 
 // The surface as this step describes it; nothing where it is that of the step before.
@@ -91,17 +102,20 @@ void Contact::begin(const rc_step& step) {
   // A step that is refused changes nothing.
   std::optional<SurfaceState> given = given_surface(step);
   check_target(step, given ? *given : surface_);
-  if (given) {
-    const bool same = !surface_.empty() && given->equals(surface_, *team_);
-    last_.same_gap = last_.same_gap && same;
-    before_.same_gap = before_.same_gap && same;
-    surface_ = std::move(*given);
-  }
+  if (given) adopt(std::move(*given));
   warm_ = step.warm_start != 0;
   remarks_.clear();
   for (auto& [points, level] : levels_) level.current = false;
   setup_seconds_ = 0;
   applications_before_ = applications();
+}
+
+void Contact::adopt(SurfaceState&& given) {
+  const bool same = !surface_.empty() && given.equals(surface_, *team_);
+  last_.same_gap = last_.same_gap && same;
+  before_.same_gap = before_.same_gap && same;
+  models_current_ = models_current_ && same;
+  surface_ = std::move(given);
 }
 
 std::int64_t Contact::applications() const {
@@ -121,19 +135,35 @@ rc_status Contact::solve(const rc_step& step, rc_result& result) {
   return solve_begun(step, result);
 }
 
-rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
+rc_status Contact::solve_begun(const rc_step& step, rc_result& result, std::optional<Estimate> nearer) {
   Monitor monitor(cancelled_, progress_, options_.real(RC_OPT_TIME_LIMIT), options_.integer(RC_OPT_MAX_ITER));
   if (nothing_touches(step)) return finish(step, {}, monitor, result);
+  bool on_models = false;
+  if (goal_.error > 0 && system_.halfspace()) {
+    OnCoarserGrids found = on_coarser_grids(step, monitor, result.gap != nullptr);
+    if (found.grid > 0) return deliver_model(step, found, monitor, result);
+    if (found.status != RC_OK) {
+      Answer stopped;
+      stopped.status = found.status;
+      return finish(step, std::move(stopped), monitor, result);
+    }
+    on_models = true;
+    if (!step.p0) nearer = std::move(found.estimate);
+  }
   failed_.clear();
   bool delivered = false;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     choice_ = {};
     try {
-      std::optional<Answer> few = at_few_points(step, monitor);
+      std::optional<Answer> few = at_few_points(step, monitor, nearer);
       Answer answer = few                               ? std::move(*few)
-                      : step.control == RC_CONTROL_LOAD ? at_load(step, monitor)
-                                                        : at_displacement(step, monitor);
+                      : step.control == RC_CONTROL_LOAD ? at_load(step, monitor, nearer)
+                                                        : at_displacement(step, monitor, nearer);
       const rc_status status = finish(step, std::move(answer), monitor, result);
+      if (on_models) {
+        count_models(result);
+        result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
+      }
       const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
       if (!hopeless || !pass_over(choice_.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
         return status;
@@ -297,12 +327,12 @@ std::vector<double> Contact::compenetrations(const Answer& answer, double datum)
   return u;
 }
 
-Answer Contact::at_displacement(const rc_step& step, Monitor& monitor) {
+Answer Contact::at_displacement(const rc_step& step, Monitor& monitor, const std::optional<Estimate>& nearer) {
   TrialSet trial = trial_below(step.target);
   Answer answer = prepare(trial, step.control, step.target - surface_.lowest());
   trial = widened(std::move(trial), answer.choice);
   answer.op = &bound_operator(*answer.choice.backend, trial);
-  answer.p = start(step, trial, answer.pressure_unit, nullptr);
+  answer.p = start(step, trial, answer.pressure_unit, nearer ? &nearer->pressures : nullptr);
   answer.approach = answer.limit = step.target;
   const std::vector<double> u = compenetrations(answer, step.target);
   double unused = 0;

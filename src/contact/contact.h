@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "contact/blocks.h"
 #include "contact/certificate.h"
+#include "contact/grid_error.h"
 #include "contact/monitor.h"
 #include "contact/pressures.h"
 #include "contact/selection.h"
@@ -84,6 +86,19 @@ class Contact {
     bool current = false;  // of this step
   };
 
+  // A coarser grid, on which a goal of accuracy may be met.
+  struct Model {
+    std::unique_ptr<Contact> contact;
+    rc_result result{};  // of this step
+    std::vector<double> gap;
+  };
+  struct OnCoarserGrids {
+    std::size_t grid = 0;              // the answer is this one's; 0: none's
+    double error = 0;                  // estimated, relative; NaN: not known
+    rc_status status = RC_OK;          // why: within the goal, or stopped
+    std::optional<Estimate> estimate;  // for the whole grid, where the goal is not met
+  };
+
   // Influence coefficients, dimensionless.
   struct Table {
     std::int64_t mx = 0, my = 0;
@@ -96,7 +111,10 @@ class Contact {
   };
 
   void begin(const rc_step& step);
-  rc_status solve_begun(const rc_step& step, rc_result& result);
+  void adopt(SurfaceState&& given);
+  void adopt(const rc_options& options);
+  // nearer: what a coarser grid tells.
+  rc_status solve_begun(const rc_step& step, rc_result& result, std::optional<Estimate> nearer = std::nullopt);
   void check_names(const rc_options& options) const;
   std::optional<SurfaceState> given_surface(const rc_step& step) const;
   void check_target(const rc_step& step, const SurfaceState& surface) const;
@@ -117,7 +135,18 @@ class Contact {
   rc_status solve_coarse(rc_coarse& request, const Monitor& monitor);
   rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
 
-  std::optional<Answer> at_few_points(const rc_step& step, Monitor& monitor);
+  void coarsen();
+  OnCoarserGrids on_coarser_grids(const rc_step& step, const Monitor& monitor, bool with_gap);
+  // Grid k, 1: the finest of the coarser ones.
+  rc_status solve_model(std::size_t k, const rc_step& step, const Monitor& monitor, std::optional<Estimate> estimate,
+                        bool with_gap);
+  double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) const;
+  Blocks blocks_of(std::size_t k) const;
+  void count_models(rc_result& result) const;
+  rc_status deliver_model(const rc_step& step, const OnCoarserGrids& found, const Monitor& monitor, rc_result& result);
+
+  // nearer: from a coarser grid, where there is one; so for the next two.
+  std::optional<Answer> at_few_points(const rc_step& step, Monitor& monitor, std::optional<Estimate> nearer);
   std::optional<Estimate> last_estimate(const rc_step& step) const;
   std::optional<Estimate> coarse_estimate(const rc_step& step, const Monitor& monitor);
   std::optional<Answer> solve_few(const rc_step& step, const Choice& choice, Estimate estimate, Monitor& monitor);
@@ -127,8 +156,7 @@ class Contact {
   std::vector<std::int64_t> overlapping(const Deflected& found, double approach) const;
   void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points) const;
 
-  Answer at_displacement(const rc_step& step, Monitor& monitor);
-  // estimate: from a coarser grid, where there is one.
+  Answer at_displacement(const rc_step& step, Monitor& monitor, const std::optional<Estimate>& nearer = std::nullopt);
   Answer at_load(const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate = std::nullopt);
   double approach_estimate(double load, bool warm) const;
   rc_status balance_load(Answer& answer, double load, double shift, double first, Monitor& monitor);
@@ -154,10 +182,13 @@ class Contact {
   std::optional<Spectrum> spectrum_;  // once bounds were asked for
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   std::map<std::int64_t, Level> levels_;  // by number of points
-  Table table_;                           // the last that a solver asked for
-  std::vector<std::string> remarks_;      // of this step's solver
-  Choice choice_;                         // the latest of this step
-  std::vector<std::string> failed_;       // components that "auto" passes over in this step
+  Goal goal_;
+  std::vector<Model> models_;         // the finest first
+  bool models_current_ = false;       // they show the current surface
+  Table table_;                       // the last that a solver asked for
+  std::vector<std::string> remarks_;  // of this step's solver
+  Choice choice_;                     // the latest of this step
+  std::vector<std::string> failed_;   // components that "auto" passes over in this step
   ProgressCallback progress_;
   std::atomic<bool> busy_{false}, cancelled_{false};
   bool warm_ = true;                      // this step may start from earlier ones

@@ -3,11 +3,10 @@
 // points.
 #include <algorithm>
 #include <cmath>
-#include <roughcontact/plugin.hpp>
 
+#include "contact/blocks.h"
 #include "contact/contact.h"
 #include "core/error.h"
-#include "grid/downsample.h"
 
 namespace rc {
 
@@ -25,27 +24,6 @@ std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
 }
 
-// Each coarse pressure on the four points of its block.
-Pressures spread(const Answer& answer, const CoarseGrid& coarse, const SurfaceState& surface, std::int64_t nx, std::int64_t ny) {
-  const TrialSet& from = answer.op->trial();
-  std::vector<std::pair<std::int64_t, double>> all;
-  for (std::size_t k = 0; k < answer.p.size(); ++k) {
-    if (!(answer.p[k] > 0)) continue;
-    const std::int64_t point = from.point(static_cast<std::int64_t>(k)), x = point % coarse.nx, y = point / coarse.nx;
-    for (std::int64_t iy = 2 * y; iy < std::min(2 * y + 2, ny); ++iy)
-      for (std::int64_t ix = 2 * x; ix < std::min(2 * x + 2, nx); ++ix)
-        if (surface.included(static_cast<std::size_t>(iy * nx + ix))) all.emplace_back(iy * nx + ix, answer.p[k]);
-  }
-  std::sort(all.begin(), all.end());
-  Pressures result;
-  result.on.n = static_cast<std::int64_t>(all.size());
-  for (const auto& [point, p] : all) {
-    result.on.index.push_back(point);
-    result.p.push_back(p * answer.pressure_unit);
-  }
-  return result;
-}
-
 }  // namespace
 
 // Keeps `tiles` ascending.
@@ -59,11 +37,12 @@ void Contact::add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std:
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
 }
 
-std::optional<Answer> Contact::at_few_points(const rc_step& step, Monitor& monitor) {
+std::optional<Answer> Contact::at_few_points(const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate) {
   if (step.p0) return std::nullopt;
   const std::optional<Choice> choice = choose_for_few(options_, system_, step.control, failed_);
   if (!choice) return std::nullopt;
-  std::optional<Estimate> estimate = last_estimate(step);
+  if (estimate && !few(count_positive(estimate->pressures.p), system_.points())) return std::nullopt;
+  if (!estimate) estimate = last_estimate(step);
   if (!estimate) estimate = coarse_estimate(step, monitor);
   if (!estimate) return std::nullopt;
   return solve_few(step, *choice, std::move(*estimate), monitor);
@@ -91,11 +70,7 @@ std::optional<Estimate> Contact::last_estimate(const rc_step& step) const {
 std::optional<Estimate> Contact::coarse_estimate(const rc_step& step, const Monitor& monitor) {
   rc_system system = system_.given;
   if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
-  const CoarseGrid coarse =
-      downsample(system.nx, system.ny, surface_.gap(), surface_.masks(), Filter::mean,
-                 [&](std::int64_t rows, const std::function<void(std::int64_t)>& act) {
-                   roughcontact::for_each(*team_, rows, true, [&](std::int64_t row, std::int64_t) { act(row); });
-                 });
+  const CoarseGrid coarse = halved(surface_, system.nx, system.ny, *team_);
   system.nx = coarse.nx;
   system.ny = coarse.ny;
   system.hx *= 2;
@@ -122,7 +97,8 @@ std::optional<Estimate> Contact::coarse_estimate(const rc_step& step, const Moni
                                            : half.at_displacement(at, watch);
   }
   if (!few(count_positive(answer->p), half.system_.points())) return std::nullopt;
-  return Estimate{spread(*answer, coarse, surface_, system_.given.nx, system_.given.ny), answer->approach};
+  const Blocks blocks{system_.given.nx, system_.given.ny, 2};
+  return Estimate{spread(half.pressures_of(*answer), blocks, surface_, Cut::same_pressure), answer->approach};
 }
 
 // The points at which the answer deflects the surface, and those outside that stay apart by less than the margin.

@@ -88,7 +88,8 @@ rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer
   }
   const double area = system_.cell_area();
   Bounds bounds;
-  if (options_.integer(RC_OPT_BOUNDS) != 0) {
+  // Proofs need more digits than a goal of accuracy leaves.
+  if (options_.integer(RC_OPT_BOUNDS) != 0 && goal_.error == 0) {
     if (!spectrum_) spectrum_ = spectrum_of(system_);
     bounds = prove_bounds(system_, *spectrum_, surface_, approach, answer);
   }
@@ -112,6 +113,11 @@ rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer
   result.kkt_dual = certificate.dual;
   result.kkt_complementarity = certificate.complementarity;
   result.kkt_control = certificate.control;
+  result.tolerance = options_.real(RC_OPT_TOL);
+  result.model_nx = system_.given.nx;
+  result.model_ny = system_.given.ny;
+  result.error_estimate = goal_.error > 0 ? 0 : nan;
+  result.left_out = 0;
   bounds.write(result);
   return certificate.within(options_.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
 }

@@ -34,6 +34,7 @@ rc_status Contact::solve_coarse(rc_coarse& request, const Monitor& monitor) {
     level.contact->set_options(options);
   else
     level.contact = std::make_unique<Contact>(system, options, team_);
+  level.contact->goal_ = {};  // this grid is asked for, and no other
   level.contact->on_progress({ask, const_cast<Monitor*>(&monitor), 1});
 
   rc_step step = RC_STEP_INIT;

@@ -42,6 +42,13 @@ class Monitor {
     if (const rc_status status = ask(); status != RC_OK) return status;
     return iterations_ >= max_iter_ ? RC_STOP_MAX_ITER : RC_OK;
   }
+  // What a solve inside this one reports, to the caller.
+  std::int32_t report(const rc_progress& inner) const {
+    if (!progress_.function || inner.iteration % progress_.every != 0) return 0;
+    rc_progress report = inner;
+    report.seconds = seconds();
+    return progress_.function(&report, progress_.user);
+  }
   void next_call() { iteration_ = 0; }
   // Around a solver inside a solver.
   std::int64_t begin_call() {

@@ -65,6 +65,7 @@ rc_status Contact::solve_path(const rc_path& path, std::int64_t& completed) {
     p.resize(static_cast<std::size_t>(system_.points()));
     gap.resize(p.size());
   }
+  bool within_goal = false;
   for (std::int64_t i = 0; i < path.n; ++i) {
     const rc_step step = step_of(path, i);
     rc_result result{};
@@ -79,7 +80,8 @@ rc_status Contact::solve_path(const rc_path& path, std::int64_t& completed) {
     } catch (const Error& error) {
       fail(error.code(), where(path, i), ": ", error.what());
     }
-    if (status != RC_OK) {
+    within_goal = within_goal || status == RC_WITHIN_GOAL;
+    if (status != RC_OK && status != RC_WITHIN_GOAL) {
       set_message(where(path, i).c_str(), last_message()[0] != '\0' ? last_message() : rc_status_text(status));
       return status;
     }
@@ -90,7 +92,7 @@ rc_status Contact::solve_path(const rc_path& path, std::int64_t& completed) {
       return RC_STOP_CANCELLED;
     }
   }
-  return RC_OK;
+  return within_goal ? RC_WITHIN_GOAL : RC_OK;
 }
 
 }  // namespace rc

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/grid.h"
 #include "kernel/kernel.h"
 #include "kernel/lowest_eigenvalue.h"
 
@@ -16,13 +17,6 @@ namespace rc {
 namespace {
 
 constexpr double symmetric = 1e-12;  // largest |H_ij - H_ji| relative to the largest entry
-// Arrays of doubles over all points of a padded grid must be addressable.
-constexpr std::int64_t most_points = std::numeric_limits<std::int64_t>::max() / 1024;
-
-void check_length(double value, const char* name) {
-  if (!(std::isfinite(value) && value > 0))
-    fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length");
-}
 
 std::string resolved_kernel(const rc_system& system, const std::string& option) {
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
@@ -102,23 +96,10 @@ std::uint64_t System::needed_caps() const {
 }
 
 System checked_system(const rc_system& system, const std::string& kernel, bool probe) {
-  if (system.op < RC_OPERATOR_HALFSPACE || system.op > RC_OPERATOR_CALLBACK)
-    fail(RC_ERR_ARGUMENT, "rc_system.op = ", system.op, " is none of RC_OPERATOR_HALFSPACE, _DENSE, _CALLBACK (1 .. 3)");
-  if (system.nx < 1 || system.ny < 1) fail(RC_ERR_SHAPE, "nx = ", system.nx, ", ny = ", system.ny, " must both be >= 1");
-  if (system.nx > most_points / system.ny)
-    fail(RC_ERR_SHAPE, "nx*ny = ", system.nx, " * ", system.ny, " is more than ", most_points, " points");
-  check_length(system.hx, "hx");
-  check_length(system.hy, "hy");
-  if (!std::isnormal(system.hx * system.hy))
-    fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy,
-         " is beyond double precision; choose other units");
-
+  check_grid(system);
   System result{system, system, "", 1, 1, 0, 0, true};
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
-      if (system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
-        fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary,
-             " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");
       if (!(std::isfinite(system.modulus) && system.modulus > 0))
         fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus, " must be positive and finite (contact modulus E*)");
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);

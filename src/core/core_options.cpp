@@ -1,4 +1,5 @@
 #include "core/options.h"
+#include "core/text.h"
 
 namespace rc {
 
@@ -9,6 +10,13 @@ OptionSpec text(const char* key, const char* value, const char* help) {
   spec.key = key;
   spec.default_value = value;
   spec.help = help;
+  return spec;
+}
+
+OptionSpec choice(const char* key, const char* value, const char* choices, const char* help) {
+  OptionSpec spec = text(key, value, help);
+  spec.choices = split(choices, '|');
+  spec.choices_text = choices;
   return spec;
 }
 
@@ -44,6 +52,12 @@ const std::vector<OptionSpec>& core_options() {
       text(RC_OPT_WARMUP, "none", "solver that runs first, for warmup.iterations; none: no warm-up"),
       number(RC_TYPE_INT, RC_OPT_WARMUP_ITERATIONS, "50", 1, 1e9, "iterations of the warm-up"),
       number(RC_TYPE_INT, RC_OPT_BOUNDS, "1", 0, 1, "1: prove intervals for load and contact area from the duality gap"),
+      fixed(number(
+          RC_TYPE_REAL, RC_OPT_ACCURACY, "0", 0, 0.5,
+          "relative error that load or area may have: a coarser grid is solved where that will do, to a hundredth of it at "
+          "most; 0: the given grid to tol")),
+      fixed(choice(RC_OPT_ACCURACY_OF, "load", "load|area",
+                   "what accuracy is of; in load control, load: the load that belongs to the approach found")),
       text(RC_OPT_CERTIFY_BACKEND, "", "backend for the certificate's product; empty: the solving one"),
   };
   return specs;

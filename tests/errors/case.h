@@ -43,5 +43,6 @@ Section order_of_calls();
 Section paths();
 Section batches();
 Section direct_routines();
+Section analyses();
 
 }  // namespace errors

@@ -25,6 +25,9 @@ Outcome harmless_nulls() {
   rc_batch_init(nullptr);
   rc_level_init(nullptr);
   rc_direct_init(nullptr);
+  rc_area_init(nullptr);
+  rc_patches_init(nullptr);
+  rc_histogram_init(nullptr);
   rc_context_destroy(nullptr);
   rc_options_destroy(nullptr);
   rc_contact_destroy(nullptr);

@@ -15,8 +15,8 @@ namespace {
 using namespace errors;
 
 std::vector<Section> table() {
-  return {null_pointers(), struct_sizes(), shapes(),  values(),         dense_matrices(), callbacks(), steps(),
-          options(),       names(),        plugins(), order_of_calls(), paths(),          batches(),   direct_routines()};
+  return {null_pointers(), struct_sizes(), shapes(),         values(), dense_matrices(), callbacks(),       steps(),   options(),
+          names(),         plugins(),      order_of_calls(), paths(),  batches(),        direct_routines(), analyses()};
 }
 
 // Sends standard output and error to a file while it lives.
@@ -99,7 +99,7 @@ std::string cell(const std::string& text) {
 
 void print_document() {
   std::printf("## Statuses\n\n| value | name | meaning |\n|---:|---|---|\n");
-  for (rc_status status = RC_STOP_UNCERTIFIED; status >= RC_ERR_INTERNAL; --status)
+  for (rc_status status = RC_WITHIN_GOAL; status >= RC_ERR_INTERNAL; --status)
     if (std::strcmp(rc_status_name(status), "RC_STATUS_UNKNOWN") != 0)
       std::printf("| %d | `%s` | %s |\n", static_cast<int>(status), rc_status_name(status), rc_status_text(status));
   for (const Section& section : table()) {

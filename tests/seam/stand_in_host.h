@@ -14,7 +14,7 @@ namespace seam {
 
 class StandInHost : public rc_host {
  public:
-  // The options of `backend` and the core's "threads", "deterministic" and "tol" are known.
+  // The options of `backend` and the core's that backends may ask for are known.
   explicit StandInHost(const rc_backend& backend);
   StandInHost(const StandInHost&) = delete;
   StandInHost& operator=(const StandInHost&) = delete;

@@ -1,0 +1,34 @@
+#include "core/grid.h"
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+void check_length(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0))
+    fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length");
+}
+
+}  // namespace
+
+void check_grid(const rc_system& system) {
+  if (system.op < RC_OPERATOR_HALFSPACE || system.op > RC_OPERATOR_CALLBACK)
+    fail(RC_ERR_ARGUMENT, "rc_system.op = ", system.op, " is none of RC_OPERATOR_HALFSPACE, _DENSE, _CALLBACK (1 .. 3)");
+  if (system.nx < 1 || system.ny < 1) fail(RC_ERR_SHAPE, "nx = ", system.nx, ", ny = ", system.ny, " must both be >= 1");
+  if (system.nx > most_points / system.ny)
+    fail(RC_ERR_SHAPE, "nx*ny = ", system.nx, " * ", system.ny, " is more than ", most_points, " points");
+  check_length(system.hx, "hx");
+  check_length(system.hy, "hy");
+  if (!std::isnormal(system.hx * system.hy))
+    fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy,
+         " is beyond double precision; choose other units");
+  if (system.op == RC_OPERATOR_HALFSPACE && system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
+    fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary,
+         " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");
+}
+
+}  // namespace rc
