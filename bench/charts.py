@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
-"""charts.py RESULTS IMAGES [NAME...]: draws speed-accuracy.png, scaling.png and failures.png, or those named, into the folder IMAGES
-from the JSON files in the folder RESULTS, with gnuplot."""
-import math
+"""charts.py RESULTS IMAGES [NAME...]: draws scaling.png and failures.png, or those named, into the folder IMAGES from the JSON files
+in the folder RESULTS, with gnuplot."""
 import os
 import subprocess
 import sys
 
-from results import groups, load, scaling_rows, scene_title, solved, total_seconds
+from results import groups, load, scaling_rows, total_seconds
 
 # Colour, dash and marker each tell the lines apart; the colours differ in lightness and for the colour-blind (Okabe & Ito).
 STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc rgb "#0072B2" dt (4,3) pt 5',
           'lc rgb "#E69F00" dt (12,4,2,4) pt 13', 'lc rgb "#009E73" dt (2,3) pt 11', 'lc rgb "#CC79A7" dt (8,8) pt 15']
 OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
-BAND = '#D9D9D9'
 PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
 TARGET = 'lines lw 1 lc rgb "#AA0000" dt 1'
 
@@ -80,32 +78,6 @@ def decades(values):
     """The range of powers of ten around positive values."""
     exponents = [float(f'{value:e}'.split('e')[1]) for value in values if value > 0]
     return 10 ** min(exponents), 10 ** (max(exponents) + 1)
-
-
-def speed_accuracy(results, file):
-    document = load(results, 'accuracy')
-    # The exact solver on the stored matrix, and everything matrix-free: other pairs differ little from these.
-    document['rows'] = [r for r in document['rows'] if r['backend'] == 'fft' or (r['solver'], r['backend']) == ('nnls', 'dense')]
-    scenes = groups(solved(document['rows']), 'scene', 'n')
-    pairs = list(groups(document['rows'], 'solver', 'backend'))
-    drawing = Panels(800, 60 + 270 * len(scenes), 2, len(scenes), 60)
-    for row, ((scene, n), rows) in enumerate(scenes.items()):
-        lowest, highest = decades([total_seconds(r) for r in rows])
-        grid = next(r for r in document['discretisation'] if r['scene'] == scene and r['n'] == n)
-        for column, (key, label) in enumerate([('load_error', 'load'), ('pressure_error', 'pressure (L2)')]):
-            curves = []
-            for (solver, backend), line in groups(rows, 'solver', 'backend').items():
-                points = [(total_seconds(r), max(r[key], 1e-15)) for r in line]
-                curves.append(f'{drawing.block(points)} with {style(pairs.index((solver, backend)))}')
-            # An analytic truth shows the grid's error, never less.
-            floor, step = (1e-15, 1000) if min(r[key] for r in rows) < 0.5 * grid[key] else (grid[key] / 100, 10)
-            settings = (f'set xrange [{lowest}:{highest}]\nset yrange [{floor}:1]\nset ytics 1e-15,{step},1\n'
-                        f'set xlabel "set-up and solve [s]" offset 0,0.4\nset ylabel "relative error" offset 1.2,0\n'
-                        f'set object 1 rectangle from graph 0,0 to graph 1,first {grid[key]!r} '
-                        f'fc rgb "{BAND}" fs solid noborder behind\n'
-                        f'set label 1 "below the grid\'s own error" at graph 0.03,0.07 tc rgb "#444444"')
-            drawing.panel(column, row, f'{scene_title(scene, n)}: {label}', settings, curves)
-    drawing.draw(file, [(f'{solver}, {backend}', style(i)) for i, (solver, backend) in enumerate(pairs)], 4)
 
 
 def scaling(results, file):
@@ -193,7 +165,7 @@ def failures(results, file):
     drawing.draw(file, entries, 2)
 
 
-CHARTS = {'speed-accuracy': speed_accuracy, 'scaling': scaling, 'failures': failures}
+CHARTS = {'scaling': scaling, 'failures': failures}
 
 
 def main():

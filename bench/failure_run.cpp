@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "library.h"
+#include "child.h"
 
 namespace bench {
 
@@ -14,14 +14,16 @@ double Solved::residual() const {
 Solved solve(const Scene& scene, const Settings& settings, const Field* start) {
   Options options;
   options.set(RC_OPT_KERNEL, scene.kernel);
-  for (const auto& [key, value] : settings) options.set(key.c_str(), value);
+  options.set(settings);
   rc_step step = scene.step();
   if (start) step.p0 = start->data();
   Solved solved;
   solved.p.assign(scene.gap.size(), 0.0);
   rc_result_init(&solved.result);
   solved.result.p = solved.p.data();
+  const double before = cpu_seconds();
   solved.status = rc_solve(&scene.system, &step, options.get(), &solved.result);
+  solved.cpu_seconds = cpu_seconds() - before;
   solved.message = rc_last_error();
   solved.result.p = nullptr;
   return solved;

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "failure_scenes.h"
+#include "library.h"
 
 namespace bench {
-
-using Settings = std::vector<std::pair<std::string, std::string>>;
 
 struct Solved {
   rc_result result{};
   rc_status status = RC_ERR_INTERNAL;
   Field p;
   std::string message;
+  double cpu_seconds = 0;   // of the whole call
   double residual() const;  // the worst of the certificate's
   const char* name() const { return rc_status_name(status); }
   long long iterations() const { return result.iterations; }

@@ -72,9 +72,9 @@ Scene hertz_scene(std::int64_t n) {
   return scene;
 }
 
-Scene rough_scene(std::int64_t levels, std::uint64_t seed) {
+Scene rough_scene(std::int64_t levels, std::uint64_t seed, double hurst) {
   Scene scene = on_grid("rough", std::int64_t{1} << levels);
-  scene.gap = gap_below_highest(midpoint_surface(levels, 0.7, seed));
+  scene.gap = gap_below_highest(midpoint_surface(levels, hurst, seed));
   scene.approach = mean_of(scene.gap) / 2;
   return scene;
 }

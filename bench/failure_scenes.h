@@ -28,7 +28,7 @@ Scene example_one(std::int64_t side, std::int64_t spacing, std::uint64_t seed);
 // A paraboloid pressed in over a contact radius of about a third of n cells.
 Scene hertz_scene(std::int64_t n);
 // Midpoint displacement, approach half the height of the highest point above the mean plane; 2^levels points a side.
-Scene rough_scene(std::int64_t levels, std::uint64_t seed);
+Scene rough_scene(std::int64_t levels, std::uint64_t seed, double hurst = 0.7);
 // Points with p = 0 and gap = 0: which of them are in contact is undefined, the pressures are not.
 Scene tied_scene(std::int64_t n);
 // The same problem with lengths and pressures in other units.

@@ -1,23 +1,14 @@
 #!/usr/bin/env python3
-"""failure_tables.py RESULTS FAILURES PAPER: writes the tables of failures.json, histories.json and paper.json in the folder RESULTS
-between the markers of the documents FAILURES and PAPER."""
+"""failure_tables.py RESULTS DOCUMENT: writes the tables of failures.json and histories.json in the folder RESULTS between the markers of
+DOCUMENT, docs/failures.md."""
 import sys
 
 from results import groups, load
 from tables import error, fill, provenance, table
 
-NNLS_PRINTED = 'nnls+nnls.pivoting=single'
-NNLS_GP = NNLS_PRINTED + '+warmup=gp+warmup.iterations=100'
-
 
 def mean(rows, key):
     return sum(row[key] for row in rows) / len(rows)
-
-
-def median(values):
-    ordered = sorted(values)
-    middle = len(ordered) // 2
-    return ordered[middle] if len(ordered) % 2 else (ordered[middle - 1] + ordered[middle]) / 2
 
 
 def percent(value):
@@ -93,65 +84,12 @@ def history_table(document):
                  rows)
 
 
-def claims_table(failures, paper):
-    data = failures['data']
-    share = {r['n']: r for r in data['greedy'] if r['kernel'] == 'eq9' and r['spacing'] == 1}
-    others = [r for r in data['greedy'] if not (r['kernel'] == 'eq9' and r['spacing'] == 1)]
-    time = {r['solver']: r for r in paper['histories']}
-    conjugate = time['polonsky-keer']
-    warm_up = {(r['pivoting'], r['warmup'], r['steps']): r['solves'] for r in data['warm_up']}
-
-    def ratio(a, b):
-        return f'{time[a]["cold_seconds"] / time[b]["cold_seconds"]:.1f}'
-
-    def by_hurst(exponent, key):
-        return [r[key] for r in data['cmr_hurst'] if r['hurst'] == exponent]
-
-    hursts = sorted({r['hurst'] for r in data['cmr_hurst']})
-    losses = ', '.join(f'H = {h:g}: {100 * median(by_hurst(h, "plain_error")):.1f} % ({100 * min(by_hurst(h, "plain_error")):.1f} % at worst)'
-                       for h in hursts)
-    kept = ', '.join(f'{100 * mean([r for r in data["cmr_hurst"] if r["hurst"] == h], "kept"):.0f} %' for h in hursts)
-    cost = mean(data['cmr_hurst'], 'certified_products') / mean(data['cmr_hurst'], 'full_products')
-    rows = [
-        ['greedy fails in about 40 % of Example 1, n = 100',
-         'yes, with kernel `eq9`: ' + ', '.join(f'n = {n}: {percent(r["share"])} %' for n, r in share.items()), '`failures --row greedy`'],
-        ['at any size n', 'yes, and the share grows with n', 'the same'],
-        ['never at a spacing of 2 cells', f'yes: {sum(r["failures"] for r in others)} of {sum(r["draws"] for r in others)} draws, '
-         'and none at a spacing of 1 with `love`, `disc`, `galerkin`, `punch`', 'the same'],
-        ['when greedy works is an open question', 'answered: for every surface if and only if H^-1 has no positive entry off its '
-         'diagonal', '`failures.greedy`'],
-        ['NNLS with gradient steps is 26 times faster than conjugate gradients',
-         f'no: {ratio("polonsky-keer", NNLS_GP)} times as fast as `polonsky-keer`, both on dense products; with block pivots '
-         f'{ratio("polonsky-keer", "nnls")}, warm-started {conjugate["warm_seconds"] / time["nnls"]["warm_seconds"]:.1f} times',
-         '`histories`, see below'],
-        ['NNLS with gradient steps is two orders faster than greedy with conjugate gradients',
-         f'no: {ratio("greedy", NNLS_GP)} times', 'the same'],
-        ['Cholesky makes greedy 30 to 40 % faster', f'{ratio("greedy", "greedy+greedy.inner=cholesky")} times as fast, with '
-         'factors that are updated', 'the same'],
-        ['warm starts from the loading history help NNLS', f'yes: {time[NNLS_PRINTED]["cold_iterations"]:.0f} solves become '
-         f'{time[NNLS_PRINTED]["warm_iterations"]:.0f}', 'the same'],
-        ['and conjugate gradients', f'little: {100 * (1 - conjugate["ratio"]):.0f} % fewer products', 'the same'],
-        ['gradient steps before NNLS pay', f'not a few: {warm_up["single", "none", 0]} solves cold, {warm_up["single", "gp", 10]} after 10 '
-         f'steps, {warm_up["single", "gp", 50]} after 50, {warm_up["single", "gp", 100]} after 100; block pivots need '
-         f'{warm_up["block", "none", 0]} cold', '`failures --row nnls`'],
-        ['ADMM is slow', f'{ratio("admm", "polonsky-keer")} times the time of `polonsky-keer`, with an automatic penalty',
-         '`histories`, see below'],
-        ['CMR: error below 2 % for H > 0.5', 'in the median: ' + losses, '`failures --row cmr`'],
-        ['CMR: half of the time is saved', f'candidates kept: {kept}; certified, with FFT products, it takes {cost:.1f} times the products '
-         'of the whole problem on the finest grid alone: none is saved', 'the same'],
-        ['CMR fails without a power-law spectrum', 'yes, see the table of [failures](failures.md#cascade-multi-resolution)', 'the same'],
-    ]
-    return table(['the paper', 'here', 'command'], rows)
-
-
 def main():
-    results, failures_file, paper_file = sys.argv[1:]
-    failures, histories, paper = (load(results, name) for name in ('failures', 'histories', 'paper'))
-    fill(failures_file, {'provenance': provenance(failures), 'atlas': atlas_table(failures), 'greedy': greedy_table(failures),
-                         'inverse': inverse_table(failures), 'cmr': cmr_table(failures), 'gp': gp_table(failures),
-                         'admm': admm_table(failures), 'conditioning': conditioning_table(failures),
-                         'histories': history_table(histories)})
-    fill(paper_file, {'claims': claims_table(failures, paper), 'section-4': history_table(paper)})
+    results, file = sys.argv[1:]
+    failures, histories = load(results, 'failures'), load(results, 'histories')
+    fill(file, {'provenance': provenance(failures), 'atlas': atlas_table(failures), 'greedy': greedy_table(failures),
+                'inverse': inverse_table(failures), 'cmr': cmr_table(failures), 'gp': gp_table(failures), 'admm': admm_table(failures),
+                'conditioning': conditioning_table(failures), 'histories': history_table(histories)})
 
 
 if __name__ == '__main__':

@@ -1,8 +1,8 @@
 // The family cmr of the atlas: cascade multi-resolution as published and certified, by class of surface.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "cascade.h"
 #include "failure_run.h"
 #include "failures.h"
 #include "format.h"
@@ -31,37 +31,7 @@ Pressed press(const SurfaceClass& surface, std::int64_t n, std::uint64_t seed) {
   return pressed;
 }
 
-Pressed press(const std::string& file) {
-  const MeasuredSurface surface = read_measured(file);
-  Pressed pressed{{}, surface.name, ""};
-  pressed.scene.system.nx = surface.nx;
-  pressed.scene.system.ny = surface.ny;
-  pressed.scene.system.hx = surface.hx;
-  pressed.scene.system.hy = surface.hy;
-  pressed.scene.gap = gap_below_highest(surface.heights);
-  pressed.scene.approach = mean_of(pressed.scene.gap) / 2;
-  return pressed;
-}
-
-Settings cascade(const char* filter, const char* certified, std::int32_t levels) {
-  return {{"solver", "cmr"},      {"backend", "fft"},          {"cmr.inner", "polonsky-keer"},
-          {"cmr.area", "side"},   {"cmr.radius", "1.5"},       {"cmr.levels", std::to_string(levels)},
-          {"cmr.filter", filter}, {"cmr.certified", certified}};
-}
-
-double share_kept(const std::string& note) {
-  long long kept = 0, all = 0;
-  const auto at = note.find("trial set ");
-  if (at == std::string::npos || std::sscanf(note.c_str() + at, "trial set %lld of %lld", &kept, &all) != 2 || all == 0) return 1;
-  return static_cast<double>(kept) / static_cast<double>(all);
-}
-
-long long rounds_of(const std::string& note) {
-  long long rounds = 0;
-  const auto at = note.find("after ");
-  if (at == std::string::npos || std::sscanf(note.c_str() + at, "after %lld round", &rounds) != 1) return 0;
-  return rounds;
-}
+Cascade cascade(const char* filter, std::int32_t levels) { return {.filter = filter, .radius = 1.5, .levels = levels}; }
 
 // One surface by every filter.
 void measure(const Pressed& pressed, std::int32_t halved, Atlas& atlas) {
@@ -69,8 +39,9 @@ void measure(const Pressed& pressed, std::int32_t halved, Atlas& atlas) {
   if (full.status != RC_OK) throw Failure(pressed.name + ": " + full.message);
   const CmrVerdict verdict = cmr_verdict(pressed.scene, halved);
   for (const char* filter : filters) {
-    const Solved plain = solve(pressed.scene, cascade(filter, "0", halved + 1)),
-                 certified = solve(pressed.scene, cascade(filter, "1", halved + 1));
+    const Solved plain = solve(pressed.scene, settings_of(cascade(filter, halved + 1), false)),
+                 certified = solve(pressed.scene, settings_of(cascade(filter, halved + 1), true));
+    const CascadeNote note = cascade_note(certified.result.note);
     const double plain_error = plain.result.load / full.result.load - 1;
     const double certified_error = certified.result.load / full.result.load - 1;
     const bool wrong = difference(plain.p, full.p) > 1e-4;
@@ -83,8 +54,8 @@ void measure(const Pressed& pressed, std::int32_t halved, Atlas& atlas) {
                          {"certified_error", certified_error},
                          {"certified_difference", difference(certified.p, full.p)},
                          {"certified_status", certified.name()},
-                         {"rounds", rounds_of(certified.result.note)},
-                         {"kept", share_kept(certified.result.note)},
+                         {"rounds", note.rounds},
+                         {"kept", note.share()},
                          {"full_products", full.products()},
                          {"certified_products", certified.products()},
                          {"contacts", full.result.contacts},
@@ -125,37 +96,9 @@ void summarise(const std::string& name, const std::string& words, Atlas& atlas) 
                        largest_of(rows, name, "rounds"))});
 }
 
-// Figure 9 of the paper: midpoint displacement, the whole cascade, h = 2, every second height.
-void by_hurst_exponent(const FailuresRequest& request, Atlas& atlas) {
-  for (const double hurst : {0.3, 0.5, 0.6, 0.7, 0.9})
-    for (std::uint64_t seed = 1; seed <= (request.quick ? 1 : 6); ++seed) {
-      Pressed pressed{{}, "", ""};
-      const std::int64_t levels = request.quick ? 6 : 8;
-      pressed.scene.system.nx = pressed.scene.system.ny = std::int64_t{1} << levels;
-      pressed.scene.gap = gap_below_highest(midpoint_surface(levels, hurst, seed));
-      pressed.scene.approach = mean_of(pressed.scene.gap) / 2;
-      const Solved full = solve(pressed.scene, {{"solver", "polonsky-keer"}, {"backend", "fft"}});
-      Settings settings = cascade("subsample", "0", 0);
-      settings.push_back({"cmr.radius", "2"});
-      const Solved plain = solve(pressed.scene, settings);
-      settings.push_back({"cmr.certified", "1"});
-      const Solved certified = solve(pressed.scene, settings);
-      atlas.record("cmr_hurst", {{"hurst", hurst},
-                                 {"seed", seed},
-                                 {"plain_error", plain.result.load / full.result.load - 1},
-                                 {"certified_error", certified.result.load / full.result.load - 1},
-                                 {"kept", share_kept(certified.result.note)},
-                                 {"plain_products", plain.products()},
-                                 {"certified_products", certified.products()},
-                                 {"full_products", full.products()},
-                                 {"certified_status", certified.name()}});
-    }
-}
-
 }  // namespace
 
 void cmr_failures(const FailuresRequest& request, Atlas& atlas) {
-  by_hurst_exponent(request, atlas);
   const std::int64_t n = request.quick ? 64 : 256;
   for (const SurfaceClass& surface : surface_classes()) {
     if (surface.longest > static_cast<double>(n) / 2 || surface.roll_off > static_cast<double>(n) / 4) continue;
@@ -163,7 +106,8 @@ void cmr_failures(const FailuresRequest& request, Atlas& atlas) {
     summarise(surface.name, surface.name, atlas);
   }
   if (!request.surface.empty()) {
-    const Pressed pressed = press(request.surface);
+    const MeasuredSurface surface = read_measured(request.surface);
+    const Pressed pressed{scene_of(surface), surface.name, ""};
     measure(pressed, deep_halvings, atlas);
     summarise(pressed.name, "measured surface " + pressed.name, atlas);
   }

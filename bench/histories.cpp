@@ -3,31 +3,14 @@
 #include <algorithm>
 #include <iostream>
 
+#include "format.h"
 #include "library.h"
-#include "measurement.h"
-#include "rough_surface.h"
+#include "loading_history.h"
 #include "table.h"
 
 namespace bench {
 
 namespace {
-
-// Ten increasing steps up to half the height of the highest point above the mean plane: Bemporad & Paggi (2015), section 4.
-struct History {
-  std::int64_t n = 0;
-  Field gap;
-  std::vector<double> approaches;
-};
-
-History history_of(const HistoriesRequest& request, std::uint64_t seed) {
-  History history;
-  history.n = std::int64_t{1} << request.levels;
-  history.gap = gap_below_highest(midpoint_surface(request.levels, request.hurst, seed));
-  const double deepest = mean_of(history.gap) / 2;
-  for (std::int64_t k = 1; k <= request.steps; ++k)
-    history.approaches.push_back(deepest * static_cast<double>(k) / static_cast<double>(request.steps));
-  return history;
-}
 
 // "solver+key=value+key=value@backend"
 std::string backend_of(const HistoriesRequest& request, const std::string& variant) {
@@ -47,66 +30,59 @@ std::vector<std::string> parts_of(const std::string& named) {
   return parts;
 }
 
-std::vector<rc_result> run(const HistoriesRequest& request, const History& history, const std::string& variant, bool warm) {
-  Options options;
+std::vector<HistoryStep> run(const HistoriesRequest& request, const LoadingHistory& history, const std::string& variant,
+                             bool warm) {
   const std::vector<std::string> parts = parts_of(variant);
-  options.set(RC_OPT_SOLVER, parts.front()).set(RC_OPT_BACKEND, backend_of(request, variant)).set(RC_OPT_TOL, request.tol);
+  const std::string backend = backend_of(request, variant);
+  Settings settings = {{RC_OPT_SOLVER, parts.front()},
+                       {RC_OPT_BACKEND, backend},
+                       {RC_OPT_TOL, formatted("%.17g", request.tol)},
+                       {RC_OPT_THREADS, std::to_string(request.threads)},
+                       {RC_OPT_TIME_LIMIT, formatted("%.17g", request.time_limit)},
+                       {RC_OPT_MAX_ITER, "100000"}};
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const auto equals = parts[k].find('=');
     if (equals == std::string::npos) throw Failure("\"" + parts[k] + "\" is not key=value");
-    options.set(parts[k].substr(0, equals).c_str(), parts[k].substr(equals + 1));
+    settings.emplace_back(parts[k].substr(0, equals), parts[k].substr(equals + 1));
   }
-  options.set(RC_OPT_THREADS, static_cast<double>(request.threads)).set(RC_OPT_TIME_LIMIT, request.time_limit);
-  options.set(RC_OPT_MAX_ITER, "100000");
-  if (backend_of(request, variant) == "dense") options.set("dense.memory_limit", "16384");
-  Contact contact(unit_square(history.n), options);
-  std::vector<rc_result> results;
-  rc_step step = RC_STEP_INIT;
-  step.gap = history.gap.data();
-  for (const double approach : history.approaches) {
-    step.target = approach;
-    step.warm_start = warm;
-    results.push_back(contact.solve(step));
-    step.gap = warm ? nullptr : history.gap.data();
-    if (results.back().status == RC_STOP_TIME) break;  // the later steps are no shorter
-    if (!warm) contact.reset();
-  }
-  return results;
+  if (backend == "dense") settings.emplace_back("dense.memory_limit", "16384");
+  return run_history(history, settings, warm);
 }
 
-double products(const rc_result& result) { return static_cast<double>(result.applications); }
-double iterations(const rc_result& result) { return static_cast<double>(result.iterations); }
-double seconds(const rc_result& result) { return result.seconds; }
+double products(const HistoryStep& step) { return static_cast<double>(step.result.applications); }
+double iterations(const HistoryStep& step) { return static_cast<double>(step.result.iterations); }
+double seconds(const HistoryStep& step) { return step.result.seconds; }
 
-template <class Value> double total(const std::vector<rc_result>& results, std::size_t first, const Value& value) {
+template <class Value> double total(const std::vector<HistoryStep>& steps, std::size_t first, const Value& value) {
   double sum = 0;
-  for (std::size_t k = first; k < results.size(); ++k) sum += value(results[k]);
+  for (std::size_t k = first; k < steps.size(); ++k) sum += value(steps[k]);
   return sum;
 }
 
-bool certified(const std::vector<rc_result>& results, const History& history) {
-  return results.size() == history.approaches.size() &&
-         std::all_of(results.begin(), results.end(), [](const rc_result& result) { return result.status == RC_OK; });
+bool certified(const std::vector<HistoryStep>& steps, const LoadingHistory& history) {
+  return steps.size() == history.approaches.size() &&
+         std::all_of(steps.begin(), steps.end(), [](const HistoryStep& step) { return step.result.status == RC_OK; });
 }
 
 Json measure(const HistoriesRequest& request, std::uint64_t seed, const std::string& solver) {
-  const History history = history_of(request, seed);
-  const std::vector<rc_result> cold = run(request, history, solver, false), warm = run(request, history, solver, true);
+  const LoadingHistory history = loading_history(request.levels, request.hurst, seed, request.steps);
+  const std::vector<HistoryStep> cold = run(request, history, solver, false), warm = run(request, history, solver, true);
   Json steps = Json::array();
   double worst = 0;
   for (std::size_t k = 0; k < std::min(cold.size(), warm.size()); ++k) {
-    worst = std::max(worst, std::abs(warm[k].load / cold[k].load - 1));
+    const rc_result &from_zero = cold[k].result, &from_last = warm[k].result;
+    worst = std::max(worst, std::abs(from_last.load / from_zero.load - 1));
     steps.push_back({{"solver", solver},
                      {"seed", seed},
                      {"step", k + 1},
-                     {"contacts", cold[k].contacts},
-                     {"candidates", cold[k].candidates},
-                     {"cold_products", cold[k].applications},
-                     {"warm_products", warm[k].applications},
-                     {"cold_seconds", cold[k].seconds},
-                     {"warm_seconds", warm[k].seconds},
-                     {"cold_status", rc_status_name(cold[k].status)},
-                     {"warm_status", rc_status_name(warm[k].status)}});
+                     {"contacts", from_zero.contacts},
+                     {"candidates", from_zero.candidates},
+                     {"cold_products", from_zero.applications},
+                     {"warm_products", from_last.applications},
+                     {"cold_seconds", from_zero.seconds},
+                     {"warm_seconds", from_last.seconds},
+                     {"cold_status", rc_status_name(from_zero.status)},
+                     {"warm_status", rc_status_name(from_last.status)}});
   }
   const bool sound = certified(cold, history) && certified(warm, history);
   return {{"solver", solver.substr(0, solver.find('@'))},
@@ -123,7 +99,7 @@ Json measure(const HistoriesRequest& request, std::uint64_t seed, const std::str
           {"cold_seconds", total(cold, 0, seconds)},
           {"warm_seconds", total(warm, 0, seconds)},
           {"load_difference", worst},
-          {"status", sound ? "RC_OK" : rc_status_name(std::max(cold.back().status, warm.back().status))},
+          {"status", sound ? "RC_OK" : rc_status_name(std::max(cold.back().result.status, warm.back().result.status))},
           {"steps", steps}};
 }
 

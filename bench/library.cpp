@@ -47,6 +47,11 @@ Options& Options::set(const char* key, double value) {
   return set(key, std::string(text, end));
 }
 
+Options& Options::set(const Settings& settings) {
+  for (const auto& [key, value] : settings) set(key.c_str(), value);
+  return *this;
+}
+
 Contact::Contact(const rc_system& system, const Options& options) {
   rc_contact* contact = nullptr;
   check(rc_contact_create(&system, options.get(), &contact));
@@ -63,6 +68,7 @@ rc_result Contact::solve(const rc_step& step, double* p) {
 
 std::vector<std::string> solver_names() { return names(rc_solver_count(nullptr), rc_solver_describe); }
 std::vector<std::string> backend_names() { return names(rc_backend_count(nullptr), rc_backend_describe); }
+std::vector<std::string> kernel_names() { return names(rc_kernel_count(nullptr), rc_kernel_describe); }
 
 rc_system unit_square(std::int64_t n) {
   rc_system system = RC_SYSTEM_INIT;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -21,6 +22,9 @@ rc_status check(rc_status status);
 template <class Handle, void (*destroy)(Handle*)> struct Destroy {
   void operator()(Handle* handle) const { destroy(handle); }
 };
+
+// Option keys and their values as text.
+using Settings = std::vector<std::pair<std::string, std::string>>;
 
 class Context {
  public:
@@ -38,6 +42,7 @@ class Options {
   explicit Options(rc_context* context = nullptr);
   Options& set(const char* key, const std::string& value);
   Options& set(const char* key, double value);
+  Options& set(const Settings& settings);
   const rc_options* get() const { return handle_.get(); }
 
  private:
@@ -49,6 +54,8 @@ class Contact {
   Contact(const rc_system& system, const Options& options);
   void set(const Options& options) { check(rc_contact_set_options(handle_.get(), options.get())); }
   void reset() { check(rc_contact_reset(handle_.get())); }
+  // Calls fn at every iteration.
+  void watch(rc_progress_fn fn, void* user) { check(rc_contact_on_progress(handle_.get(), fn, user, 1)); }
   // Pressures go to p where it is not null.
   rc_result solve(const rc_step& step, double* p = nullptr);
 
@@ -58,6 +65,7 @@ class Contact {
 
 std::vector<std::string> solver_names();
 std::vector<std::string> backend_names();
+std::vector<std::string> kernel_names();
 
 // n x n cells that fill the unit square, free boundaries, contact modulus 1.
 rc_system unit_square(std::int64_t n);

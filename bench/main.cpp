@@ -6,14 +6,17 @@
 #include <iostream>
 #include <thread>
 
-#include "accuracy.h"
 #include "batch.h"
 #include "busy.h"
 #include "deterministic.h"
 #include "dilute.h"
 #include "failures.h"
+#include "goal.h"
 #include "histories.h"
 #include "machine_limits.h"
+#include "paper.h"
+#include "pareto.h"
+#include "physics.h"
 #include "products.h"
 #include "provenance.h"
 #include "scaling.h"
@@ -100,15 +103,47 @@ int main(int argc, char** argv) try {
   beside->add_option("--others", busy.others, "processes at full load; 0: none")->check(CLI::Range(0, 1024));
   repeatable->add_option("--threads", deterministic.threads, "threads, against one")->check(CLI::Range(1, 1024));
 
-  bench::AccuracyRequest accuracy;
-  accuracy.threads = available;
-  CLI::App* const accurate = app.add_subcommand("accuracy", "speed against accuracy of solvers on every backend");
-  accurate->add_option("--scenes", accuracy.scenes, "hertz, self-affine-N")->delimiter(',');
-  accurate->add_option("--solvers", accuracy.solvers, "by name")->delimiter(',');
-  accurate->add_option("--digits", accuracy.digits, "tolerances 10^-digits")->delimiter(',')->check(CLI::Range(1, 15));
-  accurate->add_option("--threads", accuracy.threads, "threads")->check(CLI::Range(1, 1024));
-  accurate->add_option("--budget", accuracy.budget, "seconds for repeats of each solve");
-  accurate->add_option("--time-limit", accuracy.time_limit, "seconds for one solve; 0: none");
+  bench::ParetoRequest pareto;
+  pareto.threads = available;
+  CLI::App* const tradeoff = app.add_subcommand("pareto", "speed against accuracy of every method, kernel and grid");
+  CLI::Option* const pareto_scenes = tradeoff->add_option("--scenes", pareto.scenes, "what is pressed")
+                                         ->delimiter(',')
+                                         ->check(CLI::IsMember(bench::pareto_scene_names()));
+  std::vector<double> pareto_percent{10, 1, 40, 90};
+  CLI::Option* const pareto_contacts =
+      tradeoff->add_option("--contacts", pareto_percent, "contact areas in percent of the grid, in the order of measuring")
+          ->delimiter(',')
+          ->check(CLI::Range(0.001, 95.0));
+  tradeoff->add_option("--points", pareto.n, "points per side of surfaces that are not measured, a power of two")
+      ->check(CLI::IsMember({32, 64, 128, 256, 512, 1024}));
+  CLI::Option* const pareto_digits =
+      tradeoff->add_option("--digits", pareto.digits, "tolerances 10^-digits")->delimiter(',')->check(CLI::Range(1, 15));
+  tradeoff->add_option("--surfaces", pareto.surfaces, "folder with measured surfaces")->check(CLI::ExistingDirectory);
+  tradeoff->add_option("--threads", pareto.threads, "threads")->check(CLI::Range(1, 1024));
+  tradeoff->add_option("--budget", pareto.budget, "seconds for repeats of each solve");
+  tradeoff->add_option("--solve-limit", pareto.solve_limit, "seconds for one solve; 0: none");
+  tradeoff->add_option("--method-limit", pareto.method_limit, "seconds after which a method goes on to no tighter tolerance");
+  tradeoff->add_option("--time-limit", pareto.time_limit, "seconds after which nothing begins; 0: none");
+  tradeoff->add_option("--csv", pareto.csv, "also write the results to this file, a line for each solve");
+  tradeoff->add_option("--export", pareto.export_folder, "write gaps and certified pressures into this folder, for other codes");
+  tradeoff->add_flag("--quick", quick, "a sphere and a rough surface on 64^2, three tolerances");
+
+  bench::GoalRequest goal;
+  goal.threads = available;
+  CLI::App* const goals =
+      app.add_subcommand("goal", "option accuracy: how often the goal is met, on which grids, and what it saves");
+  goals->add_option("--scenes", goal.scenes, "what is pressed")
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench::pareto_scene_names()));
+  goals->add_option("--surfaces", goal.surfaces, "folder with measured surfaces")->check(CLI::ExistingDirectory);
+  goals->add_option("--points", goal.points, "points per side of surfaces that are not measured, a power of two")
+      ->check(CLI::IsMember({64, 128, 256, 512, 1024, 2048}));
+  goals->add_option("--seeds", goal.seeds, "surfaces of each random scene")->check(CLI::Range(1, 1000));
+  goals->add_option("--contacts", goal.contacts, "contact areas in percent of the grid")
+      ->delimiter(',')
+      ->check(CLI::Range(0.1, 95.0));
+  goals->add_option("--goals", goal.goals, "values of option accuracy")->delimiter(',')->check(CLI::Range(1e-6, 0.5));
+  goals->add_option("--threads", goal.threads, "threads")->check(CLI::Range(1, 1024));
 
   bench::HistoriesRequest histories;
   CLI::App* const history = app.add_subcommand("histories", "loading histories: warm starts against cold ones");
@@ -163,8 +198,34 @@ int main(int argc, char** argv) try {
   sparse->add_flag("--large", large, "8192^2 and 16384^2 as well");
   sparse->add_flag("--products-only", products_only, "no solves");
   sparse->add_flag("--solves-only", solves_only, "no products")->excludes("--products-only");
+  bench::PaperRequest paper;
+  CLI::App* const figures = app.add_subcommand("paper", "the figures of Bemporad & Paggi (2015)");
+  figures->add_option("--figure", paper.figures, "2 (with Example 1), 4, 5, 6, 8, 9, 10 (with 11)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench::paper_figures()));
+  figures->add_option("--surfaces", paper.surfaces, "folder with measured surfaces for figure 10")->check(CLI::ExistingDirectory);
+  figures->add_option("--threads", paper.threads, "threads of FFT products")->check(CLI::Range(1, 1024));
+  figures->add_flag("--quick", paper.quick, "small grids, few seeds");
+  bench::PhysicsRequest physics;
+  physics.threads = available;
+  CLI::App* const rough =
+      app.add_subcommand("physics", "area, gap, stiffness, patches and pressures of rough surfaces against load");
+  CLI::Option* const seeds = rough->add_option("--seeds", physics.seeds, "of the surfaces")->delimiter(',');
+  rough->add_option("--hurst", physics.hurst, "exponent")->check(CLI::Range(0.05, 1.0));
+  CLI::Option* const roll_off = rough->add_option("--roll-off", physics.roll_off, "waves a side below which the spectrum is flat")
+                                    ->check(CLI::Range(1.0, 1024.0));
+  CLI::Option* const cut_off =
+      rough->add_option("--cut-off", physics.cut_off, "waves a side above which it is zero")->check(CLI::Range(1.0, 4096.0));
+  CLI::Option* const curve_points =
+      rough->add_option("--points", physics.points, "points per side, over all loads")->check(CLI::Range(16, 16384));
+  CLI::Option* const meshes =
+      rough->add_option("--sizes", physics.sizes, "points per side, at two loads")->delimiter(',')->check(CLI::Range(16, 16384));
+  rough->add_option("--tol", physics.tol, "certified tolerance");
+  rough->add_option("--threads", physics.threads, "threads")->check(CLI::Range(1, 1024));
+  rough->add_flag("--quick", quick, "two surfaces of 16 waves a side on up to 256^2");
   CLI::App* const who = app.add_subcommand("provenance", "what is measured here: library, compiler, machine, as JSON");
-  for (CLI::App* const command : {scale, product, limit, beside, repeatable, accurate, history, failure, many, sparse})
+  for (CLI::App* const command :
+       {scale, product, limit, beside, repeatable, tradeoff, goals, history, failure, many, sparse, figures, rough})
     command->add_option("--json", file, "also write the results to this file");
   CLI11_PARSE(app, argc, argv);
 
@@ -223,18 +284,43 @@ int main(int argc, char** argv) try {
     bench::Json document = {{"benchmark", "dilute"}, {"provenance", bench::provenance(dilute.threads)}};
     document.update(bench::run_dilute(dilute));
     write(file, document);
+  } else if (figures->parsed()) {
+    paper.file = file;
+    bench::run_paper(paper);
+  } else if (rough->parsed()) {
+    if (quick) {
+      if (seeds->empty()) physics.seeds = {1, 2};
+      if (roll_off->empty()) physics.roll_off = 2;
+      if (cut_off->empty()) physics.cut_off = 16;
+      if (curve_points->empty()) physics.points = 128;
+      if (meshes->empty()) physics.sizes = {64, 128, 256};
+    }
+    physics.file = file;
+    bench::run_physics(physics);
   } else if (failure->parsed()) {
     bench::Json document = {{"benchmark", "failures"}, {"provenance", bench::provenance(1)}};
     document.update(bench::run_failures(failures));
     write(file, document);
+  } else if (goals->parsed()) {
+    goal.file = file;
+    bench::run_goal(goal);
   } else if (history->parsed()) {
     bench::Json document = {{"benchmark", "histories"}, {"provenance", bench::provenance(histories.threads)}};
     document.update(bench::run_histories(histories));
     write(file, document);
   } else {
-    bench::Json document = {{"benchmark", "accuracy"}, {"provenance", bench::provenance(accuracy.threads)}};
-    document.update(bench::run_accuracy(accuracy));
-    write(file, document);
+    if (quick) {
+      if (pareto_scenes->empty()) pareto.scenes = {"hertz", "self-affine"};
+      if (pareto_contacts->empty()) pareto_percent = {10};
+      if (pareto_digits->empty()) pareto.digits = {2, 4, 8};
+      pareto.n = 64;
+      pareto.budget = 0;
+      pareto.method_limit = 1;
+    }
+    pareto.contacts.clear();
+    for (const double value : pareto_percent) pareto.contacts.push_back(value / 100);
+    pareto.file = file;
+    bench::run_pareto(pareto);
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "roughcontact-bench: %s\n", error.what());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "rough_surface.h"
 #include "surface/surface.h"
 
 namespace bench {
@@ -18,6 +19,18 @@ MeasuredSurface read_measured(const std::string& file) {
           surface.hx.value_or(1),
           surface.hy.value_or(1),
           std::move(surface.heights)};
+}
+
+Scene scene_of(const MeasuredSurface& surface) {
+  Scene scene;
+  scene.name = surface.name;
+  scene.system.nx = surface.nx;
+  scene.system.ny = surface.ny;
+  scene.system.hx = surface.hx;
+  scene.system.hy = surface.hy;
+  scene.gap = gap_below_highest(surface.heights);
+  scene.approach = mean_of(scene.gap) / 2;
+  return scene;
 }
 
 CmrVerdict cmr_verdict(const Scene& scene, std::int32_t halvings) {

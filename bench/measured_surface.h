@@ -17,6 +17,9 @@ struct MeasuredSurface {
 // Any format that the command reads; throws.
 MeasuredSurface read_measured(const std::string& file);
 
+// Approach half of the height of the highest point above the mean.
+Scene scene_of(const MeasuredSurface& surface);
+
 struct CmrVerdict {
   bool trustworthy = false;
   double unresolved = 0;

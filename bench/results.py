@@ -34,8 +34,3 @@ def solved(rows):
 
 def total_seconds(row):
     return row['setup_seconds'] + row['solve_seconds']
-
-
-def scene_title(scene, n):
-    family = 'Hertz' if scene == 'hertz' else 'self-affine'
-    return f'{family}, {n}²'

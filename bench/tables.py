@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """tables.py RESULTS DOCUMENT: writes the tables of the JSON files in the folder RESULTS between the markers of DOCUMENT."""
-import math
 import re
 import sys
 
-from results import groups, load, scene_title, solved, total_seconds
+from results import load
 
 
 def table(titles, rows):
@@ -20,19 +19,15 @@ def error(value):
     return '0' if value == 0 else f'{value:.0e}'
 
 
-def digits(tol):
-    return -round(math.log10(tol))
-
-
 def worst_residual(row):
     return max(row[key] for key in row if key.startswith('kkt_'))
 
 
 def provenance(document):
     known = document['provenance']
-    return (f'{known["cpu"]}, {known["threads"]} threads; {known["compiler"]}, {known["flags"]}; {known["fftw"]}; roughcontact '
-            f'{known["version"]} ({known["commit"]}); {known["date"][:10]}; load average at the start '
-            f'{known["load_average_at_start"]:.1f}.')
+    threads = f'{known["threads"]} thread{"s" if known["threads"] > 1 else ""}'
+    return (f'{known["cpu"]}, {threads}; {known["compiler"]}, {known["flags"]}; {known["fftw"]}; roughcontact {known["version"]} '
+            f'({known["commit"]}); {known["date"][:10]}; load average at the start {known["load_average_at_start"]:.1f}.')
 
 
 def product_table(document):
@@ -45,24 +40,6 @@ def product_table(document):
     names = ['fft [ms]', 'fft, measured plan', 'padded [ms]', 'padded, measured plan', 'ratio', 'difference']
     both = 'single_ratio' in document['products'][0]
     return table(['grid', 'threads'] + names + ([f'single: {name}' for name in names] if both else []), rows)
-
-
-def accuracy_table(document):
-    rows = []
-    for (scene, n, solver, backend), line in groups(solved(document['rows']), 'scene', 'n', 'solver', 'backend').items():
-        for row in line:
-            if digits(row['tol']) in (2, 4, 8, 12):
-                rows.append([scene_title(scene, n), f'{solver}, {backend}', error(row['tol']), seconds(total_seconds(row)),
-                             str(row['products']), error(row['load_error']), error(row['area_error']), error(row['pressure_error']),
-                             error(worst_residual(row))])
-    return table(['scene', 'solver, backend', 'tol', 'time [s]', 'products', 'load error', 'area error', 'pressure error',
-                  'worst residual'], rows)
-
-
-def grid_table(document):
-    rows = [[scene_title(row['scene'], row['n']), row['against'], error(row['load_error']), error(row['area_error']),
-             error(row['pressure_error'])] for row in document['discretisation']]
-    return table(['scene', 'against', 'load error', 'area error', 'pressure error'], rows)
 
 
 def fill(file, sections):
@@ -80,9 +57,8 @@ def fill(file, sections):
 
 def main():
     results, file = sys.argv[1:]
-    products, accuracy = load(results, 'products'), load(results, 'accuracy')
-    fill(file, {'provenance': provenance(products), 'products': product_table(products), 'accuracy': accuracy_table(accuracy),
-                'discretisation': grid_table(accuracy)})
+    products = load(results, 'products')
+    fill(file, {'provenance': provenance(products), 'products': product_table(products)})
 
 
 if __name__ == '__main__':
