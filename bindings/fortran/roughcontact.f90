@@ -187,37 +187,48 @@ module roughcontact
     end function
     type(c_ptr) function rc_last_error() bind(c); import
     end function
-    subroutine rc_system_init(system) bind(c); import
+    subroutine rc_system_init(system, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_system), intent(out) :: system
     end subroutine
-    subroutine rc_step_init(step) bind(c); import
+    subroutine rc_step_init(step, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_step), intent(out) :: step
     end subroutine
-    subroutine rc_result_init(result) bind(c); import
+    subroutine rc_result_init(result, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_result), intent(out) :: result
     end subroutine
-    subroutine rc_context_config_init(config) bind(c); import
+    subroutine rc_context_config_init(config, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_context_config), intent(out) :: config
     end subroutine
-    subroutine rc_path_init(path) bind(c); import
+    subroutine rc_path_init(path, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_path), intent(out) :: path
     end subroutine
-    subroutine rc_batch_init(batch) bind(c); import
+    subroutine rc_batch_init(batch, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_batch), intent(out) :: batch
     end subroutine
-    subroutine rc_level_init(level) bind(c); import
+    subroutine rc_level_init(level, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_level), intent(out) :: level
     end subroutine
-    subroutine rc_direct_init(result) bind(c); import
+    subroutine rc_direct_init(result, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_direct), intent(out) :: result
     end subroutine
-    subroutine rc_area_init(area) bind(c); import
+    subroutine rc_area_init(area, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_area), intent(out) :: area
     end subroutine
-    subroutine rc_patches_init(patches) bind(c); import
+    subroutine rc_patches_init(patches, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_patches), intent(out) :: patches
     end subroutine
-    subroutine rc_histogram_init(histogram) bind(c); import
+    subroutine rc_histogram_init(histogram, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
       type(rc_histogram), intent(out) :: histogram
     end subroutine
 

@@ -403,18 +403,30 @@ RC_API const char *rc_status_text(rc_status status);
 /** The calling thread's last failure or stop, as "where: what, value, limit, what to do"; "" if the last call
  *  returned RC_OK. Valid until the thread's next call of a function that returns rc_status. */
 RC_API const char *rc_last_error(void);
-/** Default values, as the RC_..._INIT macros. NULL is ignored. */
-RC_API void rc_system_init(rc_system *system);
-RC_API void rc_step_init(rc_step *step);
-RC_API void rc_result_init(rc_result *result);
-RC_API void rc_context_config_init(rc_context_config *config);
-RC_API void rc_path_init(rc_path *path);
-RC_API void rc_batch_init(rc_batch *batch);
-RC_API void rc_level_init(rc_level *level);
-RC_API void rc_direct_init(rc_direct *result);
-RC_API void rc_area_init(rc_area *area);
-RC_API void rc_patches_init(rc_patches *patches);
-RC_API void rc_histogram_init(rc_histogram *histogram);
+/** Default values, as the RC_..._INIT macros. NULL is ignored. C and C++ leave struct_size out, as rc_step_init(&step):
+ *  macros of the same names pass the size that the caller was compiled with, and no more is written. */
+RC_API void rc_system_init(rc_system *system, size_t struct_size);
+RC_API void rc_step_init(rc_step *step, size_t struct_size);
+RC_API void rc_result_init(rc_result *result, size_t struct_size);
+RC_API void rc_context_config_init(rc_context_config *config, size_t struct_size);
+RC_API void rc_path_init(rc_path *path, size_t struct_size);
+RC_API void rc_batch_init(rc_batch *batch, size_t struct_size);
+RC_API void rc_level_init(rc_level *level, size_t struct_size);
+RC_API void rc_direct_init(rc_direct *result, size_t struct_size);
+RC_API void rc_area_init(rc_area *area, size_t struct_size);
+RC_API void rc_patches_init(rc_patches *patches, size_t struct_size);
+RC_API void rc_histogram_init(rc_histogram *histogram, size_t struct_size);
+#define rc_system_init(system) rc_system_init((system), sizeof(rc_system))
+#define rc_step_init(step) rc_step_init((step), sizeof(rc_step))
+#define rc_result_init(result) rc_result_init((result), sizeof(rc_result))
+#define rc_context_config_init(config) rc_context_config_init((config), sizeof(rc_context_config))
+#define rc_path_init(path) rc_path_init((path), sizeof(rc_path))
+#define rc_batch_init(batch) rc_batch_init((batch), sizeof(rc_batch))
+#define rc_level_init(level) rc_level_init((level), sizeof(rc_level))
+#define rc_direct_init(result) rc_direct_init((result), sizeof(rc_direct))
+#define rc_area_init(area) rc_area_init((area), sizeof(rc_area))
+#define rc_patches_init(patches) rc_patches_init((patches), sizeof(rc_patches))
+#define rc_histogram_init(histogram) rc_histogram_init((histogram), sizeof(rc_histogram))
 /** @} */
 
 /** @defgroup context Context: the registry  @{ */

@@ -1,4 +1,7 @@
 // Version, messages, initial values.
+#include <algorithm>
+#include <cstring>
+
 #include "contact/bounds.h"
 #include "core/error.h"
 
@@ -6,6 +9,15 @@ namespace {
 
 template <class Number> void give(Number* to, Number value) {
   if (to) *to = value;
+}
+
+// As much of the struct as the caller knows; what a newer caller knows beyond it is zero.
+template <class Struct> void begin(Struct* to, std::size_t struct_size, Struct value) {
+  if (!to || struct_size < sizeof value.struct_size) return;
+  value.struct_size = struct_size;
+  const std::size_t known = std::min(struct_size, sizeof value);
+  std::memcpy(to, &value, known);
+  std::memset(reinterpret_cast<unsigned char*>(to) + known, 0, struct_size - known);
 }
 
 }  // namespace
@@ -21,40 +33,25 @@ void rc_version(int32_t* major, int32_t* minor, int32_t* patch, int32_t* abi) {
 
 const char* rc_last_error(void) { return rc::last_message(); }
 
-void rc_system_init(rc_system* system) { give<rc_system>(system, RC_SYSTEM_INIT); }
-void rc_step_init(rc_step* step) { give<rc_step>(step, RC_STEP_INIT); }
-void rc_context_config_init(rc_context_config* config) { give<rc_context_config>(config, RC_CONTEXT_CONFIG_INIT); }
-
-void rc_path_init(rc_path* path) { give<rc_path>(path, RC_PATH_INIT); }
-
-void rc_batch_init(rc_batch* batch) { give<rc_batch>(batch, RC_BATCH_INIT); }
-
-void rc_level_init(rc_level* level) {
-  rc_level empty{};
-  empty.struct_size = sizeof(rc_level);
-  give(level, empty);
-}
-
-void rc_direct_init(rc_direct* result) {
-  rc_direct empty{};
-  empty.struct_size = sizeof(rc_direct);
-  give(result, empty);
-}
-
-void rc_area_init(rc_area* area) {
-  rc_area empty{};
-  empty.struct_size = sizeof(rc_area);
-  give(area, empty);
-}
-
-void rc_patches_init(rc_patches* patches) { give<rc_patches>(patches, RC_PATCHES_INIT); }
-void rc_histogram_init(rc_histogram* histogram) { give<rc_histogram>(histogram, RC_HISTOGRAM_INIT); }
-
-void rc_result_init(rc_result* result) {
+// Parentheses: the header has macros of the same names.
+void(rc_system_init)(rc_system* system, size_t struct_size) { begin<rc_system>(system, struct_size, RC_SYSTEM_INIT); }
+void(rc_step_init)(rc_step* step, size_t struct_size) { begin<rc_step>(step, struct_size, RC_STEP_INIT); }
+void(rc_result_init)(rc_result* result, size_t struct_size) {
   rc_result empty{};
-  empty.struct_size = sizeof(rc_result);
   rc::Bounds().write(empty);
-  give(result, empty);
+  begin<rc_result>(result, struct_size, empty);
+}
+void(rc_context_config_init)(rc_context_config* config, size_t struct_size) {
+  begin<rc_context_config>(config, struct_size, RC_CONTEXT_CONFIG_INIT);
+}
+void(rc_path_init)(rc_path* path, size_t struct_size) { begin<rc_path>(path, struct_size, RC_PATH_INIT); }
+void(rc_batch_init)(rc_batch* batch, size_t struct_size) { begin<rc_batch>(batch, struct_size, RC_BATCH_INIT); }
+void(rc_level_init)(rc_level* level, size_t struct_size) { begin<rc_level>(level, struct_size, {}); }
+void(rc_direct_init)(rc_direct* result, size_t struct_size) { begin<rc_direct>(result, struct_size, {}); }
+void(rc_area_init)(rc_area* area, size_t struct_size) { begin<rc_area>(area, struct_size, {}); }
+void(rc_patches_init)(rc_patches* patches, size_t struct_size) { begin<rc_patches>(patches, struct_size, RC_PATCHES_INIT); }
+void(rc_histogram_init)(rc_histogram* histogram, size_t struct_size) {
+  begin<rc_histogram>(histogram, struct_size, RC_HISTOGRAM_INIT);
 }
 
 }  // extern "C"
