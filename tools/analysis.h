@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "surface/surface.h"
+#include "surface_input.h"
 
 namespace cli {
 
@@ -16,8 +16,7 @@ struct Rings {
 };
 
 struct Analysis {
-  std::string file, note;
-  Surface surface;
+  SurfaceInput input;
   bool periodic;
   rc_surface_statistics statistics;
   rc_surface_power_law law;

@@ -8,7 +8,6 @@
 
 #include "analysis.h"
 #include "error.h"
-#include "lengths.h"
 #include "numbers.h"
 #include "spectrum_picture.h"
 #include "surface_library.h"
@@ -46,30 +45,27 @@ Rings radial_spectrum(const rc_surface_map& map, const std::string& file) {
 
 Analysis make_analysis(const AnalyzeArguments& arguments) {
   Analysis a{};
-  const double unit = length_unit(arguments.unit);
-  const auto pitch = pitch_argument(arguments.pitch, unit);
-  const double approach = arguments.approach ? unit * positive_number("--approach", *arguments.approach) : 0;
-  a.file = arguments.surface;
-  a.surface = read_surface(a.file, unit);
-  a.note = settle_pitch(pitch, a.file, a.surface);
+  const double approach =
+      arguments.approach ? unit_of(arguments.surface) * positive_number("--approach", *arguments.approach) : 0;
+  a.input = read_input(arguments.surface, false);
   a.periodic = arguments.periodic;
 
   rc_surface_map map = RC_SURFACE_MAP_INIT;
-  map.nx = a.surface.nx;
-  map.ny = a.surface.ny;
-  map.hx = *a.surface.hx;
-  map.hy = *a.surface.hy;
-  map.heights = a.surface.heights.data();
+  map.nx = a.input.surface.nx;
+  map.ny = a.input.surface.ny;
+  map.hx = *a.input.surface.hx;
+  map.hy = *a.input.surface.hy;
+  map.heights = a.input.surface.heights.data();
   map.periodic = a.periodic ? 1 : 0;
   a.statistics.struct_size = sizeof a.statistics;
-  check_surface(rc_surface_analyze(&map, &a.statistics), a.file);
+  check_surface(rc_surface_analyze(&map, &a.statistics), a.input.file);
   a.law.struct_size = sizeof a.law;
-  check_surface(rc_surface_fit(&map, &a.law), a.file);
-  a.rings = radial_spectrum(map, a.file);
-  if (const std::int64_t levels = halvings(a.surface, arguments.levels); levels > 0) {
+  check_surface(rc_surface_fit(&map, &a.law), a.input.file);
+  a.rings = radial_spectrum(map, a.input.file);
+  if (const std::int64_t levels = halvings(a.input.surface, arguments.levels); levels > 0) {
     a.cmr.emplace();
     a.cmr->struct_size = sizeof *a.cmr;
-    check_surface(rc_surface_cmr_advice(&map, static_cast<int32_t>(levels), approach, &*a.cmr), a.file);
+    check_surface(rc_surface_cmr_advice(&map, static_cast<int32_t>(levels), approach, &*a.cmr), a.input.file);
   }
   return a;
 }
@@ -128,10 +124,10 @@ void print_advice(const Analysis& a) {
 }
 
 void print(const Analysis& a) {
-  std::printf("surface %s, %lld x %lld points, pitch %s x %s, %s removed\n",
-              std::filesystem::path(a.file).filename().string().c_str(), static_cast<long long>(a.surface.nx),
-              static_cast<long long>(a.surface.ny), length_text(*a.surface.hx).c_str(), length_text(*a.surface.hy).c_str(),
-              a.periodic ? "periodic, mean" : "plane");
+  std::printf("surface %s, %lld x %lld points, pitch %s x %s%s, %s removed\n",
+              std::filesystem::path(a.input.file).filename().string().c_str(), static_cast<long long>(a.input.surface.nx),
+              static_cast<long long>(a.input.surface.ny), length_text(*a.input.surface.hx).c_str(),
+              length_text(*a.input.surface.hy).c_str(), a.input.preparation().c_str(), a.periodic ? "periodic, mean" : "plane");
   print_statistics(a.statistics);
   print_spectrum(a.law);
   print_advice(a);
@@ -148,11 +144,15 @@ Json document(const Analysis& a) {
   const rc_surface_statistics& s = a.statistics;
   const rc_surface_power_law& law = a.law;
   Json result{{"input",
-               {{"file", a.file},
-                {"nx", a.surface.nx},
-                {"ny", a.surface.ny},
-                {"hx", *a.surface.hx},
-                {"hy", *a.surface.hy},
+               {{"file", a.input.file},
+                {"format", a.input.surface.format},
+                {"nx", a.input.surface.nx},
+                {"ny", a.input.surface.ny},
+                {"hx", *a.input.surface.hx},
+                {"hy", *a.input.surface.hy},
+                {"removed", a.input.removed},
+                {"missing", a.input.missing},
+                {"missing_rule", a.input.missing_rule},
                 {"periodic", a.periodic}}},
               {"statistics",
                {{"rms_height", s.rms_height},
@@ -210,7 +210,7 @@ void draw(const Analysis& analysis, const std::string& path) {
 
 void analyze(const AnalyzeArguments& arguments) {
   const Analysis analysis = make_analysis(arguments);
-  if (!analysis.note.empty()) report(analysis.note);
+  for (const std::string& note : analysis.input.notes) report(note);
   if (arguments.json) {
     // JSON has no NaN: the writer puts null for what is not finite. File names need not be UTF-8.
     const std::string text = document(analysis).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "surface_input.h"
+
 namespace cli {
 
 struct AnalyzeArguments {
-  std::string surface;
-  std::optional<std::string> pitch, unit, levels, approach, json, picture;
+  SurfaceArguments surface;
+  std::optional<std::string> levels, approach, json, picture;
   bool periodic = false;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "library.h"
+#include "surface/registry.h"
 #include "text.h"
 
 namespace cli {
@@ -72,6 +73,15 @@ void list_options() {
     rows.push_back({option.key, type_name(option.type), option.default_value, allowed_values(option), option.help});
   }
   context.report_warnings();
+  print_rows(rows);
+}
+
+void list_formats() {
+  std::vector<Row> rows{{"name", "summary", "extensions", "recognised by", "the file says"}};
+  for (const Format& f : surface_formats()) {
+    rows.push_back({std::string(f.name), std::string(f.summary), std::string(trimmed(f.extensions)),
+                    f.matches ? "contents" : "extension", std::string(f.lengths)});
+  }
   print_rows(rows);
 }
 

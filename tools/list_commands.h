@@ -1,4 +1,5 @@
-// `roughcontact backends`, `solvers`, `kernels` and `options`: what the library has, as tables on standard output.
+// `roughcontact backends`, `solvers`, `kernels` and `options`: what the library has, and `formats`: what surfaces it reads, as
+// tables on standard output.
 #pragma once
 
 namespace cli {
@@ -7,5 +8,6 @@ void list_backends();
 void list_solvers();
 void list_kernels();
 void list_options();
+void list_formats();
 
 }  // namespace cli

@@ -33,17 +33,26 @@ std::string version() {
   return cli::format("roughcontact %d.%d.%d (ABI %d)", major, minor, patch, abi);
 }
 
+void add_surface(CLI::App* command, cli::SurfaceArguments& surface, const char* missing_help) {
+  command->add_option("SURFACE", surface.file, "File of heights, see roughcontact formats")->required();
+  const auto option = [command](const char* name, auto& value, const char* type, const char* help) {
+    command->add_option(name, value, help)->type_name(type)->group("Surface");
+  };
+  option("--format", surface.format, "NAME", "Format of the file, where contents and extension do not say it");
+  option("--pitch", surface.pitch, "H or HX,HY", "Cell size, where the file does not say it");
+  option("--unit", surface.unit, "UNIT", "Unit of lengths: m (default), mm, um, nm, pm");
+  option("--missing", surface.missing, "RULE", missing_help);
+  option("--remove", surface.remove, "FORM", "Least-squares form to take off: none (default), mean, plane or quadric");
+}
+
 void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
   CLI::App* solve = app.add_subcommand("solve", "Press a rough surface against a flat half-space");
   solve->footer(solve_help);
-  solve->add_option("SURFACE", arguments.surface, "Heights: .gsf, .npy or a text matrix")->required();
+  add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
 
   const auto option = [solve](const char* name, auto& value, const char* type, const char* help, const char* group) {
     return solve->add_option(name, value, help)->type_name(type)->group(group);
   };
-  option("--pitch", arguments.pitch, "H or HX,HY", "Cell size, where the file does not say it", "Surface");
-  option("--unit", arguments.unit, "UNIT", "Unit of lengths: m (default), mm, um, nm, pm", "Surface");
-
   option("--modulus", arguments.modulus, "E*", "Contact modulus", "Elasticity (--modulus, or --E and --nu)");
   option("--E", arguments.young, "E", "Young's modulus", "Elasticity (--modulus, or --E and --nu)");
   option("--nu", arguments.poisson, "NU", "Poisson's ratio", "Elasticity (--modulus, or --E and --nu)");
@@ -132,12 +141,10 @@ void add_generate(CLI::App& app, cli::GenerateArguments& arguments) {
 
 void add_analyze(CLI::App& app, cli::AnalyzeArguments& arguments) {
   CLI::App* analyze = app.add_subcommand("analyze", "Roughness parameters and spectrum of a surface, and advice on cmr");
-  analyze->add_option("SURFACE", arguments.surface, "Heights: .gsf, .npy or a text matrix")->required();
+  add_surface(analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
   const auto option = [analyze](const char* name, auto& value, const char* type, const char* help) {
     analyze->add_option(name, value, help)->type_name(type);
   };
-  option("--pitch", arguments.pitch, "H or HX,HY", "Cell size, where the file does not say it");
-  option("--unit", arguments.unit, "UNIT", "Unit of lengths: m (default), mm, um, nm, pm");
   analyze->add_flag("--periodic", arguments.periodic, "The surface repeats: no window, only the mean is removed");
   option("--levels", arguments.levels, "K", "Halvings of the grid to judge cmr for, 4");
   option("--approach", arguments.approach, "LENGTH", "Approach to judge cmr for; half the highest point's height");
@@ -159,6 +166,7 @@ int run(int argc, char** argv) {
   app.add_subcommand("solvers", "List the solvers");
   app.add_subcommand("kernels", "List the influence kernels");
   app.add_subcommand("options", "List every option with its type, default and range");
+  app.add_subcommand("formats", "List the formats of surface files");
 
   try {
     app.parse(argc, argv);
@@ -178,9 +186,11 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("solvers")) cli::list_solvers();
   if (app.got_subcommand("kernels")) cli::list_kernels();
   if (app.got_subcommand("options")) cli::list_options();
+  if (app.got_subcommand("formats")) cli::list_formats();
   if (app.get_subcommands().empty()) {
     cli::report(
-        "no command given, give solve, generate, analyze, backends, solvers, kernels or options; see roughcontact --help");
+        "no command given, give solve, generate, analyze, backends, solvers, kernels, options or formats; see roughcontact "
+        "--help");
     return cli::exit_error;
   }
   return cli::exit_certified;

@@ -156,11 +156,18 @@ float quantile(std::vector<float> values, double fraction) {
   return *at;
 }
 
+// Excluded points have no height.
+template <class Number> std::vector<Number> without_nan(const std::vector<Number>& values) {
+  std::vector<Number> present;
+  std::ranges::copy_if(values, std::back_inserter(present), [](Number value) { return !std::isnan(value); });
+  return present;
+}
+
 std::string height_panel(const Surface& surface, const Raster& pressure) {
   const Panel panel = make_panel(surface, panel_lefts[0]);
-  const double points = static_cast<double>(surface.heights.size());
-  const double mean = std::accumulate(surface.heights.begin(), surface.heights.end(), 0.0) / points;
-  const auto [lowest, highest] = std::ranges::minmax(surface.heights);
+  const std::vector<double> present = without_nan(surface.heights);
+  const double mean = std::accumulate(present.begin(), present.end(), 0.0) / static_cast<double>(present.size());
+  const auto [lowest, highest] = std::ranges::minmax(present);
   const Prefix prefix = prefix_for(highest - lowest);
   std::vector<double> relative;
   relative.reserve(surface.heights.size());
@@ -168,7 +175,8 @@ std::string height_panel(const Surface& surface, const Raster& pressure) {
   const Raster heights = block_mean(relative, surface.nx, surface.ny, panel.size());
 
   // A few outliers must not take all contrast.
-  const float dark = quantile(heights.values, 0.002), bright = quantile(heights.values, 0.998);
+  const std::vector<float> shown = without_nan(heights.values);
+  const float dark = quantile(shown, 0.002), bright = quantile(shown, 0.998);
   const float margin = bright > dark ? 0.0f : 1.0f;
 
   std::string text = frame(panel) + scale_bar(panel) + panel_title(panel, "height above mean, {/:Bold contact in red}");

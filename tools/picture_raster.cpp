@@ -1,6 +1,7 @@
 #include "picture_raster.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cli {
@@ -46,11 +47,16 @@ bool is_visible(const Raster& raster, std::int64_t x, std::int64_t y, std::int64
 
 Raster block_mean(const std::vector<double>& field, std::int64_t nx, std::int64_t ny, Size size) {
   return reduce(nx, ny, size, [&](std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1) {
-    double sum = 0;
+    double sum = 0, count = 0;
     for (std::int64_t y = y0; y < y1; ++y) {
-      for (std::int64_t x = x0; x < x1; ++x) sum += field[static_cast<std::size_t>(y * nx + x)];
+      for (std::int64_t x = x0; x < x1; ++x) {
+        const double value = field[static_cast<std::size_t>(y * nx + x)];
+        if (std::isnan(value)) continue;
+        sum += value;
+        ++count;
+      }
     }
-    return sum / static_cast<double>((x1 - x0) * (y1 - y0));
+    return sum / count;
   });
 }
 

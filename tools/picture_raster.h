@@ -16,7 +16,8 @@ struct Size {
   std::int64_t width, height;  // pixels
 };
 
-// At most one cell a pixel: means of blocks, or their maxima, over fields that have more points than that.
+// At most one cell a pixel: means of blocks, or their maxima, over fields that have more points than that. NaN counts for
+// nothing; the mean of a block without numbers is NaN.
 Raster block_mean(const std::vector<double>& field, std::int64_t nx, std::int64_t ny, Size size);
 Raster block_max(const std::vector<double>& field, std::int64_t nx, std::int64_t ny, Size size);
 

@@ -1,10 +1,9 @@
 #include "problem.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error.h"
-#include "lengths.h"
 #include "numbers.h"
 #include "targets.h"
 #include "text.h"
@@ -82,25 +81,24 @@ double Problem::step_target(std::size_t step) const {
 Problem make_problem(const SolveArguments& arguments) {
   Problem problem;
   rc_system_init(&problem.system);
-  const double unit = length_unit(arguments.unit);
+  const double unit = unit_of(arguments.surface);
   problem.system.modulus = contact_modulus(arguments);
   problem.system.boundary = boundary(arguments.boundary);
   set_targets(arguments, unit, problem);
   set_options(arguments, problem);
-  const auto given_pitch = pitch_argument(arguments.pitch, unit);
 
-  problem.file = arguments.surface;
-  problem.surface = read_surface(problem.file, unit);
-  problem.note = settle_pitch(given_pitch, problem.file, problem.surface);
-  problem.system.hx = *problem.surface.hx;
-  problem.system.hy = *problem.surface.hy;
-  problem.system.nx = problem.surface.nx;
-  problem.system.ny = problem.surface.ny;
+  problem.input = read_input(arguments.surface, true);
+  const Surface& surface = problem.input.surface;
+  problem.system.hx = *surface.hx;
+  problem.system.hy = *surface.hy;
+  problem.system.nx = surface.nx;
+  problem.system.ny = surface.ny;
   return problem;
 }
 
 std::vector<double> gap_below_highest_point(const Surface& surface) {
-  const double highest = *std::ranges::max_element(surface.heights);
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const double z : surface.heights) highest = std::fmax(highest, z);  // passes over NaN
   std::vector<double> gap;
   gap.reserve(surface.heights.size());
   for (const double z : surface.heights) gap.push_back(highest - z);

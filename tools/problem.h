@@ -8,13 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "surface/surface.h"
+#include "surface_input.h"
 
 namespace cli {
 
 struct SolveArguments {
-  std::string surface;
-  std::optional<std::string> pitch, unit;
+  SurfaceArguments surface;
   std::optional<std::string> young, poisson, modulus;
   std::optional<std::string> displacement, load, pressure;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
@@ -24,12 +23,10 @@ struct SolveArguments {
 };
 
 struct Problem {
-  std::string file;
-  Surface surface;
+  SurfaceInput input;
   rc_system system;
   std::string control;                                       // "displacement", "load" or "pressure"
   std::vector<double> targets;                               // of the control, a length in metres
-  std::string note;                                          // what the user should know about the choices made; "" if nothing
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 
   // The control and target that the library knows: a mean pressure is a load.
@@ -40,7 +37,7 @@ struct Problem {
 // Throws an Error at the first argument that is wrong; the surface is read last.
 Problem make_problem(const SolveArguments& arguments);
 
-// The highest point touches first: gap = max(z) - z.
+// The highest point touches first: gap = max(z) - z. NaN where the height is.
 std::vector<double> gap_below_highest_point(const Surface& surface);
 
 }  // namespace cli

@@ -53,7 +53,7 @@ class StepFiles {
     if (step.number == 1) remove_previous();
     const auto array = [this](const std::vector<double>& values) {
       return [this, &values](std::FILE* file) {
-        write_npy(file, values, problem_.surface.nx, problem_.surface.ny);
+        write_npy(file, values, problem_.system.nx, problem_.system.ny);
         return true;
       };
     };
@@ -85,7 +85,7 @@ class StepFiles {
   void draw(const StepRecord& step, const Fields& fields) {
     const std::string picture = name("contact", step.number, "png");
     folder_.write(picture, [&](std::FILE* file) {
-      const Gnuplot outcome = draw_picture({problem_.surface, fields.pressure, step, problem_.targets.size()}, file);
+      const Gnuplot outcome = draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
       can_draw_ = !outcome.missing;
       if (outcome.missing) {
         report("gnuplot not found: contact-K.png not drawn");
@@ -112,6 +112,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, c
   step.control = problem.step_control();
   step.target = problem.step_target(static_cast<std::size_t>(number - 1));
   step.gap = number == 1 ? gap.data() : nullptr;
+  step.mask = number == 1 && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
   StepRecord record{number, {}, {}};
@@ -137,7 +138,7 @@ void report_step(const StepRecord& step, std::size_t steps) {
 ExitCode run_solve(const SolveArguments& arguments) {
   const Problem problem = make_problem(arguments);
   const std::size_t steps = problem.targets.size();
-  const std::vector<double> gap = gap_below_highest_point(problem.surface);
+  const std::vector<double> gap = gap_below_highest_point(problem.input.surface);
   Fields fields{gap.size()};
 
   Context context;
@@ -156,7 +157,9 @@ ExitCode run_solve(const SolveArguments& arguments) {
     bar.clear();
 
     context.report_warnings();
-    if (number == 1 && !problem.note.empty()) report(problem.note);
+    for (const std::string& note : problem.input.notes) {
+      if (number == 1) report(note);
+    }
     const bool good = step.result.status == RC_OK || step.result.status == RC_WITHIN_GOAL;
     if (!good) code = exit_uncertified;
     if (!arguments.quiet && number == 1) print_table_head(problem);

@@ -18,11 +18,15 @@ Json input(const Problem& problem) {
   const rc_system& system = problem.system;
   Json options = Json::object();
   for (const auto& [key, text] : problem.options) options[key] = text;
-  return {{"file", problem.file},
+  return {{"file", problem.input.file},
+          {"format", problem.input.surface.format},
           {"nx", system.nx},
           {"ny", system.ny},
           {"hx", system.hx},
           {"hy", system.hy},
+          {"removed", problem.input.removed},
+          {"missing", problem.input.missing},
+          {"missing_rule", problem.input.missing_rule},
           {"modulus", system.modulus},
           {"boundary", system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free"},
           {"control", problem.control},

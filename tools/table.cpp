@@ -10,10 +10,10 @@ namespace cli {
 
 void print_table_head(const Problem& problem) {
   const rc_system& system = problem.system;
-  const std::string name = std::filesystem::path(problem.file).filename().string();
-  std::printf("surface %s, %lld x %lld points, pitch %.6g m x %.6g m, E* %.6g, %s boundary, lengths in m\n", name.c_str(),
+  const std::string name = std::filesystem::path(problem.input.file).filename().string();
+  std::printf("surface %s, %lld x %lld points, pitch %.6g m x %.6g m, E* %.6g, %s boundary, lengths in m%s\n", name.c_str(),
               static_cast<long long>(system.nx), static_cast<long long>(system.ny), system.hx, system.hy, system.modulus,
-              system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free");
+              system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free", problem.input.preparation().c_str());
   std::printf("%4s %12s %12s %13s %9s %12s %8s %10s %8s %10s %8s  %-20s %s\n", "step", "displacement", "load", "mean pressure",
               "area", "stiffness", "residual", "iterations", "products", "candidates", "seconds", "solver/backend", "status");
   std::fflush(stdout);

@@ -49,7 +49,8 @@ std::optional<double> pitch(const Header& header, std::string_view key, std::int
   if (entry == header.end()) return std::nullopt;
   const double size = finite_number(key, entry->second);
   const double step = size * unit / static_cast<double>(points);
-  if (!(step > 0)) throw Error(std::string(key) + " " + in_quotes(entry->second) + " is not a positive length");
+  if (!(step > 0 && std::isfinite(step)))
+    throw Error(std::string(key) + " " + in_quotes(entry->second) + " is not a positive length");
   return step;
 }
 

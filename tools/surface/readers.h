@@ -1,13 +1,14 @@
-// Readers of single formats and what they share. A reader gets the whole file and throws an Error that says what is wrong with
-// it.
+// Readers of single formats and what they share. A reader gets the whole file and metres per unit of lengths for which the file
+// names none. It throws an Error that says what is wrong with the file, and allocates nothing that the file's size does not
+// justify. Missing heights are NaN.
 #pragma once
 
-#include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <cstring>
+#include <limits>
+#include <string>
 #include <string_view>
 
+#include "surface/binary.h"
 #include "surface/surface.h"
 
 namespace cli {
@@ -15,24 +16,29 @@ namespace cli {
 inline constexpr std::string_view gsf_magic = "Gwyddion Simple Field 1.0\n";
 inline constexpr std::string_view npy_magic = "\x93NUMPY";
 
-Surface read_gsf(std::string_view file, double unit);
-Surface read_npy(std::string_view file, double unit);
-Surface read_text(std::string_view file, double unit);
+inline constexpr double missing_height = std::numeric_limits<double>::quiet_NaN();
 
-// Throws unless nx, ny >= 1 and the data of nx*ny numbers fill exactly `available` bytes.
+Surface read_container(std::string_view file, double unit);
+Surface read_gsf(std::string_view file, double unit);
+Surface read_netcdf(std::string_view file, double unit);
+Surface read_npy(std::string_view file, double unit);
+Surface read_plu(std::string_view file, double unit);
+Surface read_sdf(std::string_view file, double unit);
+Surface read_sur(std::string_view file, double unit);
+Surface read_text(std::string_view file, double unit);
+Surface read_x3p(std::string_view file, double unit);
+Surface read_xyz(std::string_view file, double unit);
+
+// Throws unless nx, ny >= 1 and `available` bytes hold nx*ny numbers; returns their size in bytes.
+std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
+
+// The same where nothing may follow the data.
 void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
 
 // Metres per unit named in a file under `key`; `unit` where the name is empty. Throws if it is not a length.
 double file_unit(std::string_view key, std::string_view name, double unit);
 
-// The number stored at `bytes` in the given byte order.
-template <class Number> Number stored_number(const char* bytes, std::endian order) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, bytes, sizeof raw);
-  if (order != std::endian::native) std::reverse(raw, raw + sizeof raw);
-  Number value;
-  std::memcpy(&value, raw, sizeof value);
-  return value;
-}
+// A pitch or scale in metres, stored under `key`; throws unless it is positive and finite.
+double file_length(std::string_view key, double metres);
 
 }  // namespace cli

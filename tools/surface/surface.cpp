@@ -11,6 +11,7 @@
 
 #include "error.h"
 #include "surface/readers.h"
+#include "surface/registry.h"
 #include "text.h"
 #include "units.h"
 
@@ -19,19 +20,6 @@ namespace cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Format {
-  std::string_view name;
-  std::string_view magic;       // how such a file begins; "": not recognisable by its contents
-  std::string_view extensions;  // each followed by a space
-  Surface (*read)(std::string_view file, double unit);
-};
-
-constexpr Format formats[] = {
-    {"Gwyddion Simple Field", gsf_magic, ".gsf ", read_gsf},
-    {"NumPy array", npy_magic, ".npy ", read_npy},
-    {"text matrix", "", ".txt .csv .tsv .dat .asc ", read_text},
-};
 
 std::string contents(const fs::path& path) {
   std::error_code error;
@@ -50,37 +38,24 @@ std::string contents(const fs::path& path) {
   return bytes;
 }
 
-const Format& format_of(const fs::path& path, std::string_view file) {
-  const auto by_magic = [&](const Format& f) { return !f.magic.empty() && file.starts_with(f.magic); };
-  if (const auto found = std::ranges::find_if(formats, by_magic); found != std::end(formats)) return *found;
-
+std::string lower_case_extension(const fs::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  const auto by_extension = [&](const Format& f) { return f.extensions.find(extension + " ") != std::string_view::npos; };
-  const auto found = std::ranges::find_if(formats, by_extension);
-  if (!extension.empty() && found != std::end(formats)) return *found;
-
-  std::string known;
-  for (const auto& f : formats)
-    known += (known.empty() ? "" : ", ") + std::string(f.name) + " (" + std::string(trimmed(f.extensions)) + ")";
-  throw Error("unknown format, readable are " + known);
-}
-
-void check_finite(const Surface& surface) {
-  const auto missing = [](double z) { return !std::isfinite(z); };
-  const auto count = std::ranges::count_if(surface.heights, missing);
-  if (count == 0) return;
-
-  const auto first = std::ranges::find_if(surface.heights, missing) - surface.heights.begin();
-  throw Error(std::to_string(count) + (count == 1 ? " missing value" : " missing values") +
-              ", first at ix=" + std::to_string(first % surface.nx) + ", iy=" + std::to_string(first / surface.nx) + "; fill " +
-              (count == 1 ? "it" : "them") + " first");
+  return extension;
 }
 
 }  // namespace
 
-void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
+std::string_view piece(std::string_view file, std::uint64_t offset, std::uint64_t size, std::string_view what) {
+  if (offset > file.size() || size > file.size() - offset) {
+    throw Error("the file has " + std::to_string(file.size()) + " bytes and ends within " + std::string(what) + " (" +
+                std::to_string(size) + " bytes from byte " + std::to_string(offset) + "); it is truncated");
+  }
+  return file.substr(offset, size);
+}
+
+std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
   const std::string grid = std::to_string(nx) + " x " + std::to_string(ny);
   if (nx < 1 || ny < 1) throw Error("the header says " + grid + " points, at least 1 x 1 are needed");
 
@@ -91,10 +66,14 @@ void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_num
     throw Error("the header says " + grid + " points, but the file has data for " + std::to_string(numbers) +
                 "; it is truncated");
   }
-  if (columns * rows * bytes_per_number != available) {
-    throw Error("the header says " + grid + " points, but " + std::to_string(available - columns * rows * bytes_per_number) +
-                " bytes follow their data");
-  }
+  return columns * rows * bytes_per_number;
+}
+
+void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
+  const std::size_t size = data_size(nx, ny, bytes_per_number, available);
+  if (size == available) return;
+  throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, but " +
+              std::to_string(available - size) + " bytes follow their data");
 }
 
 double file_unit(std::string_view key, std::string_view name, double unit) {
@@ -104,11 +83,21 @@ double file_unit(std::string_view key, std::string_view name, double unit) {
               " is not a length, known are m and m with an SI prefix (mm, um, nm, pm)");
 }
 
-Surface read_surface(const fs::path& path, double unit) {
+double file_length(std::string_view key, double metres) {
+  if (metres > 0 && std::isfinite(metres)) return metres;
+  throw Error(format("%s is %g m, not a positive length", std::string(key).c_str(), metres));
+}
+
+Surface read_surface(const fs::path& path, double unit, const std::optional<std::string>& format) {
+  const Format* const named = format ? &named_format(*format) : nullptr;
   try {
     const std::string file = contents(path);
-    Surface surface = format_of(path, file).read(file, unit);
-    check_finite(surface);
+    const Format& chosen = named ? *named : recognised_format(file, lower_case_extension(path));
+    Surface surface = chosen.read(file, unit);
+    surface.format = chosen.name;
+    for (double& z : surface.heights) {
+      if (!std::isfinite(z)) z = missing_height;
+    }
     return surface;
   } catch (const Error& error) {
     throw Error(path.string() + ": " + error.what());

@@ -1,6 +1,7 @@
-// A matrix of numbers, one row a line, separated by semicolons, commas or white space. Lines that begin with '#' are comments, of
-// which those of a Gwyddion export are understood: "# Width: 10.00 um", "# Height: 10.00 um" (of the whole field) and "# Value
-// units: m".
+// A matrix of numbers, one row a line, separated by semicolons (as in MIRCO's input), commas or white space; "bad" and the like
+// are missing. Lines that begin with '#' are comments, of which those of a Gwyddion export are understood: "# Width: 10.00 um",
+// "# Height: 10.00 um" (of the whole field) and "# Value units: m". Of the header of phase-shifting interferometers "pixel
+// size=1e-6 m" and "height conversion factor (-> m)=1e-8" are.
 #include "text.h"
 
 #include <string>
@@ -8,13 +9,15 @@
 #include "error.h"
 #include "numbers.h"
 #include "surface/readers.h"
+#include "surface/text_rows.h"
 
 namespace cli {
 
 namespace {
 
 struct Comments {
-  std::optional<double> width, height;  // metres
+  std::optional<double> width, height;         // metres
+  std::optional<double> pixel, height_factor;  // metres
   std::string_view value_units;
 };
 
@@ -37,33 +40,21 @@ void read_comment(std::string_view line, double unit, Comments& comments) {
   if (key == "Value units") comments.value_units = value;
 }
 
-std::vector<std::string_view> words(std::string_view line) {
-  constexpr std::string_view space = " \t\r\f\v";
-  std::vector<std::string_view> found;
-  for (auto first = line.find_first_not_of(space); first != std::string_view::npos;) {
-    const auto end = std::min(line.find_first_of(space, first), line.size());
-    found.push_back(line.substr(first, end - first));
-    first = line.find_first_not_of(space, end);
-  }
-  return found;
-}
-
-// One separator a line: "1,5 2,5" with decimal commas then fails as a number instead of being read as three.
-std::vector<std::string_view> fields(std::string_view line) {
-  for (const char separator : {';', ','}) {
-    if (line.find(separator) == std::string_view::npos) continue;
-    auto parts = split(line, separator);
-    if (trimmed(parts.back()).empty()) parts.pop_back();  // a separator may end the line
-    return parts;
-  }
-  return words(line);
+// "key=value" before the first row. The size and the unit of the raw data are read off the rows and the conversion factor.
+bool read_header_line(std::string_view line, double unit, Comments& comments) {
+  const auto equals = line.find('=');
+  if (equals == std::string_view::npos) return false;
+  const auto key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
+  if (key == "pixel size") comments.pixel = length(key, value, unit);
+  if (key == "height conversion factor (-> m)") comments.height_factor = length(key, value, 1);
+  return key == "h" || key == "pixel size" || key == "data unit" || key == "height conversion factor (-> m)";
 }
 
 std::size_t append_row(std::string_view line, std::int64_t row, std::vector<double>& heights) {
   std::size_t column = 0;
-  for (const auto field : fields(line)) {
+  for (const auto field : row_fields(line)) {
     ++column;
-    const auto value = to_number(field);
+    const auto value = is_missing_mark(field) ? missing_height : to_number(field);
     if (!value) {
       throw Error("row " + std::to_string(row) + ", column " + std::to_string(column) + ": " + in_quotes(trimmed(field)) +
                   " is not a number (the decimal mark is a point)");
@@ -81,14 +72,13 @@ Surface read_text(std::string_view file, double unit) {
   Surface surface;
   Comments comments;
   while (!file.empty()) {
-    const auto end = std::min(file.find('\n'), file.size());
-    const auto line = trimmed(file.substr(0, end));
-    file.remove_prefix(std::min(end + 1, file.size()));
+    const auto line = take_line(file);
     if (line.empty()) continue;
     if (line.starts_with('#')) {
       read_comment(line.substr(1), unit, comments);
       continue;
     }
+    if (surface.ny == 0 && read_header_line(line, unit, comments)) continue;
     ++surface.ny;
     const auto columns = static_cast<std::int64_t>(append_row(line, surface.ny, surface.heights));
     if (surface.ny == 1) surface.nx = columns;
@@ -99,8 +89,9 @@ Surface read_text(std::string_view file, double unit) {
   }
   if (surface.ny == 0) throw Error("the file has no numbers");
 
-  const double vertical = file_unit("Value units", comments.value_units, unit);
+  const double vertical = comments.height_factor ? *comments.height_factor : file_unit("Value units", comments.value_units, unit);
   for (double& z : surface.heights) z *= vertical;
+  surface.hx = surface.hy = comments.pixel;
   if (comments.width) surface.hx = *comments.width / static_cast<double>(surface.nx);
   if (comments.height) surface.hy = *comments.height / static_cast<double>(surface.ny);
   return surface;

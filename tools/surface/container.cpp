@@ -1,0 +1,28 @@
+// The zip archive that contact.engineering hands out: meta.yml and one NetCDF file for each measurement. The first is read.
+#include "error.h"
+#include "surface/readers.h"
+#include "surface/zip_archive.h"
+#include "text.h"
+
+namespace cli {
+
+Surface read_container(std::string_view file, double unit) {
+  const ZipArchive archive{file};
+  const auto maps = netcdf_entries(archive.names());
+  if (maps.empty()) throw Error("the zip archive holds no file *.nc; unpack it and give one of its files");
+  const std::string& name = archive.names()[maps.front()];
+  try {
+    const std::string map = archive.contents(maps.front());
+    Surface surface = read_netcdf(map, unit);
+    std::string which = "note: " + in_quotes(name) + " of the archive is read";
+    if (maps.size() > 1) {
+      which += format(", the first of %zu measurements; unpack it for the others", maps.size());
+    }
+    surface.note = surface.note.empty() ? which : which + "; " + surface.note;
+    return surface;
+  } catch (const Error& error) {
+    throw Error(in_quotes(name) + " in the archive: " + error.what());
+  }
+}
+
+}  // namespace cli

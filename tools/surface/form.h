@@ -1,0 +1,18 @@
+// Form removal: what a polynomial of low degree explains is taken off the heights.
+#pragma once
+
+#include <string_view>
+
+#include "surface/surface.h"
+
+namespace cli {
+
+enum class Form { none, mean, plane, quadric };
+
+// "none", "mean", "plane" or "quadric", given for --remove.
+Form parse_form(std::string_view name);
+
+// Takes off the least-squares fit over the points that are not missing: mean 1, plane 1 x y, quadric 1 x y x^2 xy y^2.
+void remove_form(Form form, Surface& surface);
+
+}  // namespace cli

@@ -1,0 +1,25 @@
+// Points that were not measured: NaN in the heights.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "surface/surface.h"
+
+namespace cli {
+
+enum class MissingRule { reject, fill, exclude };
+
+// "reject", "fill" or "exclude", given for --missing.
+MissingRule parse_missing_rule(std::string_view name);
+
+std::int64_t count_missing(const Surface& surface);
+
+// Throws an Error that counts the missing points and says what can be done; `can_exclude`: whether --missing exclude is a choice.
+[[noreturn]] void reject_missing(const Surface& surface, std::int64_t count, bool can_exclude);
+
+// Harmonic interpolation: every missing point becomes the mean of its neighbours, weighted by their distance^-2, as a soap film
+// spans a hole. Filled heights lie between those around the hole, so that no summit is made up. The pitch must be known.
+void fill_missing(Surface& surface);
+
+}  // namespace cli

@@ -1,0 +1,38 @@
+// A surface as asked for on the command line: read, with its pitch settled, its form removed and its missing points dealt with.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace cli {
+
+struct SurfaceArguments {
+  std::string file;
+  std::optional<std::string> format, pitch, unit, missing, remove;
+};
+
+struct SurfaceInput {
+  std::string file;
+  Surface surface;                 // with its pitch; excluded points have the height NaN
+  std::string removed;             // "none", "mean", "plane" or "quadric"
+  std::int64_t missing = 0;        // points
+  std::string missing_rule;        // what was done with them: "reject" (there are none), "fill" or "exclude"
+  std::vector<std::uint8_t> mask;  // 0: excluded; empty where no point is
+  std::vector<std::string> notes;  // what the user should know about the choices made
+
+  // ", plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if nothing.
+  std::string preparation() const;
+};
+
+// Metres per --unit.
+double unit_of(const SurfaceArguments& arguments);
+
+// Throws an Error at the first argument that is wrong, before the file is read. `can_exclude`: whether the caller can leave
+// points out.
+SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude);
+
+}  // namespace cli
