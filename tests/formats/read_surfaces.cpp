@@ -1,6 +1,6 @@
 // read_surfaces [--heights FILE] [--unit U] [--format NAME] [--remove FORM] [--fill] SURFACE...: reads surface files as the
-// command does and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS" or "error MESSAGE". --heights writes those of the
-// last as raw doubles. A crash ends it, so that many damaged files can be tried in one process.
+// command does and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS" or "error MESSAGE". --heights writes those of
+// the last as raw doubles. A crash ends it, so that many damaged files can be tried in one process.
 #include <cmath>
 #include <cstdio>
 #include <optional>

@@ -1,0 +1,87 @@
+"""Columns x, y, z: the regular grid is found in any order, with missing nodes, rounded coordinates and any separator."""
+import reading
+from harness import np
+from reading import ReaderTest, bumps
+
+HX, HY = 0.4, 0.75
+
+
+def columns(z, x0=-3.0, y0=10.0, digits=9):
+    """One row x, y, z for each point, y slowest."""
+    y, x = np.mgrid[0 : z.shape[0], 0 : z.shape[1]]
+    return np.stack([np.round(x0 + x * HX, digits).ravel(), np.round(y0 + y * HY, digits).ravel(), z.ravel()], axis=1)
+
+
+def text(rows, separator=" ", number="%.12g"):
+    return "".join(separator.join(number % v for v in row) + "\n" for row in rows)
+
+
+class Grids(ReaderTest):
+    def test_any_order(self):
+        z = bumps()
+        rows = columns(z)
+        orders = [rows, rows[::-1], rows[np.lexsort((rows[:, 1], rows[:, 0]))], rows[np.lexsort((-rows[:, 1], -rows[:, 0]))],
+                  rows[np.random.default_rng(1).permutation(len(rows))]]
+        for ordered in orders:
+            self.assert_reads("a.xyz", text(ordered), z, (HX, HY), format="xyz")
+
+    def test_separators_headers_and_units(self):
+        z = bumps()
+        rows = columns(z)
+        for separator in (" ", "\t", ",", ", ", ";", " ; "):
+            self.assert_reads("a.xyz", "# made by a test\nX Y Z\n\n" + text(rows, separator), z, (HX, HY))
+        self.assert_reads("a.xyz", text(rows), z * 1e-6, (HX * 1e-6, HY * 1e-6), "--unit", "um", atol=1e-21)
+        self.assert_reads("a.XYZ", text(rows).replace("\n", "\r\n"), z, (HX, HY))
+
+    def test_missing_nodes_rows_and_columns(self):
+        chance = np.random.default_rng(2)
+        for share in (0.1, 0.4, 0.7):
+            z = bumps(20, 30)
+            gone = chance.random(z.shape) < share
+            gone[:, 12:24] = gone[3] = True
+            gone[0, 0] = gone[-1, -1] = gone[0, -1] = gone[-1, 0] = False  # the corners keep the size
+            gone[7, 7:10] = gone[8:10, 7] = False
+            rows = columns(z)[~gone.ravel()]
+            self.assert_reads("a.xyz", text(chance.permutation(rows)), np.where(gone, np.nan, z), (HX, HY))
+
+    def test_marks_of_missing_heights(self):
+        z = bumps(missing=9)
+        for mark in ("nan", "NaN", "bad", "BAD", "No Data", "***"):
+            self.assert_reads("a.xyz", text(columns(z)).replace("nan", mark), z, (HX, HY))
+
+    def test_rounded_coordinates(self):
+        z = bumps(60, 50)
+        for digits in (3, 2):
+            found, heights, pitch, _ = self.read(self.file("a.xyz", text(columns(z, 1 / 3, 2 / 3, digits))))
+            np.testing.assert_allclose(heights, z, atol=1e-15)
+            np.testing.assert_allclose(pitch, (HX, HY), rtol=1e-3)
+        rows = columns(bumps(60, 50))
+        rows[:, 0] += np.random.default_rng(3).uniform(-0.02, 0.02, len(rows))  # a stage that is off by a twentieth of the pitch
+        found, heights, pitch, _ = self.read(self.file("a.xyz", text(rows)))
+        np.testing.assert_allclose(heights, z, atol=1e-15)
+        np.testing.assert_allclose(pitch, (HX, HY), rtol=2e-3)
+
+    def test_large_grid_far_from_the_origin(self):
+        z = bumps(200, 300)
+        found, heights, pitch, _ = self.read(self.file("a.xyz", text(columns(z, 1e5, -2e5), number="%.15g")))
+        np.testing.assert_allclose(heights, z, atol=1e-15)
+        np.testing.assert_allclose(pitch, (HX, HY), rtol=1e-6)
+
+    def test_what_is_no_grid(self):
+        rows = columns(bumps())
+        scattered = np.random.default_rng(4).uniform(size=(300, 3))
+        diagonal = np.stack([np.arange(2000.0)] * 3, axis=1)
+        uneven = rows.copy()
+        uneven[:, 0] = 1.37 ** uneven[:, 0]
+        for contents, says in ((text(scattered), "no regular grid along x"), (text(diagonal), ["2000 x 2000 nodes", "less than one in 10"]),
+                               (text(uneven), "no regular grid along x"), (text(rows) + text(rows[5:6]), "two points"),
+                               (text(rows[rows[:, 0] == rows[0, 0]]), "same x: a profile"), (text(rows[:1]), "same x"),
+                               ("x y z\n", "no line with three numbers"), ("", "no line"), (text(rows[:, :2]), "2 columns"),
+                               ("1 2 3\n1 2 3 4 5\n", "line 2 has 5 columns"), ("1 2 3\n1,5 2,5 3\n", "line 2"), ("1 2 3\n1 inf 3\n", ["line 2", "y"]),
+                               ("1 2 3\n2 2 x\n", ["line 2", "z", '"x"']), ("0 0 0\n1e308 1 1\n-1e308 0 0\n1e-300 1 1\n", "a.xyz")):
+            with self.subTest(says=says):
+                self.assert_refused("a.xyz", contents, says)
+
+
+if __name__ == "__main__":
+    reading.main()
