@@ -1,5 +1,7 @@
 """Files as instruments and other programs wrote them, with what is known of them. They are skipped where they are absent."""
+import os
 import sys
+import unittest
 from pathlib import Path
 
 import reading
@@ -44,6 +46,7 @@ class Instruments(ReaderTest):
         self.assertLessEqual(filled[~there].max(), raw[there].max())
         self.assertGreaterEqual(filled[~there].min(), raw[there].min())
 
+    @unittest.skipIf("RC_TEST_QUICK" in os.environ, "quick tests")
     def test_solving_with_missing_points(self):
         common = [DATA / "sur-2.sur", "--modulus", "1e9", "--pressure", "1e5", "--remove", "plane", "--quiet"]
         self.assert_fails("solve", *common, says=["117 missing values of 272492", "--missing fill", "--missing exclude"])

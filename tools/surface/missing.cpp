@@ -82,7 +82,8 @@ void fill_missing(Surface& surface) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (!std::isnan(z[i])) continue;
     if (missing.size() == most_filled)
-      throw Error("more than " + std::to_string(most_filled) + " points are missing, too many to interpolate; fill them first");
+      throw Error("more than " + std::to_string(most_filled) +
+                  " points are missing, too many to interpolate; cut the map to where it was measured");
     unknown[i] = static_cast<int>(missing.size());
     missing.push_back(i);
   }

@@ -38,8 +38,8 @@ std::string inflate_streams(std::string_view data, std::size_t expected) {
     piece(data, at, packed, "compressed stream " + std::to_string(k + 1));
     // zlib shrinks to no less than a thousandth, so nothing large is taken for a small file.
     if (raw > 1032 * std::uint64_t{packed} + 64) {
-      throw Error(format("compressed stream %llu claims %u bytes, more than %u compressed ones can hold; the file is damaged",
-                         static_cast<unsigned long long>(k + 1), raw, packed));
+      throw Error("compressed stream " + std::to_string(k + 1) + " claims " + std::to_string(raw) + " bytes, more than " +
+                  std::to_string(packed) + " compressed ones can hold; the file is damaged");
     }
     at += packed;
     unpacked += raw;
