@@ -1,9 +1,12 @@
-# rc_add_backend(<name> [COMMON] SOURCES ... [LIBRARIES ...] [INCLUDES ...] [LINK ...])
-# COMMON: it uses backends/common. LINK: libraries that must be linked wherever the backend is (not those that are headers only).
+# rc_add_backend(<name> [COMMON] [COMPONENT component] SOURCES ... [LIBRARIES ...] [INCLUDES ...] [LINK ...])
+# COMMON: it uses backends/common. COMPONENT: what it is installed with, backend-<name> if not said. LINK: libraries that must be linked wherever the backend is (not those that are headers only).
 # One source, two forms: linked into the library when <name> is in RC_BUILTIN_BACKENDS (object library rcb_<name>, used by src/),
 # else a plugin rcb_<name>.so beside the library, in roughcontact/abi-<n>, found there in the build tree and after installation.
 function(rc_add_backend name)
-  cmake_parse_arguments(ARG "COMMON" "" "SOURCES;LIBRARIES;INCLUDES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMMON" "COMPONENT" "SOURCES;LIBRARIES;INCLUDES;LINK" ${ARGN})
+  if(NOT ARG_COMPONENT)
+    set(ARG_COMPONENT backend-${name})
+  endif()
   if(name IN_LIST RC_BUILTIN_BACKENDS)
     add_library(rcb_${name} OBJECT ${ARG_SOURCES})
     target_compile_definitions(rcb_${name} PRIVATE RC_PLUGIN_BUILTIN)
@@ -12,7 +15,8 @@ function(rc_add_backend name)
     add_library(rcb_${name} MODULE ${ARG_SOURCES})
     set_target_properties(rcb_${name} PROPERTIES PREFIX ""
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/roughcontact/abi-${RC_PLUGIN_ABI})
-    install(TARGETS rcb_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/roughcontact/abi-${RC_PLUGIN_ABI})
+    install(TARGETS rcb_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/roughcontact/abi-${RC_PLUGIN_ABI}
+      COMPONENT ${ARG_COMPONENT})
   endif()
   if(ARG_COMMON)
     if(NOT TARGET rc_backend_common)

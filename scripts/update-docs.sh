@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# update-docs.sh BUILD: renews every text that is generated from the build at BUILD. The measured ones are bench/documents.sh's.
+set -euo pipefail
+[ $# = 1 ] || { echo "usage: $0 BUILD"; exit 1; }
+build=$(cd "$1" && pwd)
+cd "$(dirname "$0")/.."
+cmake --build "$build" -j "$(nproc)" --target test_errors docs_options roughcontact_command rcb_fft rcb_split rcb_cholmod >/dev/null
+export PYTHONDONTWRITEBYTECODE=1
+python3 tests/errors/document.py "$build/bin/test_errors" docs/errors.md --update
+python3 tests/docs/options.py "$build/bin/docs_options" docs/options.md --update
+python3 tests/docs/manual.py "$build/bin/roughcontact" backends/known.def tools/roughcontact.1 --update
+git status --short docs tools

@@ -1,0 +1,109 @@
+/* Prints every option of the library and of the solvers and backends of this source tree, as the tables of docs/options.md.
+ * Exit code 77 where one of those backends is not built. */
+#include <roughcontact/roughcontact.h>
+#include <stdio.h>
+#include <string.h>
+
+#define RC_BACKEND(name, how) name,
+static const char* const backends[] = {
+#include "backends/known.def"
+    NULL};
+#undef RC_BACKEND
+
+typedef int64_t (*count_fn)(rc_context*);
+typedef rc_status (*describe_fn)(rc_context*, int64_t, rc_component*);
+
+static int is_of(const char* key, const char* component) {
+  const size_t length = strlen(component);
+  return strncmp(key, component, length) == 0 && key[length] == '.';
+}
+
+/* The component of this key; NULL: it is the core's. */
+static const char* owner(rc_context* context, const char* key, count_fn count, describe_fn describe) {
+  int64_t i;
+  for (i = 0; i < count(context); ++i) {
+    rc_component component = {sizeof component, NULL, NULL, NULL, NULL};
+    if (describe(context, i, &component) == RC_OK && is_of(key, component.name)) return component.name;
+  }
+  return NULL;
+}
+
+static void print_choices(const char* choices) {
+  for (;;) {
+    const size_t length = strcspn(choices, "|");
+    printf("`%.*s`", (int)length, choices);
+    if (choices[length] == '\0') return;
+    printf(", ");
+    choices += length + 1;
+  }
+}
+
+static void print_row(const rc_option_spec* option) {
+  static const char* const types[] = {"", "integer", "real", "text"};
+  printf("| `%s` | %s | ", option->key, types[option->type]);
+  if (option->default_value[0])
+    printf("`%s` | ", option->default_value);
+  else
+    printf("empty | ");
+  if (option->type != RC_TYPE_TEXT)
+    printf("%g .. %g", option->minimum, option->maximum);
+  else if (option->choices)
+    print_choices(option->choices);
+  else
+    printf("any");
+  printf(" | %s%s |\n", option->help, option->fixed ? " (fixed)" : "");
+}
+
+/* One table for each component that has options; component NULL: the core's. */
+static void print_table(rc_context* context, const char* title, const char* component) {
+  int64_t i, rows = 0;
+  for (i = 0; i < rc_options_count(context); ++i) {
+    rc_option_spec option = {sizeof option, NULL, NULL, NULL, NULL, 0, 0, 0, 0};
+    const char* name;
+    if (rc_options_describe(context, i, &option) != RC_OK) continue;
+    name = owner(context, option.key, rc_solver_count, rc_solver_describe);
+    if (!name) name = owner(context, option.key, rc_backend_count, rc_backend_describe);
+    if (component ? !name || strcmp(name, component) != 0 : name != NULL) continue;
+    if (rows++ == 0) printf("\n%s\n\n| key | type | default | values | meaning |\n|---|---|---|---|---|\n", title);
+    print_row(&option);
+  }
+}
+
+static void print_tables(rc_context* context, const char* kind, count_fn count, describe_fn describe) {
+  int64_t i;
+  for (i = 0; i < count(context); ++i) {
+    rc_component component = {sizeof component, NULL, NULL, NULL, NULL};
+    char title[128];
+    if (describe(context, i, &component) != RC_OK) continue;
+    snprintf(title, sizeof title, "## %s `%s`", kind, component.name);
+    print_table(context, title, component.name);
+  }
+}
+
+static int has_backend(rc_context* context, const char* name) {
+  int64_t i;
+  for (i = 0; i < rc_backend_count(context); ++i) {
+    rc_component component = {sizeof component, NULL, NULL, NULL, NULL};
+    if (rc_backend_describe(context, i, &component) == RC_OK && strcmp(component.name, name) == 0) return 1;
+  }
+  return 0;
+}
+
+int main(void) {
+  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+  rc_context* context = NULL;
+  int i;
+  config.flags = RC_CONTEXT_NO_ENVIRONMENT;
+  if (rc_context_create(&config, &context) != RC_OK) return fprintf(stderr, "%s\n", rc_last_error()), 1;
+  for (i = 0; backends[i]; ++i) {
+    if (has_backend(context, backends[i])) continue;
+    printf("skipped: the backend %s is not built\n", backends[i]);
+    rc_context_destroy(context);
+    return 77;
+  }
+  print_table(context, "## Core", NULL);
+  print_tables(context, "Solver", rc_solver_count, rc_solver_describe);
+  print_tables(context, "Backend", rc_backend_count, rc_backend_describe);
+  rc_context_destroy(context);
+  return 0;
+}
