@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# plugins.sh SOURCE BUILD CC CXX: builds the example plugins against an installation, as somebody else would, by make and by CMake. In the
+# plugin directory they are found without a rebuild, also when the prefix is moved; in the current directory they are not.
+set -euo pipefail
+source=$1 build=$2 cc=$3 cxx=$4
+. "$(dirname "$0")/scratch.sh"
+
+solve() {  # solve EXPECTED-PAIR OPTION...: prints the load
+  local pair=$1 row
+  shift
+  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --displacement 0.8 "$@" 2>/dev/null | tail -1)
+  [[ $row == *" $pair "*RC_OK* ]] || fail "expected a certified answer by $pair: $row"
+  awk '{ print $3 }' <<<"$row"
+}
+listed() { clean "$prefix/bin/roughcontact" "$1" | grep -E "^$2 "; }
+
+build_with() {  # build_with make|cmake KIND: example KIND, installed into the prefix
+  local from=$scratch/$1-$2
+  cp -r "$source/examples/plugin-$2" "$from"
+  if [ "$1" = make ]; then
+    clean make -C "$from" CC="$cc" CXX="$cxx"
+    beside_a_plugin_nothing_is_found "$from" "$2"
+    clean make -C "$from" install
+  else
+    clean cmake -S "$from" -B "$from/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx"
+    clean cmake --build "$from/build"
+    clean cmake --install "$from/build"
+  fi
+}
+
+beside_a_plugin_nothing_is_found() {  # beside_a_plugin_nothing_is_found FOLDER KIND
+  local name=pairs status=0
+  [ "$2" = backend ] || name=spg
+  [ -f "$1/rcb_$name.so" ] || fail "make built no rcb_$name.so"
+  cd "$1"
+  ! listed "${2}s" $name || fail "a plugin in the current directory is used"
+  clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --displacement 0.8 "--$2" $name 2>"$scratch/message" || status=$?
+  cd "$scratch"
+  [ $status = 1 ] && grep -q "$2 \"$name\"" "$scratch/message" || fail "$name in the current directory: $(cat "$scratch/message")"
+}
+
+prefix=$scratch/prefix
+install_to "$prefix"
+clean "$prefix/bin/roughcontact" generate spectral --output "$scratch/surface.npy" --size 24 --rms-slope 0.3 >/dev/null
+for tool in make cmake; do
+  build_with $tool backend >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the backend"; }
+  build_with $tool solver >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the solver"; }
+  plugins=$(pkg --variable=plugindir roughcontact)
+  for name in pairs spg; do
+    ! readelf -d "$plugins/rcb_$name.so" | grep -q 'NEEDED.*roughcontact' || fail "rcb_$name.so links the library"
+    [ "$(nm -D --defined-only "$plugins/rcb_$name.so" | awk '{ print $3 }')" = rc_plugin_query ] || fail "rcb_$name.so exports more than rc_plugin_query"
+  done
+  listed backends pairs | grep -q "rcb_pairs.so" || fail "$tool: the backend is not listed"
+  listed solvers spg | grep -q "rcb_spg.so" || fail "$tool: the solver is not listed"
+  expected=$(solve haar-cg/dense --backend dense --solver haar-cg)
+  for options in "haar-cg/pairs --backend pairs --solver haar-cg" "haar-cg/pairs --backend pairs --solver haar-cg --threads 2 --set pairs.parallel_from=1" \
+    "spg/dense --backend dense --solver spg" "spg/pairs --backend pairs --solver spg --set spg.steps=short"; do
+    read -ra words <<<"$options"
+    load=$(solve "${words[@]}")
+    [ "$load" = "$expected" ] || fail "$tool: ${words[0]} finds load $load, dense $expected"
+    echo "$tool: ${words[0]}: load $load"
+  done
+  mv "$prefix" "$scratch/moved-$tool"
+  prefix=$scratch/moved-$tool
+  find_pc "$prefix"
+  solve spg/pairs --backend pairs --solver spg >/dev/null
+  rm "$(pkg --variable=plugindir roughcontact)"/rcb_{pairs,spg}.so
+  ! listed backends pairs || fail "a plugin that is gone is listed"
+done
+echo "plugins are found where they belong"
