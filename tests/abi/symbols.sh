@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # symbols.sh INCLUDE_DIR LIBRARY: the library exports what the headers declare and symbols.txt lists, nothing else, and its
-# SONAME carries the ABI number.
+# SONAME and the version of every symbol carry the ABI number.
 set -euo pipefail
 include=$1 library=$2
 golden=$(dirname "$0")/symbols.txt
@@ -12,4 +12,5 @@ diff -u "$golden" <(declared) || { echo "symbols.txt and the headers differ"; ex
 diff -u "$golden" <(exported) || { echo "symbols.txt and the exports of $library differ"; exit 1; }
 abi=$(sed -nE 's/^#define RC_ABI ([0-9]+).*/\1/p' "$include/roughcontact/roughcontact.h")
 readelf -d "$library" | grep -F "SONAME" | grep -F "[libroughcontact.so.$abi]"
+! nm -D --defined-only "$library" | awk '$2 != "A" { print $3 }' | grep -v "@@ROUGHCONTACT_$abi\$" || { echo "symbols of no version"; exit 1; }
 echo "$(wc -l <"$golden") symbols"

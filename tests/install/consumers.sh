@@ -5,13 +5,8 @@ set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4 fc=$5
 shift 5
 backends=("$@")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$(dirname "$0")/scratch.sh"
 [ -n "$fc" ] || echo "no Fortran compiler: its consumers are left out"
-
-fail() { echo "FAILED: $*" >&2; exit 1; }
-clean() { env -i PATH="$PATH" PKG_CONFIG_PATH="$pc" "$@"; }
-pkg() { clean pkg-config "$@"; }
 
 # expect NAME PROGRAM...: the program solves on every backend and finds Hertz's load within 3 %, and refuses an unknown name.
 expect() {
@@ -30,7 +25,7 @@ expect() {
 build_and_run() {  # build_and_run PREFIX KIND...
   local prefix=$1 kind flags libs rpath run
   shift
-  pc=$(dirname "$(find "$prefix" -name roughcontact.pc)")
+  find_pc "$prefix"
   pkg --validate roughcontact roughcontact-fortran roughcontact-surface
   [[ $(pkg --variable=libdir roughcontact) -ef $pc/.. ]] || fail "libdir is not where the library is"
   rpath=-Wl,-rpath,$(pkg --variable=libdir roughcontact)
@@ -67,14 +62,16 @@ build_and_run() {  # build_and_run PREFIX KIND...
   done
 
   clean cmake -S "$source/tests/install/cmake" -B "$out/cmake" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$source/examples" \
-    -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" >"$out/log" 2>&1 || { cat "$out/log"; fail "find_package"; }
+    -DCMAKE_C_COMPILER="$cc" -DCMAKE_CXX_COMPILER="$cxx" \
+    -DCMAKE_Fortran_COMPILER="$fc" >"$out/log" 2>&1 || { cat "$out/log"; fail "find_package"; }
   clean cmake --build "$out/cmake" >"$out/log" 2>&1 || { cat "$out/log"; fail "the CMake consumer does not build"; }
   expect "CMake shared" "$out/cmake/shared"
   clean "$out/cmake/rough" >/dev/null || fail "CMake surfaces"
+  [ -z "$fc" ] || expect "CMake Fortran" "$out/cmake/fortran"
   expect "CMake static" env RC_PLUGIN_PATH="$(pkg --variable=plugindir roughcontact)" "$out/cmake/static"
 }
 
-cmake --install "$build" --prefix "$scratch/first" >/dev/null
+install_to "$scratch/first"
 build_and_run "$scratch/first" shared static
 libdir=$(pkg --variable=libdir roughcontact)
 "$source/tests/abi/symbols.sh" "$(pkg --variable=includedir roughcontact)" "$libdir/libroughcontact.so"
@@ -82,5 +79,5 @@ libdir=$(pkg --variable=libdir roughcontact)
 echo "the same after moving the prefix"
 mkdir "$scratch/elsewhere"
 mv "$scratch/first" "$scratch/elsewhere/second"
-build_and_run "$scratch/elsewhere/second" shared
+build_and_run "$scratch/elsewhere/second" shared static
 echo "all consumers work"
