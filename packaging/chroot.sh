@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# packaging/chroot.sh PACKAGES: installs the Debian packages of the folder PACKAGES, made by packaging/build.sh, into a clean system of
+# this release of Debian, and uses them there: every backend from the command, a C program through pkg-config, and after removal
+# nothing is left. Needs root, debootstrap and a mirror of Debian; exit code 77 without. Some minutes.
+set -euo pipefail
+[ $# = 1 ] || { echo "usage: $0 PACKAGES"; exit 1; }
+packages=$(cd "$1" && pwd)
+source=$(cd "$(dirname "$0")/.." && pwd)
+skip() { echo "skipped: $*"; exit 77; }
+fail() { echo "FAILED: $*" >&2; exit 1; }
+[ "$(id -u)" = 0 ] || skip "needs root"
+command -v debootstrap >/dev/null || skip "debootstrap is not installed"
+release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+mirror=$(apt-get indextargets --format '$(REPO_URI)' "Codename: $release" 'Label: Debian' 'Created-By: Packages' | head -1)
+[ -n "$release" ] && [ -n "$mirror" ] || skip "apt knows no mirror of Debian"
+ls "$packages"/*.deb >/dev/null || fail "no packages in $packages; packaging/build.sh makes them"
+
+root=$(mktemp -d)
+trap 'umount -q "$root/proc" || true; rm -rf --one-file-system "$root" "$root.log"' EXIT
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
+quietly() { "$@" >"$root.log" 2>&1 || { tail -40 "$root.log"; fail "$*"; }; rm -f "$root.log"; }
+add() { quietly inside apt-get install -y -qq --no-install-recommends "$@"; }
+
+echo "a clean $release from the mirror of this machine"
+quietly debootstrap --variant=minbase --include=ca-certificates "$release" "$root" "$mirror"
+mount -t proc proc "$root/proc"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+mkdir "$root/packages"
+cp "$packages"/*.deb "$root/packages"
+quietly inside apt-get update -qq
+
+add $(cd "$root" && ls packages/libroughcontact0_*.deb packages/libroughcontact-surface0_*.deb packages/roughcontact-tools_*.deb | sed 's#^#/#')
+inside roughcontact --version
+inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
+solve() { inside roughcontact solve /tmp/surface.npy --pitch 1 --modulus 1 --pressure 0.005 "$@" 2>&1; }
+[[ $(solve) == *"/dense "*RC_OK* ]] || fail "the command without plugins: $(solve)"
+[[ $(solve --backend fft || true) == *"not installed"* ]] || fail "fft without its package: $(solve --backend fft || true)"
+
+add $(cd "$root" && ls packages/libroughcontact-backend-*.deb | sed 's#^#/#')
+inside roughcontact backends
+for backend in dense fft cholmod; do
+  [[ $(solve --backend $backend) == *"/$backend "*RC_OK* ]] || fail "the command on $backend: $(solve --backend $backend)"
+done
+# What the licences of the packages rest on: the solver library links neither FFTW, SuiteSparse nor GSL.
+! inside ldd "/usr/lib/$(dpkg-architecture -q DEB_HOST_MULTIARCH)/libroughcontact.so.0" | grep -E 'fftw|cholmod|gsl' || fail "GPL in the library"
+
+add $(cd "$root" && ls packages/*.deb | sed 's#^#/#') gcc libc6-dev pkg-config
+cp "$source/examples/press_sphere.c" "$source/examples/press_rough.c" "$root/tmp"
+quietly inside sh -c 'cc /tmp/press_sphere.c -o /tmp/press_sphere $(pkg-config --cflags --libs roughcontact)'
+quietly inside sh -c 'cc /tmp/press_rough.c -o /tmp/press_rough $(pkg-config --cflags --libs roughcontact roughcontact-surface)'
+for backend in dense fft cholmod; do
+  inside /tmp/press_sphere $backend
+done
+inside /tmp/press_rough | tail -1
+if [ -e "$root"/packages/python3-roughcontact_*.deb ]; then
+  inside python3 -c 'import roughcontact; print("python:", roughcontact.__name__)'
+fi
+
+inside dpkg -l '*roughcontact*' | awk '$1 == "ii" { print $2, $3 }'
+quietly inside sh -c 'apt-get purge -y -qq $(dpkg-query -W -f "\${Package} " "*roughcontact*") && apt-get autoremove --purge -y -qq'
+left=$(inside find / -xdev -name '*roughcontact*' -not -path '/proc/*' -not -path '/packages/*' -not -path '/tmp/*')
+[ -z "$left" ] || fail "left behind: $left"
+echo "the packages install, work and go without a trace"

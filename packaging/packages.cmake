@@ -1,0 +1,108 @@
+# The split into Debian packages, which packaging/build.sh makes. One rc_package() for each; those whose component this build does not
+# install are left out.
+set(CPACK_GENERATOR DEB)
+set(CPACK_SOURCE_GENERATOR "")
+set(CPACK_PACKAGE_NAME roughcontact)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${CMAKE_PROJECT_NAME} built using CMake")  # CPack's default: it is then not put before each package's own
+set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+set(CPACK_DEBIAN_PACKAGE_SOURCE roughcontact)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/finish.cmake)
+set(CPACK_RC_SOURCE_DIR ${PROJECT_SOURCE_DIR})
+set(CPACK_COMPONENTS_ALL "")
+
+# Policy: a library's package says which package a program linked with it needs, and has the loader's cache renewed.
+function(rc_shared_library package name)
+  set(folder ${CMAKE_BINARY_DIR}/packaging/${package})
+  file(WRITE ${folder}/shlibs "lib${name} ${RC_ABI} ${package} (>= ${PROJECT_VERSION})\n")
+  file(WRITE ${folder}/triggers "activate-noawait ldconfig\n")
+endfunction()
+
+# rc_package(<package> COMPONENTS ... SUMMARY text DESCRIPTION line... [SECTION s] [ALL] [LIBRARY name] [NOTICES ...]
+#            [DEPENDS ...] [RECOMMENDS ...] [SUGGESTS ...])
+# ALL: the same on every architecture. LIBRARY: it has the shared library lib<name>, that others link. NOTICES: files of notices/, on
+# what is inside or linked. DEPENDS: packages of this table are wanted in the same version; those of linked libraries are found.
+include(CPackComponent)
+get_cmake_property(rc_installed_components COMPONENTS)
+macro(rc_package package)
+  cmake_parse_arguments(RC "ALL" "SECTION;LIBRARY;SUMMARY" "COMPONENTS;NOTICES;DEPENDS;RECOMMENDS;SUGGESTS;DESCRIPTION" ${ARGN})
+  set(rc_present TRUE)
+  foreach(component IN LISTS RC_COMPONENTS)
+    if(NOT component IN_LIST rc_installed_components)
+      set(rc_present FALSE)
+    endif()
+  endforeach()
+  if(rc_present)
+    foreach(component IN LISTS RC_COMPONENTS)
+      list(APPEND CPACK_COMPONENTS_ALL ${component})
+      cpack_add_component(${component} GROUP ${package})
+    endforeach()
+    cpack_add_component_group(${package})
+    string(TOUPPER ${package} key)
+    list(TRANSFORM RC_DEPENDS REPLACE "^((lib)?roughcontact[^ ]*)$"
+      "\\1 (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+    list(JOIN RC_DEPENDS ", " CPACK_DEBIAN_${key}_PACKAGE_DEPENDS)
+    list(JOIN RC_RECOMMENDS ", " CPACK_DEBIAN_${key}_PACKAGE_RECOMMENDS)
+    list(JOIN RC_SUGGESTS ", " CPACK_DEBIAN_${key}_PACKAGE_SUGGESTS)
+    list(JOIN RC_DESCRIPTION "\n" text)
+    set(CPACK_DEBIAN_${key}_DESCRIPTION "${RC_SUMMARY}\n${text}")
+    set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${package})
+    set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${RC_SECTION})
+    if(RC_ALL)
+      set(CPACK_DEBIAN_${key}_PACKAGE_ARCHITECTURE all)
+    endif()
+    if(RC_LIBRARY)
+      rc_shared_library(${package} ${RC_LIBRARY})
+      set(CPACK_DEBIAN_${key}_PACKAGE_CONTROL_EXTRA
+        "${CMAKE_BINARY_DIR}/packaging/${package}/shlibs;${CMAKE_BINARY_DIR}/packaging/${package}/triggers")
+    endif()
+    set(CPACK_RC_NOTICES_${package} ${RC_NOTICES})
+  endif()
+endmacro()
+
+set(rc_about "roughcontact solves the normal contact of rough surfaces on an elastic" "half-space and certifies every answer by a check of its own.")
+
+rc_package(libroughcontact0 COMPONENTS runtime SECTION libs LIBRARY roughcontact NOTICES eigen
+  RECOMMENDS libroughcontact-backend-fft
+  SUMMARY "certified normal contact of rough surfaces - shared library"
+  DESCRIPTION ${rc_about} "." "This package has the solver library, with the dense backend built in.")
+rc_package(libroughcontact-surface0 COMPONENTS surface SECTION libs LIBRARY roughcontact-surface NOTICES gsl
+  SUMMARY "makes and judges rough surfaces - shared library"
+  DESCRIPTION ${rc_about} "." "This package has the library of generators, roughness parameters and spectra."
+    "It links the GNU Scientific Library and is therefore under the GPL.")
+rc_package(libroughcontact-dev COMPONENTS development fortran SECTION libdevel NOTICES eigen gsl
+  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libgsl-dev SUGGESTS pkg-config gfortran
+  SUMMARY "certified normal contact of rough surfaces - development files"
+  DESCRIPTION ${rc_about} "." "This package has headers, static libraries, pkg-config files, a CMake package"
+    "and the source of the Fortran module.")
+rc_package(libroughcontact-backend-fft COMPONENTS backend-fft SECTION libs NOTICES fftw eigen
+  DEPENDS libroughcontact0
+  SUMMARY "certified normal contact of rough surfaces - FFT backends"
+  DESCRIPTION ${rc_about} "." "This package has the plugins fft, for large grids, and split, for sparse"
+    "contact. They link FFTW and are therefore under the GPL.")
+rc_package(libroughcontact-backend-cholmod COMPONENTS backend-cholmod SECTION libs NOTICES suitesparse eigen
+  DEPENDS libroughcontact0
+  SUMMARY "certified normal contact of rough surfaces - CHOLMOD backend"
+  DESCRIPTION ${rc_about} "." "This package has the plugin cholmod, factorisations by SuiteSparse. It links"
+    "CHOLMOD and is therefore under the GPL.")
+rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11 json
+  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libroughcontact-backend-fft gnuplot-nox
+  SUGGESTS libroughcontact-backend-cholmod
+  SUMMARY "certified normal contact of rough surfaces - command"
+  DESCRIPTION ${rc_about} "." "This package has the command roughcontact, which presses measured or generated"
+    "surfaces, makes surfaces, and analyses them.")
+rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
+  DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})" python3 python3-numpy
+  RECOMMENDS libroughcontact-backend-fft SUGGESTS python3-matplotlib
+  SUMMARY "certified normal contact of rough surfaces - Python module"
+  DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")
+
+include(CPack)
