@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# packaging/build.sh [DIRECTORY]: makes the Debian packages of this source tree, in DIRECTORY (build-packages/packages if none is
-# named), with Debian's compiler flags, and has lintian look at them. DEBFULLNAME and DEBEMAIL name the maintainer.
+# packaging/build.sh [DIRECTORY]: makes the Debian packages of this source tree, in DIRECTORY (build-packages/packages if none
+# is named), with Debian's compiler flags, and has lintian look at them. DEBFULLNAME and DEBEMAIL name the maintainer.
 set -euo pipefail
 mkdir -p "${1:-$(dirname "$0")/../build-packages/packages}"
 out=$(cd "${1:-$(dirname "$0")/../build-packages/packages}" && pwd)
@@ -18,9 +18,18 @@ cmake -S . -B $build -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
   -DCMAKE_SHARED_LINKER_FLAGS="$(flags LDFLAGS)" -DCMAKE_MODULE_LINKER_FLAGS="$(flags LDFLAGS)" \
   -DRC_BUILD_TESTS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_EXAMPLES=OFF >/dev/null
 cmake --build $build -j "$(nproc)"
-rm -rf $build/_CPack_Packages
+rm -rf $build/_CPack_Packages "$out"/*roughcontact*.deb
 (cd $build && cpack -G DEB -B "$out" >cpack.log 2>&1) || { tail -30 $build/cpack.log; exit 1; }
 rm -rf "$out/_CPack_Packages"
+
+# CPack puts calls of ldconfig beside the trigger by which Debian wants it.
+for deb in "$out"/libroughcontact*[0-9]_*.deb; do
+  tree=$(mktemp -d)
+  dpkg-deb --raw-extract "$deb" "$tree"
+  rm -f "$tree"/DEBIAN/{postinst,postrm}
+  dpkg-deb --build --root-owner-group -Zxz "$tree" "$deb" >/dev/null
+  rm -rf "$tree"
+done
 ls -l "$out"/*.deb
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error --suppress-tags bogus-mail-host,initial-upload-closes-no-bugs "$out"/*.deb

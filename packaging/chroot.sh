@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# packaging/chroot.sh PACKAGES: installs the Debian packages of the folder PACKAGES, made by packaging/build.sh, into a clean system of
-# this release of Debian, and uses them there: every backend from the command, a C program through pkg-config, and after removal
-# nothing is left. Needs root, debootstrap and a mirror of Debian; exit code 77 without. Some minutes.
+# packaging/chroot.sh PACKAGES: installs the Debian packages of the folder PACKAGES, made by packaging/build.sh, into a clean
+# system of this release of Debian, and uses them there: every backend from the command, a C program through pkg-config, and
+# after removal nothing is left. Needs root, debootstrap and a mirror of Debian; exit code 77 without. Some minutes.
 set -euo pipefail
 [ $# = 1 ] || { echo "usage: $0 PACKAGES"; exit 1; }
 packages=$(cd "$1" && pwd)
@@ -19,6 +19,7 @@ root=$(mktemp -d)
 trap 'umount -q "$root/proc" || true; rm -rf --one-file-system "$root" "$root.log"' EXIT
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
 quietly() { "$@" >"$root.log" 2>&1 || { tail -40 "$root.log"; fail "$*"; }; rm -f "$root.log"; }
+files() { for name in "$@"; do (cd "$root" && ls packages/$name"_"*.deb); done | sed 's#^#/#'; }  # as seen from inside
 add() { quietly inside apt-get install -y -qq --no-install-recommends "$@"; }
 
 echo "a clean $release from the mirror of this machine"
@@ -29,22 +30,23 @@ mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 quietly inside apt-get update -qq
 
-add $(cd "$root" && ls packages/libroughcontact0_*.deb packages/libroughcontact-surface0_*.deb packages/roughcontact-tools_*.deb | sed 's#^#/#')
+add $(files libroughcontact0 libroughcontact-surface0 roughcontact-tools)
 inside roughcontact --version
 inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
 solve() { inside roughcontact solve /tmp/surface.npy --pitch 1 --modulus 1 --pressure 0.005 "$@" 2>&1; }
 [[ $(solve) == *"/dense "*RC_OK* ]] || fail "the command without plugins: $(solve)"
 [[ $(solve --backend fft || true) == *"not installed"* ]] || fail "fft without its package: $(solve --backend fft || true)"
 
-add $(cd "$root" && ls packages/libroughcontact-backend-*.deb | sed 's#^#/#')
+add $(files libroughcontact-backend-fft libroughcontact-backend-cholmod)
 inside roughcontact backends
 for backend in dense fft cholmod; do
   [[ $(solve --backend $backend) == *"/$backend "*RC_OK* ]] || fail "the command on $backend: $(solve --backend $backend)"
 done
 # What the licences of the packages rest on: the solver library links neither FFTW, SuiteSparse nor GSL.
-! inside ldd "/usr/lib/$(dpkg-architecture -q DEB_HOST_MULTIARCH)/libroughcontact.so.0" | grep -E 'fftw|cholmod|gsl' || fail "GPL in the library"
+library=$(inside dpkg -L libroughcontact0 | grep 'libroughcontact.so.[0-9]*$')
+! inside ldd "$library" | grep -E 'fftw|cholmod|gsl' || fail "GPL in the library"
 
-add $(cd "$root" && ls packages/*.deb | sed 's#^#/#') gcc libc6-dev pkg-config
+add $(files '*') gcc libc6-dev pkg-config
 cp "$source/examples/press_sphere.c" "$source/examples/press_rough.c" "$root/tmp"
 quietly inside sh -c 'cc /tmp/press_sphere.c -o /tmp/press_sphere $(pkg-config --cflags --libs roughcontact)'
 quietly inside sh -c 'cc /tmp/press_rough.c -o /tmp/press_rough $(pkg-config --cflags --libs roughcontact roughcontact-surface)'

@@ -1,9 +1,10 @@
-# The split into Debian packages, which packaging/build.sh makes. One rc_package() for each; those whose component this build does not
-# install are left out.
+# The split into Debian packages, which packaging/build.sh makes. One rc_package() for each; those whose component this build does
+# not install are left out.
 set(CPACK_GENERATOR DEB)
 set(CPACK_SOURCE_GENERATOR "")
 set(CPACK_PACKAGE_NAME roughcontact)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${CMAKE_PROJECT_NAME} built using CMake")  # CPack's default: it is then not put before each package's own
+# CPack's default, which it does not put before each package's own.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${CMAKE_PROJECT_NAME} built using CMake")
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -68,7 +69,8 @@ macro(rc_package package)
   endif()
 endmacro()
 
-set(rc_about "roughcontact solves the normal contact of rough surfaces on an elastic" "half-space and certifies every answer by a check of its own.")
+set(rc_about "roughcontact solves the normal contact of rough surfaces on an elastic"
+  "half-space and certifies every answer by a check of its own.")
 
 rc_package(libroughcontact0 COMPONENTS runtime SECTION libs LIBRARY roughcontact NOTICES eigen
   RECOMMENDS libroughcontact-backend-fft

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# reference.sh DIRECTORY: the reference of the public headers as a web site, DIRECTORY/html/index.html. A warning is an error; exit
-# code 77 without doxygen.
+# reference.sh DIRECTORY: the reference of the public headers as a web site, DIRECTORY/html/index.html. A warning is an error;
+# exit code 77 without doxygen.
 set -euo pipefail
 [ $# = 1 ] || { echo "usage: $0 DIRECTORY"; exit 1; }
 command -v doxygen >/dev/null || { echo "skipped: doxygen is not installed"; exit 77; }

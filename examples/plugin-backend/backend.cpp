@@ -1,6 +1,6 @@
 // The backend "pairs": products by direct summation over pairs of points, from a table of coefficients. Memory for one grid,
-// where a stored matrix takes that squared; time grows with the square of the candidates, spread over the contact's threads. Free
-// and periodic boundaries, the same bits for every number of threads.
+// where a stored matrix takes that squared; time grows with the square of the candidates, spread over the contact's threads.
+// Free and periodic boundaries, the same bits for every number of threads.
 #include <cstdlib>
 #include <roughcontact/plugin.hpp>
 #include <vector>

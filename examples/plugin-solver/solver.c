@@ -26,8 +26,7 @@ static rc_status evaluate(const rc_problem* problem, const double* p, double* gr
   return RC_OK;
 }
 
-/* How far p is from p >= 0, gradient >= 0, p gradient = 0, as the core measures it: the gap where there is pressure, the overlap
- * elsewhere. */
+/* How far p is from p >= 0, gradient >= 0, p gradient = 0: the gap where there is pressure, the overlap elsewhere. */
 static double residual(int64_t n, const double* p, const double* gradient) {
   double worst = 0;
   int64_t i;

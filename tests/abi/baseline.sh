@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
-# baseline.sh SOURCE CC --compare | --update | --self-test: compares the binary interface of the public headers (functions, argument types,
-# layouts) with the recorded one in baseline/, by libabigail. Additions pass; what would break a program does not. Exit code 77 without
-# libabigail. --update records today's. --self-test: deliberate changes of the headers must be told apart.
+# baseline.sh SOURCE CC --compare | --update | --self-test: compares the binary interface of the public headers (functions,
+# argument types, layouts) with the recorded one in baseline/, by libabigail. Additions pass; what would break a program does
+# not. Exit code 77 without libabigail. --update records today's. --self-test: deliberate changes of the headers must be told
+# apart.
 set -euo pipefail
 source=$1 cc=$2 mode=$3
 here=$(cd "$(dirname "$0")" && pwd)
-command -v abidiff >/dev/null && command -v abidw >/dev/null || { echo "skipped: abidw and abidiff (Debian: abigail-tools) are not installed"; exit 77; }
+for tool in abidw abidiff; do
+  command -v $tool >/dev/null || { echo "skipped: $tool (Debian: abigail-tools) is not installed"; exit 77; }
+done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# library NAME INCLUDE HEADER...: $scratch/libNAME.so, the interface that these headers declare. A path of its own for headers, always
-# the same, so that it does not differ where nothing else does.
+# library NAME INCLUDE HEADER...: $scratch/libNAME.so, the interface that these headers declare. A path of its own for headers,
+# always the same, so that it does not differ where nothing else does.
 library() {
   local name=$1 include=$2
   shift 2
@@ -25,8 +28,9 @@ libraries() {  # libraries INCLUDE
   library roughcontact-surface "$1" surface.h
 }
 
-# compare NAME: of what differs, only these lines may be there: a struct has grown, and every new member lies behind all others (one
-# in between would move those after it, which is another line). libabigail's own rules for suppressing reports let more pass.
+# compare NAME: of what differs, only these lines may be there: a struct has grown, and every new member lies behind all others
+# (one in between would move those after it, which is another line). libabigail's own rules for suppressing reports let more
+# pass.
 compare() {
   local status=0
   abidiff --leaf-changes-only --no-added-syms "$here/baseline/$1.abi" "$scratch/lib$1.so" >"$scratch/report" || status=$?
@@ -47,7 +51,7 @@ elif [ "$mode" = --self-test ]; then
     rm -rf "$scratch/changed"
     cp -r "$source/include" "$scratch/changed"
     sed -i -E "$5" "$scratch/changed/roughcontact/$3"
-    ! cmp -s "$source/include/roughcontact/$3" "$scratch/changed/roughcontact/$3" || { echo "$4: $3 is not as this test expects"; exit 1; }
+    cmp -s {"$source/include","$scratch/changed"}/roughcontact/"$3" && { echo "$4: $3 is not as this test expects"; exit 1; }
     libraries "$scratch/changed"
     local verdict=pass
     compare "$2" >/dev/null || verdict=break
@@ -67,7 +71,12 @@ elif [ "$mode" = --self-test ]; then
   change break roughcontact-surface surface.h "surface: member inserted" 's/^(typedef struct rc_surface_map \{)/\1\n  int64_t before;/'
 else
   for name in roughcontact roughcontact-surface; do
-    compare $name || { cat "$scratch/report"; echo "the interface of lib$name is not what $here/baseline/$name.abi records; see docs/compatibility.md"; exit 1; }
-    echo "lib$name: as recorded, or more"
+    if compare $name; then
+      echo "lib$name: as recorded, or more"
+    else
+      cat "$scratch/report"
+      echo "the interface of lib$name is not what $here/baseline/$name.abi records; see docs/compatibility.md"
+      exit 1
+    fi
   done
 fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes a C file that defines every function of the given public headers, doing nothing. Compiled with debug information it is the
-binary interface that the headers declare, whatever the library itself was built with.
+"""Writes a C file that defines every function of the given public headers, doing nothing. Compiled with debug information it is
+the binary interface that the headers declare, whatever the library itself was built with.
 
 interface.py HEADER... >interface.c
 """

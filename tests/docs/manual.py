@@ -17,7 +17,8 @@ COLUMN = 30  # where --help begins to explain an option
 ENVIRONMENT = '''.SH ENVIRONMENT
 .TP
 .B RC_PLUGIN_PATH
-Absolute directories, separated by colons, that are searched for backends and solvers (files rcb_NAME.so) before the installed ones.
+Absolute directories, separated by colons, that are searched for backends and solvers (files rcb_NAME.so) before the installed
+ones.
 '''
 SEE_ALSO = '''.SH SEE ALSO
 .BR gnuplot (1),
@@ -118,7 +119,8 @@ roughcontact \\- {escape(top.summary[0].lower() + top.summary[1:])}
     text += '.SH OPTIONS\n' + ''.join(tagged(*row) for row in top.sections['Options'])
     text += '.SH LIBRARY OPTIONS\nFor\n.BR \\-\\-set ,\nwith type, default and values.\n'
     for key, kind, default, allowed, meaning in option_rows(command):
-        text += f'.TP\n.BR {escape(key)} " ({escape(", ".join(x for x in (kind, default or "empty", allowed) if x))})"\n{escape(meaning)}\n'
+        schema = ', '.join(x for x in (kind, default or 'empty', allowed) if x)
+        text += f'.TP\n.BR {escape(key)} " ({escape(schema)})"\n{escape(meaning)}\n'
     return text + ENVIRONMENT + SEE_ALSO
 
 

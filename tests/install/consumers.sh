@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# consumers.sh SOURCE BUILD CC CXX FC BACKEND...: installs to a scratch prefix and uses it from there as strangers would, in C, C++,
-# Fortran (FC "" leaves it out) and CMake, shared and static, on every backend; then moves the prefix and does it again.
+# consumers.sh SOURCE BUILD CC CXX FC BACKEND...: installs to a scratch prefix and uses it from there as strangers would, in C,
+# C++, Fortran (FC "" leaves it out) and CMake, shared and static, on every backend; then moves the prefix and does it again.
 set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4 fc=$5
 shift 5

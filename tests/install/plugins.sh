@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# plugins.sh SOURCE BUILD CC CXX: builds the example plugins against an installation, as somebody else would, by make and by CMake. In the
-# plugin directory they are found without a rebuild, also when the prefix is moved; in the current directory they are not.
+# plugins.sh SOURCE BUILD CC CXX: builds the example plugins against an installation, as somebody else would, by make and by
+# CMake. In the plugin directory they are found without a rebuild, also when the prefix is moved; in the current directory they
+# are not.
 set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4
 . "$(dirname "$0")/scratch.sh"
 
+command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --displacement 0.8 "$@"; }
 solve() {  # solve EXPECTED-PAIR OPTION...: prints the load
   local pair=$1 row
   shift
-  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --displacement 0.8 "$@" 2>/dev/null | tail -1)
+  row=$(command_solve "$@" 2>/dev/null | tail -1)
   [[ $row == *" $pair "*RC_OK* ]] || fail "expected a certified answer by $pair: $row"
   awk '{ print $3 }' <<<"$row"
 }
@@ -34,7 +36,7 @@ beside_a_plugin_nothing_is_found() {  # beside_a_plugin_nothing_is_found FOLDER 
   [ -f "$1/rcb_$name.so" ] || fail "make built no rcb_$name.so"
   cd "$1"
   ! listed "${2}s" $name || fail "a plugin in the current directory is used"
-  clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --displacement 0.8 "--$2" $name 2>"$scratch/message" || status=$?
+  command_solve "--$2" $name 2>"$scratch/message" || status=$?
   cd "$scratch"
   [ $status = 1 ] && grep -q "$2 \"$name\"" "$scratch/message" || fail "$name in the current directory: $(cat "$scratch/message")"
 }
@@ -48,12 +50,14 @@ for tool in make cmake; do
   plugins=$(pkg --variable=plugindir roughcontact)
   for name in pairs spg; do
     ! readelf -d "$plugins/rcb_$name.so" | grep -q 'NEEDED.*roughcontact' || fail "rcb_$name.so links the library"
-    [ "$(nm -D --defined-only "$plugins/rcb_$name.so" | awk '{ print $3 }')" = rc_plugin_query ] || fail "rcb_$name.so exports more than rc_plugin_query"
+    exports=$(nm -D --defined-only "$plugins/rcb_$name.so" | awk '{ print $3 }')
+    [ "$exports" = rc_plugin_query ] || fail "rcb_$name.so exports $exports"
   done
   listed backends pairs | grep -q "rcb_pairs.so" || fail "$tool: the backend is not listed"
   listed solvers spg | grep -q "rcb_spg.so" || fail "$tool: the solver is not listed"
   expected=$(solve haar-cg/dense --backend dense --solver haar-cg)
-  for options in "haar-cg/pairs --backend pairs --solver haar-cg" "haar-cg/pairs --backend pairs --solver haar-cg --threads 2 --set pairs.parallel_from=1" \
+  for options in "haar-cg/pairs --backend pairs --solver haar-cg" \
+    "haar-cg/pairs --backend pairs --solver haar-cg --threads 2 --set pairs.parallel_from=1" \
     "spg/dense --backend dense --solver spg" "spg/pairs --backend pairs --solver spg --set spg.steps=short"; do
     read -ra words <<<"$options"
     load=$(solve "${words[@]}")

@@ -1,5 +1,5 @@
-"""Builds and runs the programs of docs/tutorial.md against an installation, with nothing but PATH in the environment: all programs of a
-section print the text that stands below them. Python programs run where the installation has the Python package.
+"""Builds and runs the programs of docs/tutorial.md against an installation, with nothing but PATH in the environment: all programs
+of a section print the text that stands below them. Python programs run where the installation has the Python package.
 
 Usage: tutorial.py SOURCE BUILD CC FC [--update]
 FC may be empty. --update writes what the C programs print into the document.

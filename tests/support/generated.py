@@ -8,7 +8,8 @@ import sys
 def compare(document, mark, generated, source, update):
     """The text after `mark` (all of the document if that is empty) must be `generated`, which comes from `source`."""
     document = pathlib.Path(document)
-    head, found, present = document.read_text().partition(mark) if mark else ('', True, document.read_text() if document.exists() else '')
+    text = document.read_text() if document.exists() else ''
+    head, found, present = text.partition(mark) if mark else ('', True, text)
     if not found:
         sys.exit(f'{document}: the line that starts the generated part is missing:\n{mark}')
     if mark:
