@@ -20,23 +20,24 @@ static void check(int holds, const char* what) {
 
 /* A function writes the struct_size bytes that it is told of and leaves what is behind them: for the size in the frozen header,
  * for that of an even older one, and for a newer one, whose end must be zero. */
-#define CHECK_INIT(type, first)                                                                                    \
-  do {                                                                                                             \
-    static const size_t sizes[] = {first, sizeof(type), sizeof(type) + 40};                                        \
-    unsigned char bytes[sizeof(type) + 128];                                                                       \
-    size_t i, k, size;                                                                                             \
-    for (i = 0; i < 3; ++i) {                                                                                      \
-      size_t in_struct;                                                                                            \
-      memset(bytes, 0xa5, sizeof bytes);                                                                           \
-      (type##_init)((type*)(void*)bytes, sizes[i]);                                                                \
-      memcpy(&in_struct, bytes, sizeof in_struct);                                                                 \
-      check(in_struct == sizes[i], #type "_init says the size it was given");                                      \
-      for (size = sizeof bytes; size > 0 && bytes[size - 1] == 0xa5; --size) {                                     \
-      }                                                                                                            \
-      check(size <= sizes[i], #type "_init writes no more than the caller's struct");                              \
-      check(size + 8 > sizes[i], #type "_init writes all of the caller's struct");                                 \
-      for (k = sizeof(type); k < size; ++k) check(bytes[k] == 0, #type "_init leaves what it does not know zero"); \
-    }                                                                                                              \
+#define CHECK_INIT(type, first)                                                                                     \
+  do {                                                                                                              \
+    static const size_t sizes[] = {first, sizeof(type), sizeof(type) + 40};                                         \
+    union {                                                                                                         \
+      type value;                                                                                                   \
+      unsigned char bytes[sizeof(type) + 128];                                                                      \
+    } u;                                                                                                            \
+    size_t i, k, end;                                                                                               \
+    for (i = 0; i < 3; ++i) {                                                                                       \
+      memset(&u, 0xa5, sizeof u);                                                                                   \
+      (type##_init)(&u.value, sizes[i]);                                                                            \
+      check(u.value.struct_size == sizes[i], #type "_init says the size it was given");                             \
+      for (end = sizeof u; end > 0 && u.bytes[end - 1] == 0xa5; --end) {                                            \
+      }                                                                                                             \
+      check(end <= sizes[i], #type "_init writes no more than the caller's struct");                                \
+      check(end + 8 > sizes[i], #type "_init writes all of the caller's struct");                                   \
+      for (k = sizeof(type); k < end; ++k) check(u.bytes[k] == 0, #type "_init leaves what it does not know zero"); \
+    }                                                                                                               \
   } while (0)
 
 static void check_initial_values(void) {

@@ -16,11 +16,12 @@ solve() {  # solve EXPECTED-PAIR OPTION...: prints the load
 }
 listed() { clean "$prefix/bin/roughcontact" "$1" | grep -E "^$2 "; }
 
+strict="-O2 -Wall -Wextra -pedantic -Wshadow -Werror"
 build_with() {  # build_with make|cmake KIND: example KIND, installed into the prefix
   local from=$scratch/$1-$2
   cp -r "$source/examples/plugin-$2" "$from"
   if [ "$1" = make ]; then
-    clean make -C "$from" CC="$cc" CXX="$cxx"
+    clean make -C "$from" CC="$cc" CXX="$cxx" CFLAGS="$strict" CXXFLAGS="$strict"
     beside_a_plugin_nothing_is_found "$from" "$2"
     clean make -C "$from" install
   else
