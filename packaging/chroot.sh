@@ -54,8 +54,13 @@ for backend in dense fft cholmod; do
   inside /tmp/press_sphere $backend
 done
 inside /tmp/press_rough | tail -1
-if [ -e "$root"/packages/python3-roughcontact_*.deb ]; then
-  inside python3 -c 'import roughcontact; print("python:", roughcontact.__name__)'
+if ls "$root"/packages/python3-roughcontact_*.deb >/dev/null 2>&1; then
+  inside python3 - <<'END'
+import numpy, roughcontact as rc
+x = numpy.arange(32) - 15.5
+result = rc.solve(-(x[:, None] ** 2 + x ** 2) / 100, pitch=1.0, modulus=1.0, displacement=1.0)
+print("python: load", round(result.load, 4), "on", result.backend)
+END
 fi
 
 inside dpkg -l '*roughcontact*' | awk '$1 == "ii" { print $2, $3 }'
