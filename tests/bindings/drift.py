@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Compares the Fortran module with the C header: functions and their arguments, constants, struct members in order, and, where
+"""Compares Fortran modules with a C header: functions and their arguments, constants, struct members in order, and, where
 compilers are given, sizes, offsets and default values as the compilers see them.
 
-drift.py HEADER MODULE [--cc CC] [--fc FC] [--self-test]
+drift.py HEADER MODULE... [--after MODULE...] [--cc CC] [--fc FC] [--self-test]
 """
 import argparse
 import pathlib
@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-C_SCALARS = {'int32_t': 'i32', 'uint32_t': 'i32', 'rc_status': 'i32', 'int64_t': 'i64', 'size_t': 'size', 'double': 'f64'}
+C_SCALARS = {'char': 'char', 'int32_t': 'i32', 'uint32_t': 'i32', 'rc_status': 'i32', 'int64_t': 'i64', 'uint64_t': 'i64', 'size_t': 'size', 'double': 'f64'}
 F_SCALARS = {'integer(c_int32_t)': 'i32', 'integer(rc_status)': 'i32', 'integer(c_int64_t)': 'i64',
              'integer(c_size_t)': 'size', 'real(c_double)': 'f64', 'type(c_ptr)': 'ptr', 'type(c_funptr)': 'function'}
 
@@ -26,7 +26,7 @@ class Header:
     def __init__(self, text):
         text = re.sub(r'/\*.*?\*/', ' ', text, flags=re.S)
         self.strings = dict(re.findall(r'^#define (RC_OPT_\w+) "(.*)"', text, re.M))
-        self.constants = {k: int(v) for k, v in re.findall(r'^#define (RC_(?:VERSION_\w+|ABI)) (\d+)', text, re.M)}
+        self.constants = {k: int(v) for k, v in re.findall(r'^#define (RC_\w+) (\d+)', text, re.M)}
         self.with_init = set(re.findall(r'^#define RC_(\w+)_INIT\b', text, re.M))
         text = re.sub(r'^#(.*\\\n)*.*$', '', text, flags=re.M)
         for body in re.findall(r'enum \{(.*?)\}', text, re.S):
@@ -46,11 +46,11 @@ class Header:
         callback = re.search(r'\(\*(\w+)\)', declaration)
         if callback:
             return callback[1], 'function'
-        const, base, stars, name, size = re.fullmatch(r'\s*(const )?\s*(\w+)\s*(\**)\s*(\w+)(?:\[(\d+)\])?\s*', declaration).groups()
+        const, base, stars, name, size = re.fullmatch(r'\s*(const )?\s*(\w+)\s*(\**)\s*(\w+)(?:\[(\w+)\])?\s*', declaration).groups()
         if base in self.callbacks:
             return name, 'function value' if argument else 'function'
         if not stars:
-            scalar = f'char[{size}]' if size else C_SCALARS[base]
+            scalar = C_SCALARS[base] + (f'[{self.constants.get(size, size)}]' if size else '')
             return name, scalar + ' value' if argument else scalar
         if not argument:
             return name, 'ptr'
@@ -76,9 +76,10 @@ class Header:
 
 
 class Module:
-    """The same of the Fortran module."""
+    """The same of Fortran modules."""
 
     def __init__(self, text):
+        self.names = re.findall(r'^module (\w+)', text, re.M)
         text = re.sub(r'!.*', '', text)
         text = re.sub(r'&\s*\n\s*', ' ', text)
         parameters = [p for line in re.findall(r'^.*\bparameter :: (.*)$', text, re.M) for p in line.split(',')]
@@ -95,16 +96,15 @@ class Module:
             result = '' if kind == 'subroutine' else F_SCALARS[kind.split()[0]]
             self.functions[name] = (result, [(a.strip(), declared.get(a.strip())) for a in arguments.split(',') if a.strip()])
 
-    @staticmethod
-    def declaration(line):
+    def declaration(self, line):
         head, names = line.split('::')
         base, *attributes = split_outside_parentheses(head)
         kind = 'char' if base.startswith('character') else F_SCALARS.get(base) or base[5:-1]
         passed = {'value': ' value', 'intent(in)': ' in', 'intent(out)': ' out', 'intent(inout)': ' out'}
         how = ''.join(passed.get(a, '') for a in attributes)
         for name in split_outside_parentheses(names):
-            name, size = re.match(r'(\w+)(?:\((\d+)\))?', name).groups()
-            yield name, f'{kind}[{size}]' if size else kind + how
+            name, size = re.match(r'(\w+)(?:\((\w+)\))?', name).groups()
+            yield name, kind + how if how or not size else f'{kind}[{self.constants.get(size, size)}]'
 
 
 def differences(header, module):
@@ -135,34 +135,29 @@ def c_layout(folder, header, path, cc):
     return run_probe(folder, cc, [], 'probe.c', source)
 
 
-def fortran_layout(folder, module, path, fc):
+def fortran_layout(folder, module, files, fc):
     declarations, lines = [], []
     for name, members in module.structs.items():
         declarations.append(f'type({name}), target :: v_{name}')
         lines.append(f"print '(a, i0)', '{name} size ', c_sizeof(v_{name})")
         lines.append(f"print '(a, *(z2.2))', '{name} default ', transfer(v_{name}, [0_c_int8_t])")
         for m, kind in members:
-            first = f'{m}(1)' if kind.startswith('char[') else m
+            first = f'{m}(1)' if '[' in kind else m
             lines.append(f"print '(a, i0)', '{name} {m} ', &\naddress(c_loc(v_{name}%{first})) - address(c_loc(v_{name}))")
-    source = 'program probe\nuse roughcontact\nimplicit none\n' + '\n'.join(declarations + lines) + '''
+    uses = [f'use {name}' for name in module.names]
+    source = '\n'.join(['program probe', *uses, 'implicit none', *declarations, *lines]) + '''
 contains
   integer(c_intptr_t) function address(p)
     type(c_ptr), intent(in) :: p
     address = transfer(p, address)
   end function
 end program
-function rc_last_error() bind(c)  ! the module wants one to link with
-  use iso_c_binding
-  type(c_ptr) :: rc_last_error
-  rc_last_error = c_null_ptr
-end function
 '''
-    return [line.lower() for line in run_probe(folder, fc, [str(path.resolve())], 'probe.f90', source)]
+    return [line.lower() for line in run_probe(folder, fc, [str(file.resolve()) for file in files], 'probe.f90', source)]
 
 
-def self_test(text, module):
-    """Every one of these changes to the header must be noticed."""
-    changes = {
+CHANGES = {
+    'roughcontact.h': {
         'function added': ('RC_API void rc_system_init(', 'RC_API void rc_new(rc_context *context);\nRC_API void rc_system_init('),
         'function renamed': ('rc_contact_reset(', 'rc_contact_clear('),
         'argument added': ('rc_contact_reset(rc_contact *contact)', 'rc_contact_reset(rc_contact *contact, int32_t deep)'),
@@ -178,7 +173,24 @@ def self_test(text, module):
         'text shortened': ('char note[160]', 'char note[128]'),
         'member appended': ('} rc_result;', 'int64_t more;\n} rc_result;'),
         'member inserted': ('  int64_t completed; ', '  double progress;\n  int64_t completed; '),
-    }
+    },
+    'surface.h': {
+        'function renamed': ('rc_surface_fit(', 'rc_surface_match('),
+        'argument added': ('int32_t stage, int32_t crop', 'int32_t stage, int32_t crop, int32_t more'),
+        'argument widened': ('int32_t levels, double approach', 'int64_t levels, double approach'),
+        'constant renumbered': ('RC_SURFACE_WAVES = 3', 'RC_SURFACE_WAVES = 6'),
+        'array lengthened': ('#define RC_SURFACE_PEAKS 4', '#define RC_SURFACE_PEAKS 8'),
+        'members swapped': ('skewness, kurtosis', 'kurtosis, skewness'),
+        'member retyped': ('uint64_t seed;       /* any', 'int32_t seed;       /* any'),
+        'text shortened': ('char reason[400]', 'char reason[256]'),
+        'member appended': ('} rc_surface_cmr;', 'double more;\n} rc_surface_cmr;'),
+    },
+}
+
+
+def self_test(path, module):
+    """Every one of these changes to the header must be noticed."""
+    text, changes = path.read_text(), CHANGES[path.name]
     missed = []
     today = list(differences(Header(text), module))
     for name, (old, new) in changes.items():
@@ -192,20 +204,21 @@ def self_test(text, module):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument('header', type=pathlib.Path)
-    arguments.add_argument('module', type=pathlib.Path)
+    arguments.add_argument('module', type=pathlib.Path, nargs='+')
+    arguments.add_argument('--after', type=pathlib.Path, nargs='+', default=[], help='modules that those need')
     arguments.add_argument('--cc')
     arguments.add_argument('--fc')
     arguments.add_argument('--self-test', action='store_true')
     a = arguments.parse_args()
-    header, module = Header(a.header.read_text()), Module(a.module.read_text())
+    header, module = Header(a.header.read_text()), Module(''.join(file.read_text() for file in a.module))
     if a.self_test:
-        problems = self_test(a.header.read_text(), module)
+        problems = self_test(a.header, module)
     else:
         problems = list(differences(header, module))
         if not problems and a.cc and a.fc:
             with tempfile.TemporaryDirectory() as folder:
                 folder = pathlib.Path(folder)
-                c, f = c_layout(folder, header, a.header, a.cc), fortran_layout(folder, module, a.module, a.fc)
+                c, f = c_layout(folder, header, a.header, a.cc), fortran_layout(folder, module, a.after + a.module, a.fc)
             problems = [f'layout: header {x}' for x in c if x not in f] + [f'layout: Fortran {x}' for x in f if x not in c]
             print(f'{len(c)} sizes, offsets and default values compared')
         print(f'{len(header.functions)} functions, {len(header.structs)} structs, '

@@ -23,7 +23,7 @@ expect() {
 }
 
 build_and_run() {  # build_and_run PREFIX KIND...
-  local prefix=$1 kind flags libs rpath run
+  local prefix=$1 kind flags libs modules rpath run
   shift
   find_pc "$prefix"
   pkg --validate roughcontact roughcontact-fortran roughcontact-surface
@@ -44,7 +44,8 @@ build_and_run() {  # build_and_run PREFIX KIND...
     clean "$cxx" -std=c++17 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/tests/install/consumer.cpp" -o "$out/c++" "${libs[@]}"
     expect "C++ $kind" "${run[@]}" "$out/c++"
     if [ -n "$fc" ]; then
-      clean "$fc" -J "$out" "$(pkg --variable=fortran_source roughcontact-fortran)" "$source/examples/press_sphere.f90" -o "$out/f" "${libs[@]}"
+      read -ra modules <<<"$(pkg --variable=fortran_source roughcontact-fortran)"
+      clean "$fc" -J "$out" "${modules[@]}" "$source/examples/press_sphere.f90" -o "$out/f" "${libs[@]}"
       expect "Fortran $kind" "${run[@]}" "$out/f"
     fi
     # Only a program that makes surfaces links the GNU Scientific Library.

@@ -1,0 +1,134 @@
+! What a contact looks like: functions of pressures p(nx, ny) alone. hx and hy are 1 and the boundary is free if absent.
+module roughcontact_analysis
+  use roughcontact_arrays
+  use roughcontact_errors
+  use roughcontact_functions
+  implicit none
+  private
+  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_patch
+
+  ! One connected part of a contact.
+  type :: rcf_patch
+    integer(c_int64_t) :: cells = 0, peak = 0  ! peak: the point with the largest pressure, from 1 on
+    real(c_double) :: area = 0, perimeter = 0, load = 0, mean_pressure = 0, max_pressure = 0
+  end type
+
+contains
+
+  ! Area, perimeter, and the area corrected for the grid.
+  subroutine rcf_area_measure(p, area, hx, hy, boundary, mask, stat, errmsg)
+    real(c_double), intent(in), contiguous :: p(:, :)
+    type(rc_area), intent(out) :: area
+    real(c_double), intent(in), optional :: hx, hy
+    integer(c_int32_t), intent(in), optional :: boundary
+    logical, intent(in), optional :: mask(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    if (.not. mask_fits('rcf_area_measure', p, mask, bytes, stat, errmsg)) return
+    call rcf_check(rc_area_measure(grid(p, hx, hy, boundary), p, address(bytes), area), stat, errmsg)
+  end subroutine
+
+  ! label(ix, iy): number of the point's patch, from 1 on, 0: no contact. neighbours: 4 (across edges) or 8 (corners as well).
+  subroutine rcf_patches_find(p, patches, label, hx, hy, boundary, mask, neighbours, stat, errmsg)
+    real(c_double), intent(in), contiguous :: p(:, :)
+    type(rcf_patch), allocatable, intent(out) :: patches(:)
+    integer(c_int64_t), intent(inout), optional, target, contiguous :: label(:, :)
+    real(c_double), intent(in), optional :: hx, hy
+    integer(c_int32_t), intent(in), optional :: boundary
+    logical, intent(in), optional :: mask(:, :)
+    integer, intent(in), optional :: neighbours
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(rc_patches) :: found
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    integer(c_int64_t), allocatable, target :: counts(:, :)
+    real(c_double), allocatable, target :: values(:, :)
+    integer(rc_status) :: status
+    integer(c_int64_t) :: k
+    allocate (patches(0))
+    if (.not. mask_fits('rcf_patches_find', p, mask, bytes, stat, errmsg)) return
+    if (present(label)) then
+      if (.not. rcf_shaped('rcf_patches_find', 'label', shape(label), size(p, 1, c_int64_t), size(p, 2, c_int64_t), stat, &
+        errmsg)) return
+      if (size(label) > 0) found%label = c_loc(label)
+    end if
+    if (present(neighbours)) found%neighbours = neighbours
+    status = rc_patches_find(grid(p, hx, hy, boundary), p, address(bytes), found)
+    if (status == RC_OK .and. found%count > 0) then
+      found%room = found%count
+      allocate (counts(found%count, 2), values(found%count, 5))
+      found%cells = c_loc(counts(1, 1))
+      found%peak = c_loc(counts(1, 2))
+      found%area = c_loc(values(1, 1))
+      found%perimeter = c_loc(values(1, 2))
+      found%load = c_loc(values(1, 3))
+      found%mean_pressure = c_loc(values(1, 4))
+      found%max_pressure = c_loc(values(1, 5))
+      status = rc_patches_find(grid(p, hx, hy, boundary), p, address(bytes), found)
+      if (status == RC_OK) patches = [(rcf_patch(counts(k, 1), counts(k, 2) + 1, values(k, 1), values(k, 2), values(k, 3), &
+        values(k, 4), values(k, 5)), k=1, found%count)]
+    end if
+    if (status == RC_OK .and. present(label)) label = label + 1
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! counts(k): points with (k - 1) width < p <= k width; density: their share per pressure; upper 0 or absent: the largest pressure.
+  subroutine rcf_histogram_fill(p, counts, density, upper, mask, histogram, stat, errmsg)
+    real(c_double), intent(in), contiguous :: p(:, :)
+    integer(c_int64_t), intent(inout), target, contiguous :: counts(:)
+    real(c_double), intent(inout), optional, target, contiguous :: density(:)
+    real(c_double), intent(in), optional :: upper
+    logical, intent(in), optional :: mask(:, :)
+    type(rc_histogram), intent(out), optional :: histogram
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(rc_histogram) :: filled
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    integer(rc_status) :: status
+    if (.not. mask_fits('rcf_histogram_fill', p, mask, bytes, stat, errmsg)) return
+    filled%bins = size(counts, kind=c_int64_t)
+    if (filled%bins > 0) filled%counts = c_loc(counts)
+    if (present(density)) then
+      if (size(density) /= size(counts)) then
+        call rcf_refuse(RC_ERR_SHAPE, 'rcf_histogram_fill: counts and density have different lengths', stat, errmsg)
+        return
+      end if
+      if (size(density) > 0) filled%density = c_loc(density)
+    end if
+    if (present(upper)) filled%upper = upper
+    status = rc_histogram_fill(grid(p), p, address(bytes), filled)
+    if (present(histogram)) histogram = filled
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  pure function grid(p, hx, hy, boundary) result(system)
+    real(c_double), intent(in) :: p(:, :)
+    real(c_double), intent(in), optional :: hx, hy
+    integer(c_int32_t), intent(in), optional :: boundary
+    type(rc_system) :: system
+    system = rc_system(nx=size(p, 1, c_int64_t), ny=size(p, 2, c_int64_t))
+    if (present(hx)) system%hx = hx
+    if (present(hy)) system%hy = hy
+    if (present(boundary)) system%boundary = boundary
+  end function
+
+  logical function mask_fits(where, p, mask, bytes, stat, errmsg) result(fits)
+    character(*), intent(in) :: where
+    real(c_double), intent(in) :: p(:, :)
+    logical, intent(in), optional :: mask(:, :)
+    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
+    integer, intent(inout), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    fits = .true.
+    if (present(mask)) fits = rcf_shaped(where, 'mask', shape(mask), size(p, 1, c_int64_t), size(p, 2, c_int64_t), stat, errmsg)
+    if (fits) call rcf_mask_bytes(mask, bytes)
+  end function
+
+  function address(bytes) result(where)
+    integer(c_int8_t), allocatable, intent(in), target :: bytes(:, :)
+    type(c_ptr) :: where
+    where = c_null_ptr
+    if (allocated(bytes)) where = c_loc(bytes)
+  end function
+end module

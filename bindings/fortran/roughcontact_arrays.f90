@@ -1,0 +1,47 @@
+! Arrays of Fortran as the library takes them: addresses, masks, shapes.
+module roughcontact_arrays
+  use roughcontact_errors
+  use roughcontact_structs
+  implicit none
+  private
+  public :: rcf_gap, rcf_address, rcf_mask_bytes, rcf_shaped
+
+contains
+
+  ! The undeformed gap of a height map: its highest point touches first.
+  pure function rcf_gap(heights) result(gap)
+    real(c_double), intent(in) :: heights(:, :)
+    real(c_double), allocatable :: gap(:, :)
+    gap = maxval(heights) - heights
+  end function
+
+  ! Where an optional array is; null where it is absent or empty.
+  function rcf_address(x) result(address)
+    real(c_double), intent(in), optional, target, contiguous :: x(:, :)
+    type(c_ptr) :: address
+    address = c_null_ptr
+    if (.not. present(x)) return
+    if (size(x) > 0) address = c_loc(x)
+  end function
+
+  ! A mask as C has it; not allocated where it is absent.
+  subroutine rcf_mask_bytes(mask, bytes)
+    logical, intent(in), optional :: mask(:, :)
+    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
+    if (present(mask)) bytes = merge(1_c_int8_t, 0_c_int8_t, mask)
+  end subroutine
+
+  ! Whether an array has nx by ny values; if not, the failure is reported.
+  logical function rcf_shaped(where, name, found, nx, ny, stat, errmsg) result(fits)
+    character(*), intent(in) :: where, name
+    integer, intent(in) :: found(2)
+    integer(c_int64_t), intent(in) :: nx, ny
+    integer, intent(inout), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(160) :: buffer
+    fits = found(1) == nx .and. found(2) == ny
+    if (fits) return
+    write (buffer, '(2a, 2(i0, a), 2(i0, a))') name, ' has ', found(1), ' by ', found(2), ' values, give ', nx, ' by ', ny, ''
+    call rcf_refuse(RC_ERR_SHAPE, where//': '//trim(buffer), stat, errmsg)
+  end function
+end module

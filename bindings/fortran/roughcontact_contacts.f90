@@ -1,0 +1,232 @@
+! Contacts: one system, many steps; and a solve in one call. Exactly one of displacement and load is given. Arrays that are not
+! contiguous are copied by the compiler.
+module roughcontact_contacts
+  use roughcontact_arrays
+  use roughcontact_errors
+  use roughcontact_functions
+  use roughcontact_options, only: rcf_or_null
+  implicit none
+  private
+  public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &
+    rcf_contact_set_options, rcf_contact_on_progress, rcf_contact_solve, rcf_contact_certify, rcf_contact_level, &
+    rcf_contact_points, rcf_solve
+
+  ! Not to be copied: one variable, destroyed once.
+  type :: rcf_contact
+    type(c_ptr) :: handle = c_null_ptr  ! for the rc_ functions
+    integer(c_int64_t) :: nx = 0, ny = 0
+  end type
+
+contains
+
+  ! system%dense and what system%user points to must be targets that outlive the contact.
+  subroutine rcf_contact_create(contact, system, options, stat, errmsg)
+    type(rcf_contact), intent(out) :: contact
+    type(rc_system), intent(in) :: system
+    type(c_ptr), intent(in), optional :: options
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    contact%nx = system%nx
+    contact%ny = system%ny
+    call rcf_check(rc_contact_create(system, rcf_or_null(options), contact%handle), stat, errmsg)
+  end subroutine
+
+  subroutine rcf_contact_destroy(contact)
+    type(rcf_contact), intent(inout) :: contact
+    call rc_contact_destroy(contact%handle)
+    contact = rcf_contact()
+  end subroutine
+
+  subroutine rcf_contact_reset(contact, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call rcf_check(rc_contact_reset(contact%handle), stat, errmsg)
+  end subroutine
+
+  subroutine rcf_contact_cancel(contact)
+    type(rcf_contact), intent(in) :: contact
+    call rc_contact_cancel(contact%handle)
+  end subroutine
+
+  subroutine rcf_contact_set_options(contact, options, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    type(c_ptr), intent(in) :: options
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call rcf_check(rc_contact_set_options(contact%handle, options), stat, errmsg)
+  end subroutine
+
+  ! Called at least every `every` iterations (1). fn: c_null_funptr for no more calls, or c_funloc of a module procedure
+  !   integer(c_int32_t) function fn(progress, user) bind(c)   ! nonzero: stop
+  !     type(rc_progress), intent(in) :: progress
+  !     type(c_ptr), value :: user
+  subroutine rcf_contact_on_progress(contact, fn, user, every, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    type(c_funptr), value :: fn
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(in), optional :: every
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: interval
+    interval = 1
+    if (present(every)) interval = every
+    call rcf_check(rc_contact_on_progress(contact%handle, fn, rcf_or_null(user), interval), stat, errmsg)
+  end subroutine
+
+  ! gap and mask absent: as in the step before. p and deformed: pressures and deformed gap, written where the status is >= 0.
+  subroutine rcf_contact_solve(contact, displacement, load, gap, mask, p0, warm_start, p, deformed, result, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional, target, contiguous :: gap(:, :), p0(:, :)
+    logical, intent(in), optional :: mask(:, :), warm_start
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    type(rc_result), intent(out), optional :: result
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(rc_step) :: step
+    type(rc_result) :: answer
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    integer(rc_status) :: status
+    if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, gap, mask, p0, &
+      warm_start, p, deformed, stat, errmsg)) return
+    if (allocated(bytes)) step%mask = c_loc(bytes)
+    status = rc_contact_solve(contact%handle, step, answer)
+    if (present(result)) result = answer
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Certifies the pressures p; nothing is solved.
+  subroutine rcf_contact_certify(contact, p, displacement, load, gap, mask, deformed, result, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    real(c_double), intent(inout), target, contiguous :: p(:, :)
+    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional, target, contiguous :: gap(:, :)
+    logical, intent(in), optional :: mask(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: deformed(:, :)
+    type(rc_result), intent(out), optional :: result
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(rc_step) :: step
+    type(rc_result) :: answer
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    integer(rc_status) :: status
+    if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, gap, mask, &
+      p=p, deformed=deformed, stat=stat, errmsg=errmsg)) return
+    if (allocated(bytes)) step%mask = c_loc(bytes)
+    status = rc_contact_certify(contact%handle, step, answer)
+    if (present(result)) result = answer
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Coarse solution i = 1 (coarsest) .. result%levels of the last step.
+  subroutine rcf_contact_level(contact, i, level, p, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    integer, intent(in) :: i
+    type(rc_level), intent(out) :: level
+    real(c_double), allocatable, intent(out), optional, target :: p(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(rc_status) :: status
+    status = rc_contact_level(contact%handle, int(i - 1, c_int64_t), level)
+    if (status >= 0 .and. present(p)) then
+      allocate (p(level%nx, level%ny))
+      level%p = c_loc(p)
+      status = rc_contact_level(contact%handle, int(i - 1, c_int64_t), level)
+    end if
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! The points that carry pressure, from 1 on: p(index(k)) of the pressures as one row, ix = 1 + mod(index(k) - 1, nx).
+  subroutine rcf_contact_points(contact, index, p, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    integer(c_int64_t), allocatable, intent(out) :: index(:)
+    real(c_double), allocatable, intent(out) :: p(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: room, n
+    integer(rc_status) :: status
+    room = 0
+    status = rc_contact_points(contact%handle, 0_c_int64_t, n=room)
+    allocate (index(room), p(room))
+    if (status >= 0 .and. room > 0) status = rc_contact_points(contact%handle, room, index, p, n)
+    index = index + 1
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Create, solve, destroy. nx and ny are those of gap, whatever the system says.
+  subroutine rcf_solve(system, gap, displacement, load, mask, p0, p, deformed, options, result, stat, errmsg)
+    type(rc_system), intent(in) :: system
+    real(c_double), intent(in), target, contiguous :: gap(:, :)
+    real(c_double), intent(in), optional :: displacement, load
+    logical, intent(in), optional :: mask(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: p0(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    type(c_ptr), intent(in), optional :: options
+    type(rc_result), intent(out), optional :: result
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(rc_system) :: sized
+    type(rc_step) :: step
+    type(rc_result) :: answer
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    integer(rc_status) :: status
+    sized = system
+    sized%nx = size(gap, 1, c_int64_t)
+    sized%ny = size(gap, 2, c_int64_t)
+    if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, gap, mask, p0, p=p, &
+      deformed=deformed, stat=stat, errmsg=errmsg)) return
+    if (allocated(bytes)) step%mask = c_loc(bytes)
+    status = rc_solve(sized, step, rcf_or_null(options), answer)
+    if (present(result)) result = answer
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Step and result of the arguments that the solving procedures share; false where the arguments are refused.
+  logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, gap, mask, p0, warm_start, p, deformed, &
+    stat, errmsg) result(ready)
+    character(*), intent(in) :: where
+    integer(c_int64_t), intent(in) :: nx, ny
+    type(rc_step), intent(out) :: step
+    type(rc_result), intent(out) :: answer
+    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
+    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional, target, contiguous :: gap(:, :), p0(:, :)
+    logical, intent(in), optional :: mask(:, :), warm_start
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    integer, intent(inout), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    ready = .false.
+    if (present(displacement) .eqv. present(load)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacement and load', stat, errmsg)
+      return
+    end if
+    if (present(gap)) then
+      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
+    end if
+    if (present(mask)) then
+      if (.not. rcf_shaped(where, 'mask', shape(mask), nx, ny, stat, errmsg)) return
+    end if
+    if (present(p0)) then
+      if (.not. rcf_shaped(where, 'p0', shape(p0), nx, ny, stat, errmsg)) return
+    end if
+    if (present(p)) then
+      if (.not. rcf_shaped(where, 'p', shape(p), nx, ny, stat, errmsg)) return
+    end if
+    if (present(deformed)) then
+      if (.not. rcf_shaped(where, 'deformed', shape(deformed), nx, ny, stat, errmsg)) return
+    end if
+    if (present(displacement)) step%target = displacement
+    if (present(load)) then
+      step%control = RC_CONTROL_LOAD
+      step%target = load
+    end if
+    if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
+    step%gap = rcf_address(gap)
+    step%p0 = rcf_address(p0)
+    call rcf_mask_bytes(mask, bytes)
+    answer%p = rcf_address(p)
+    answer%gap = rcf_address(deformed)
+    ready = .true.
+  end function
+end module

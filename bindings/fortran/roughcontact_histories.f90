@@ -1,0 +1,223 @@
+! Loading histories: of one contact (a path), and of many contacts in one call (a batch). Exactly one of displacements and loads
+! is given.
+module roughcontact_histories
+  use roughcontact_arrays
+  use roughcontact_contacts, only: rcf_contact
+  use roughcontact_errors
+  use roughcontact_functions
+  use roughcontact_options, only: rcf_or_null
+  implicit none
+  private
+  public :: rcf_contact_solve_path, rcf_batch_solve
+
+contains
+
+  ! Outputs have one value a step; completed: steps that are written. fn: a variable with the c_funloc
+  ! (itself a constant that linkers dislike) of
+  !   integer(c_int32_t) function fn(step, result, user) bind(c)   ! nonzero: end the history
+  !     integer(c_int64_t), value :: step                          ! from 0
+  !     type(rc_result), intent(in) :: result                      ! %p and %gap last until it returns
+  !     type(c_ptr), value :: user
+  subroutine rcf_contact_solve_path(contact, displacements, loads, gap, mask, warm_start, load, displacement, contact_area, &
+    stiffness, certificate, applications, fn, user, completed, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    real(c_double), intent(in), optional, target, contiguous :: displacements(:), loads(:), gap(:, :)
+    logical, intent(in), optional :: mask(:, :), warm_start
+    real(c_double), intent(inout), optional, target, contiguous :: load(:), displacement(:), contact_area(:), stiffness(:), &
+      certificate(:)
+    integer(c_int64_t), intent(inout), optional, target, contiguous :: applications(:)
+    type(c_funptr), intent(in), optional :: fn
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: completed
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(*), parameter :: where = 'rcf_contact_solve_path'
+    type(rc_path) :: path
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    integer(rc_status) :: status
+    integer :: shortest
+    if (present(completed)) completed = 0
+    if (present(displacements) .eqv. present(loads)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacements and loads', stat, errmsg)
+      return
+    end if
+    if (present(displacements)) then
+      path%n = size(displacements, kind=c_int64_t)
+      if (path%n > 0) path%targets = c_loc(displacements)
+    else
+      path%control = RC_CONTROL_LOAD
+      path%n = size(loads, kind=c_int64_t)
+      if (path%n > 0) path%targets = c_loc(loads)
+    end if
+    if (present(warm_start)) path%warm_start = merge(1, 0, warm_start)
+    if (present(gap)) then
+      if (.not. rcf_shaped(where, 'gap', shape(gap), contact%nx, contact%ny, stat, errmsg)) return
+    end if
+    if (present(mask)) then
+      if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
+    end if
+    path%gap = rcf_address(gap)
+    call rcf_mask_bytes(mask, bytes)
+    if (allocated(bytes)) path%mask = c_loc(bytes)
+    shortest = int(path%n)
+    call place(load, path%load)
+    call place(displacement, path%displacement)
+    call place(contact_area, path%contact_area)
+    call place(stiffness, path%stiffness)
+    call place(certificate, path%certificate)
+    if (present(applications)) then
+      shortest = min(shortest, size(applications))
+      if (size(applications) > 0) path%applications = c_loc(applications)
+    end if
+    if (shortest < path%n) then
+      call rcf_refuse(RC_ERR_SHAPE, where//': an output array has fewer values than there are steps', stat, errmsg)
+      return
+    end if
+    if (present(fn)) path%fn = fn
+    path%user = rcf_or_null(user)
+    status = rc_contact_solve_path(contact%handle, path)
+    if (present(completed)) completed = int(path%completed)
+    call rcf_check(status, stat, errmsg)
+
+  contains
+
+    subroutine place(x, address)
+      real(c_double), intent(inout), optional, target, contiguous :: x(:)
+      type(c_ptr), intent(inout) :: address
+      if (.not. present(x)) return
+      shortest = min(shortest, size(x))
+      if (size(x) > 0) address = c_loc(x)
+    end subroutine
+  end subroutine
+
+  ! gap(nx, ny, contacts) and displacements or loads (steps, contacts), either with 1 as its last extent: the same for all.
+  ! Outputs have the shape (steps, contacts), p and p0 the shape (nx, ny, contacts). status: of every step. fn: as above, with the
+  ! contact's number, from 0, before the step's; it is called from several threads at the same time.
+  subroutine rcf_batch_solve(system, gap, displacements, loads, mask, warm_start, p0, p, load, displacement, contact_area, &
+    stiffness, certificate, status, iterations, applications, fn, user, options, certified, first, stat, errmsg)
+    type(rc_system), intent(in) :: system
+    real(c_double), intent(in), target, contiguous :: gap(:, :, :)
+    real(c_double), intent(in), optional, target, contiguous :: displacements(:, :), loads(:, :), p0(:, :, :)
+    logical, intent(in), optional :: mask(:, :, :), warm_start
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :, :), load(:, :), displacement(:, :), &
+      contact_area(:, :), stiffness(:, :), certificate(:, :)
+    integer(rc_status), intent(inout), optional, target, contiguous :: status(:, :)
+    integer(c_int64_t), intent(inout), optional, target, contiguous :: iterations(:, :), applications(:, :)
+    type(c_funptr), intent(in), optional :: fn
+    type(c_ptr), intent(in), optional :: user, options
+    integer, intent(out), optional :: certified, first  ! certified contacts; the one whose status is returned, or 0
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(rc_system) :: sized
+    type(rc_batch) :: batch
+    integer(c_int8_t), allocatable, target :: bytes(:, :, :)
+    integer(rc_status) :: answer
+    integer :: targets(2), n
+    character(:), allocatable :: misshapen
+    if (present(certified)) certified = 0
+    if (present(first)) first = 0
+    if (present(displacements) .eqv. present(loads)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, 'rcf_batch_solve: give one of displacements and loads', stat, errmsg)
+      return
+    end if
+    sized = system
+    sized%nx = size(gap, 1, c_int64_t)
+    sized%ny = size(gap, 2, c_int64_t)
+    if (present(loads)) batch%control = RC_CONTROL_LOAD
+    batch%targets = merge_address(displacements, loads, targets)
+    n = max(size(gap, 3), targets(2))
+    batch%n = n
+    batch%steps = targets(1)
+    if (size(gap) > 0) batch%gap = c_loc(gap)
+    if (size(gap, 3) == 1) batch%gap_stride = RC_BATCH_SHARED
+    if (targets(2) == 1) batch%target_stride = RC_BATCH_SHARED
+
+    misshapen = ''
+    if (size(gap, 3) /= n .and. size(gap, 3) /= 1) misshapen = misshapen//' gap'
+    if (targets(2) /= n .and. targets(2) /= 1) misshapen = misshapen//' displacements or loads'
+    if (present(mask)) then
+      if (.not. (stacked(shape(mask), n) .or. stacked(shape(mask), 1))) then
+        misshapen = misshapen//' mask'
+      else
+        bytes = merge(1_c_int8_t, 0_c_int8_t, mask)
+        batch%mask = c_loc(bytes)
+        if (size(mask, 3) == 1) batch%mask_stride = RC_BATCH_SHARED
+      end if
+    end if
+    if (present(p0)) then
+      if (.not. stacked(shape(p0), n)) misshapen = misshapen//' p0'
+      if (size(p0) > 0) batch%p0 = c_loc(p0)
+    end if
+    if (present(p)) then
+      if (.not. stacked(shape(p), n)) misshapen = misshapen//' p'
+      if (size(p) > 0) batch%p = c_loc(p)
+    end if
+    call place(load, 'load', batch%load)
+    call place(displacement, 'displacement', batch%displacement)
+    call place(contact_area, 'contact_area', batch%contact_area)
+    call place(stiffness, 'stiffness', batch%stiffness)
+    call place(certificate, 'certificate', batch%certificate)
+    if (present(status)) then
+      if (.not. tabled(shape(status))) misshapen = misshapen//' status'
+      if (size(status) > 0) batch%status = c_loc(status)
+    end if
+    call count_into(iterations, 'iterations', batch%iterations)
+    call count_into(applications, 'applications', batch%applications)
+    if (len(misshapen) > 0) then
+      call rcf_refuse(RC_ERR_SHAPE, 'rcf_batch_solve: shapes do not go together:'//misshapen, stat, errmsg)
+      return
+    end if
+
+    if (present(warm_start)) batch%warm_start = merge(1, 0, warm_start)
+    if (present(fn)) batch%fn = fn
+    batch%user = rcf_or_null(user)
+    answer = rc_batch_solve(sized, rcf_or_null(options), batch)
+    if (present(certified)) certified = int(batch%certified)
+    if (present(first)) first = int(batch%first) + 1
+    call rcf_check(answer, stat, errmsg)
+
+  contains
+
+    logical function stacked(found, contacts)
+      integer, intent(in) :: found(3), contacts
+      stacked = found(1) == size(gap, 1) .and. found(2) == size(gap, 2) .and. found(3) == contacts
+    end function
+
+    logical function tabled(found)
+      integer, intent(in) :: found(2)
+      tabled = found(1) == targets(1) .and. found(2) == n
+    end function
+
+    subroutine place(x, name, address)
+      real(c_double), intent(inout), optional, target, contiguous :: x(:, :)
+      character(*), intent(in) :: name
+      type(c_ptr), intent(inout) :: address
+      if (.not. present(x)) return
+      if (.not. tabled(shape(x))) misshapen = misshapen//' '//name
+      address = rcf_address(x)
+    end subroutine
+
+    subroutine count_into(x, name, address)
+      integer(c_int64_t), intent(inout), optional, target, contiguous :: x(:, :)
+      character(*), intent(in) :: name
+      type(c_ptr), intent(inout) :: address
+      if (.not. present(x)) return
+      if (.not. tabled(shape(x))) misshapen = misshapen//' '//name
+      if (size(x) > 0) address = c_loc(x)
+    end subroutine
+  end subroutine
+
+  ! The one of two optional arrays that is there.
+  function merge_address(a, b, extents) result(address)
+    real(c_double), intent(in), optional, target, contiguous :: a(:, :), b(:, :)
+    integer, intent(out) :: extents(2)
+    type(c_ptr) :: address
+    if (present(a)) then
+      extents = shape(a)
+      address = rcf_address(a)
+    else
+      extents = shape(b)
+      address = rcf_address(b)
+    end if
+  end function
+end module

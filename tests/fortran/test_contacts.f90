@@ -1,0 +1,173 @@
+! Contacts, histories and batches: the rcf_ procedures give the bits of the rc_ functions, and check shapes.
+module callbacks
+  use roughcontact
+  implicit none
+contains
+  integer(c_int32_t) function second_is_enough(step, result, user) bind(c) result(stop_now)
+    integer(c_int64_t), value :: step
+    type(rc_result), intent(in) :: result
+    type(c_ptr), value :: user
+    integer, pointer :: seen
+    call c_f_pointer(user, seen)
+    seen = seen + 1
+    stop_now = merge(1, 0, step == 1 .and. result%load > 0)
+  end function
+end module
+
+program test_contacts
+  use callbacks
+  use checks
+  implicit none
+  integer, parameter :: nx = 24, ny = 18, n = nx * ny
+  real(c_double), target :: z(nx, ny), gap(nx, ny), p(nx, ny), expected(nx, ny), deformed(nx, ny)
+  type(rc_system) :: system
+  character(300) :: message
+  integer :: stat
+
+  z = rough(nx, ny)
+  gap = rcf_gap(z)
+  call check('the gap of the highest point is 0', minval(gap) == 0 .and. all(gap == maxval(z) - z))
+  system = rc_system(nx=nx, ny=ny, hx=0.5_c_double, hy=0.25_c_double, modulus=3.0_c_double)
+  call one_shot()
+  call many_steps()
+  call paths()
+  call batches()
+  call finish()
+
+contains
+
+  subroutine one_shot()
+    type(rc_result) :: ours, theirs
+    type(rc_step) :: step
+    real(c_double) :: larger(2 * nx, ny + 3)
+    step = rc_step(target=0.4_c_double, gap=c_loc(gap))
+    theirs%p = c_loc(expected)
+    call check('rc_solve', rc_solve(system, step, c_null_ptr, theirs) == RC_OK)
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=p, deformed=deformed, result=ours, stat=stat)
+    call check('rcf_solve is certified', stat == RC_OK .and. ours%status == RC_OK)
+    call check('rcf_solve gives the bits of rc_solve', all(p == expected) .and. ours%load == theirs%load)
+    call check('the deformed gap comes back', minval(deformed) > -1e-6 .and. maxval(deformed) > 0.1)
+    larger = -1
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=larger(1:2 * nx:2, 2:ny + 1))
+    call check('a section of a larger array is filled', all(larger(1:2 * nx:2, 2:ny + 1) == expected))
+    call check('and nothing else of it', all(larger(2:2 * nx:2, :) == -1) .and. all(larger(:, 1) == -1))
+    call rcf_solve(system, gap, load=theirs%load, result=ours)
+    call check('the load gives the approach', abs(ours%displacement - 0.4_c_double) < 1e-6)
+    call rcf_solve(system, gap, displacement=0.4_c_double, mask=z < 1.9_c_double, p=p)
+    call check('masked points carry no pressure', all(p == 0 .or. z < 1.9_c_double) .and. sum(p) > 0)
+
+    message = 'untouched'
+    call rcf_solve(system, gap, displacement=0.4_c_double, stat=stat, errmsg=message)
+    call check('errmsg is untouched without an error', message == 'untouched')
+    call rcf_solve(system, gap, stat=stat, errmsg=message)
+    call check('one of displacement and load', stat == RC_ERR_ARGUMENT .and. index(message, 'displacement and load') > 0)
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=larger, stat=stat, errmsg=message)
+    call check('p of another shape: '//trim(message), stat == RC_ERR_SHAPE .and. index(message, 'give 24 by 18') > 0)
+    gap(3, 2) = -1 / (gap(3, 2) - gap(3, 2))
+    call rcf_solve(system, gap, displacement=0.4_c_double, stat=stat, errmsg=message)
+    call check('the library''s message: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'not finite') > 0)
+    gap = rcf_gap(z)
+  end subroutine
+
+  subroutine many_steps()
+    type(rcf_contact) :: contact
+    type(rc_result) :: result
+    type(c_ptr) :: options
+    integer(c_int64_t), allocatable :: points(:)
+    real(c_double), allocatable :: values(:)
+    real(c_double) :: tol
+    character(:), allocatable :: text
+    call rcf_options_create(options)
+    call rcf_options_set_text(options, RC_OPT_SOLVER, 'nnls')
+    call rcf_options_set_int(options, RC_OPT_STIFFNESS, 1)
+    call rcf_options_parse(options, RC_OPT_TOL, '1e-10')
+    call rcf_options_get_real(options, RC_OPT_TOL, tol)
+    call rcf_options_get_text(options, RC_OPT_SOLVER, text)
+    call check('options come back', tol == 1e-10_c_double .and. text == 'nnls')
+    call rcf_options_set_real(options, 'tolerance', 1.0_c_double, stat, message)
+    call check('unknown option: '//trim(message), stat == RC_ERR_OPTION .and. index(message, 'tol') > 0)
+
+    call rcf_contact_create(contact, system, options, stat)
+    call check('a contact', stat == RC_OK .and. contact%nx == nx)
+    call rcf_contact_solve(contact, displacement=0.3_c_double, gap=gap, result=result)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, p=p, result=result)
+    call check('solver by name', rc_from_c(result%solver) == 'nnls' .and. result%stiffness > 0)
+    call rcf_contact_points(contact, points, values)
+    call check('the contact set', size(points) == result%contacts .and. &
+      all(pack(reshape(p, [n]), reshape(p, [n]) > 0) == values))
+    call rcf_contact_certify(contact, p, displacement=0.4_c_double, stat=stat)
+    call check('pressures are certified', stat == RC_OK)
+    p = p * 1.01_c_double
+    call rcf_contact_certify(contact, p, displacement=0.4_c_double, stat=stat)
+    call check('others are not', stat == RC_STOP_UNCERTIFIED)
+    call rcf_options_set_text(options, RC_OPT_SOLVER, 'cmr')
+    call rcf_contact_set_options(contact, options)
+    call rcf_contact_reset(contact)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, stat=stat)
+    call check('a reset contact has no gap', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, gap=gap, result=result)
+    call coarse_solutions(contact, int(result%levels))
+    call rcf_contact_cancel(contact)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, warm_start=.false., stat=stat)
+    call check('cancelled', stat == RC_STOP_CANCELLED)
+    call rcf_contact_destroy(contact)
+    call rcf_options_destroy(options)
+    call check('destroyed', .not. c_associated(contact%handle) .and. .not. c_associated(options))
+  end subroutine
+
+  subroutine coarse_solutions(contact, levels)
+    type(rcf_contact), intent(in) :: contact
+    integer, intent(in) :: levels
+    type(rc_level) :: level
+    real(c_double), allocatable :: coarse(:, :)
+    integer :: k
+    do k = 1, levels
+      call rcf_contact_level(contact, k, level, coarse)
+      call check('a coarse solution', all(shape(coarse) == [level%nx, level%ny]) .and. count(coarse > 0) == level%contacts)
+    end do
+    call rcf_contact_level(contact, levels + 1, level, stat=stat)
+    call check('there is no level after the last', stat == RC_ERR_ARGUMENT)
+  end subroutine
+
+  subroutine paths()
+    type(rcf_contact) :: contact
+    real(c_double) :: approaches(4), load(4), area(4), certificate(4)
+    integer(c_int64_t) :: products(4)
+    integer :: completed
+    integer, target :: seen
+    type(c_funptr) :: fn
+    approaches = [0.1_c_double, 0.3_c_double, 0.2_c_double, 0.4_c_double]
+    call rcf_contact_create(contact, system)
+    call rcf_contact_solve_path(contact, approaches, gap=gap, load=load, contact_area=area, certificate=certificate, &
+      applications=products, completed=completed)
+    call check('a history', completed == 4 .and. load(2) > load(3) .and. all(certificate < 1e-8) .and. all(products > 0))
+    seen = 0
+    fn = c_funloc(second_is_enough)
+    call rcf_contact_solve_path(contact, loads=load, fn=fn, user=c_loc(seen), completed=completed, stat=stat)
+    call check('ended by the callback', stat == RC_STOP_CANCELLED .and. completed == 2 .and. seen == 2)
+    call rcf_contact_solve_path(contact, approaches, load=load(1:3), stat=stat)
+    call check('an output that is too short', stat == RC_ERR_SHAPE)
+    call rcf_contact_destroy(contact)
+  end subroutine
+
+  subroutine batches()
+    real(c_double) :: gaps(nx, ny, 3), approaches(2, 1), load(2, 3), all_p(nx, ny, 3)
+    integer(rc_status) :: statuses(2, 3)
+    integer(c_int64_t) :: iterations(2, 3)
+    type(rc_result) :: alone
+    integer :: k, certified, first
+    do k = 1, 3
+      gaps(:, :, k) = rcf_gap(k * z)
+    end do
+    approaches(:, 1) = [0.2_c_double, 0.4_c_double]
+    call rcf_batch_solve(system, gaps, approaches, p=all_p, load=load, status=statuses, iterations=iterations, &
+      certified=certified, first=first)
+    call check('a batch', certified == 3 .and. first == 0 .and. all(statuses == RC_OK) .and. all(iterations > 0))
+    call rcf_solve(system, gaps(:, :, 1), displacement=0.4_c_double, result=alone)
+    call check('a contact of a batch', abs(load(2, 1) / alone%load - 1) < 1e-6)
+    call rcf_batch_solve(system, gaps(:, :, 1:1), loads=load, stat=stat)
+    call check('one surface, three histories of loads', stat == RC_OK)
+    call rcf_batch_solve(system, gaps, approaches, load=load(:, 1:2), status=statuses(:, 1:1), stat=stat, errmsg=message)
+    call check('shapes: '//trim(message), stat == RC_ERR_SHAPE .and. index(message, 'load') > 0 .and. index(message, 'status') > 0)
+  end subroutine
+end program
