@@ -1,0 +1,105 @@
+% The same interface whether rc_solve is an .oct or a MEX file: the folder of the one to be tested is on the path.
+1;
+
+function check (name, holds)
+  if (! holds)
+    error ("FAILED: %s", name);
+  endif
+endfunction
+
+function e = refused (z, opts)
+  e = struct ("identifier", "", "message", "no error");
+  try
+    rc_solve (z, opts);
+  catch e
+  end_try_catch
+endfunction
+
+printf ("testing %s\n", which ("rc_solve"));
+nx = 40; ny = 28;
+[ix, iy] = ndgrid (1:nx, 1:ny);
+z = cos (0.9 * ix) .* cos (0.5 * iy) + cos (0.21 * ix + 0.17 * iy);
+opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "displacement", 0.4);
+
+[p, info] = rc_solve (z, opts);
+check ("shape of p", isequal (size (p), [nx, ny]) && isequal (size (info.gap), [nx, ny]));
+check ("certified", info.status == 0 && strcmp (info.status_name, "RC_OK") && isempty (info.message));
+check ("load", abs (sum (p(:)) * 0.5 * 0.25 / info.load - 1) < 1e-12);
+check ("displacement", info.displacement == 0.4);
+check ("area", info.contact_area == info.contacts * 0.125 && info.contacts == nnz (p));
+check ("no pressure where there is a gap", max (p(:) .* max (info.gap(:), 0)) < 1e-6 * max (p(:)));
+check ("proof", info.load_lower <= info.load && info.load <= info.load_upper);
+check ("the highest point is in contact", p(z == max (z(:))) > 0);
+check ("one output", isequal (rc_solve (z, opts), p));
+check ("single heights", norm (rc_solve (single (z), opts) - p) < 1e-4 * norm (p));
+
+by_load = rmfield (opts, "displacement");
+by_load.load = info.load;
+[~, back] = rc_solve (z, by_load);
+check ("the load gives the approach", abs (back.displacement - 0.4) < 1e-6);
+
+% x is the first index
+turned = opts; turned.hx = opts.hy; turned.hy = opts.hx;
+check ("transposed", norm (rc_solve (z', turned)' - p) < 1e-6 * norm (p));
+periodic = opts; periodic.boundary = "periodic";
+check ("periodic differs", norm (rc_solve (z, periodic) - p) > 1e-3 * norm (p));
+
+by_name = opts;
+by_name.solver = "nnls"; by_name.backend = "dense"; by_name.kernel = "galerkin"; by_name.tol = 1e-10;
+by_name.stiffness = true; by_name.nnls_pivoting = "single"; by_name.max_iter = 5000;
+[~, info] = rc_solve (z, by_name);
+check ("names", strcmp ({info.solver, info.backend, info.kernel}, {"nnls", "dense", "galerkin"}));
+check ("options", info.stiffness > 0 && info.tolerance == 1e-10);
+
+masked = opts;
+masked.mask = z < 1.9;
+holes = z; holes(! masked.mask) = NaN;
+masked.displacement = 0.2;
+p = rc_solve (holes, masked);
+check ("masked points carry nothing", all (p(! masked.mask) == 0) && any (p(:) > 0));
+started = opts; started.p0 = rc_solve (z, opts);
+[~, info] = rc_solve (z, started);
+check ("an explicit start", info.status == 0);
+
+e = refused (z, struct ("displacement", 0.4, "solvr", "nnls"));
+check (["nearest option: ", e.message], strcmp (e.identifier, "roughcontact:RC_ERR_OPTION") && any (strfind (e.message, "solver")));
+e = refused (z, setfield (opts, "max_iter", 2.5));
+check (["not an integer: ", e.message], strcmp (e.identifier, "roughcontact:RC_ERR_OPTION"));
+e = refused (z, setfield (opts, "tol", "much"));
+check (["a text for a number: ", e.message], strcmp (e.identifier, "roughcontact:RC_ERR_OPTION"));
+e = refused (z, setfield (opts, "load", 1));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "not both")));
+e = refused (z, struct ("hx", 1));
+check (e.message, any (strfind (e.message, "displacement or opts.load")));
+e = refused (z, setfield (opts, "hx", -1));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "hx = -1")));
+e = refused (z, setfield (opts, "boundary", "open"));
+check (e.message, any (strfind (e.message, "periodic")));
+e = refused (z, setfield (opts, "mask", true));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_SHAPE"));
+e = refused (z, setfield (opts, "p0", 1));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_SHAPE"));
+e = refused (z, setfield (opts, "tol", {1}));
+check (e.message, any (strfind (e.message, "opts.tol must be a number or a text")));
+e = refused ("heights", opts);
+check (e.message, any (strfind (e.message, "z must be a real matrix")));
+e = refused (zeros (0, 3), opts);
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_SHAPE"));
+e = refused (holes, opts);
+check (e.message, any (strfind (e.message, "not finite")));
+e = refused (z, 1);
+check (e.message, any (strfind (e.message, "opts must be a struct")));
+e = refused (z, setfield (opts, "solver", "magic"));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_NO_SOLVER"));
+
+% An answer that is not certified is given, with a warning that can be switched off by its name.
+warning ("off", "roughcontact:RC_STOP_MAX_ITER");
+short = opts; short.max_iter = 1; short.solver = "polonsky-keer";
+lastwarn ("", "");
+[p, info] = rc_solve (z, short);
+check ("stopped early", info.status == 1 && ! isempty (info.message) && any (p(:) > 0));
+warning ("on", "roughcontact:RC_STOP_MAX_ITER");
+rc_solve (z, short);
+[~, id] = lastwarn ();
+check ("a warning", strcmp (id, "roughcontact:RC_STOP_MAX_ITER"));
+printf ("all checks hold\n");
