@@ -14,21 +14,21 @@ namespace {
 struct Request : rc_request {
   Request(octave_idx_type nx, octave_idx_type ny) { check(rc_request_open(this, nx, ny)); }
   ~Request() { rc_request_close(this); }
-  Request(const Request &) = delete;
-  Request &operator=(const Request &) = delete;
+  Request(const Request&) = delete;
+  Request& operator=(const Request&) = delete;
 
   void check(rc_status status) const {
     if (status < 0) error_with_id((std::string("roughcontact:") + rc_status_name(status)).c_str(), "rc_solve: %s", message);
   }
 };
 
-NDArray matrix(Request &request, const std::string &name, const octave_value &value) {
+NDArray matrix(Request& request, const std::string& name, const octave_value& value) {
   if (!(value.is_double_type() || value.is_single_type()) || value.iscomplex() || value.ndims() != 2)
     request.check(rc_request_refuse(&request, RC_ERR_ARGUMENT, "%s must be a real matrix, double or single", name.c_str()));
   return value.array_value();
 }
 
-void set_mask(Request &request, const octave_value &value) {
+void set_mask(Request& request, const octave_value& value) {
   if (!(value.islogical() || value.isnumeric()) || value.iscomplex() || value.ndims() != 2)
     request.check(rc_request_refuse(&request, RC_ERR_ARGUMENT, "opts.mask must be a logical matrix"));
   const boolNDArray mask = value.bool_array_value();
@@ -36,7 +36,7 @@ void set_mask(Request &request, const octave_value &value) {
   request.check(rc_request_mask(&request, value.rows(), value.columns(), bytes.data()));
 }
 
-void set_field(Request &request, const std::string &field, const octave_value &value) {
+void set_field(Request& request, const std::string& field, const octave_value& value) {
   if (value.is_string() && value.rows() <= 1) {
     request.check(rc_request_text(&request, field.c_str(), value.string_value().c_str()));
   } else if ((value.isnumeric() || value.islogical()) && !value.iscomplex() && value.numel() == 1) {
@@ -47,17 +47,17 @@ void set_field(Request &request, const std::string &field, const octave_value &v
 }
 
 // Octave's interrupt is an exception, which must not pass through the library: it waits here until the solve has ended.
-std::int32_t interrupted(const rc_progress *, void *user) {
+std::int32_t interrupted(const rc_progress*, void* user) {
   try {
     octave_quit();
     return 0;
   } catch (...) {
-    *static_cast<std::exception_ptr *>(user) = std::current_exception();
+    *static_cast<std::exception_ptr*>(user) = std::current_exception();
     return 1;
   }
 }
 
-octave_scalar_map info_of(const rc_result &result, const char *message) {
+octave_scalar_map info_of(const rc_result& result, const char* message) {
   octave_scalar_map info;
 #define NUMBER(name) info.setfield(#name, octave_value(static_cast<double>(result.name)));
 #define TEXT(name) info.setfield(#name, octave_value(std::string(result.name)));

@@ -12,16 +12,16 @@
 /* Whether Ctrl-C was pressed. Neither program documents how a MEX function can ask: these are their own variables for it. */
 #ifdef MATLAB_MEX_FILE
 extern bool utIsInterruptPending(void);
-static int32_t interrupted(const rc_progress *progress, void *user) { return (void)progress, (void)user, utIsInterruptPending(); }
+static int32_t interrupted(const rc_progress* progress, void* user) { return (void)progress, (void)user, utIsInterruptPending(); }
 #else
 extern sig_atomic_t octave_interrupt_state;
-static int32_t interrupted(const rc_progress *progress, void *user) {
+static int32_t interrupted(const rc_progress* progress, void* user) {
   return (void)progress, (void)user, octave_interrupt_state > 0;
 }
 #endif
 
 /* mexErrMsgIdAndTxt does not return: all that is open is closed first. */
-static void check(rc_request *request, rc_status status) {
+static void check(rc_request* request, rc_status status) {
   if (status >= 0) return;
   char id[64], message[sizeof request->message];
   snprintf(id, sizeof id, "roughcontact:%s", rc_status_name(status));
@@ -31,30 +31,31 @@ static void check(rc_request *request, rc_status status) {
 }
 
 /* The values of a real matrix as doubles; memory that was taken for it is MEX's, freed when the function ends. */
-static const double *matrix(rc_request *request, const char *name, const mxArray *value) {
+static const double* matrix(rc_request* request, const char* name, const mxArray* value) {
   if (!(mxIsDouble(value) || mxIsSingle(value)) || mxIsComplex(value) || mxIsSparse(value) || mxGetNumberOfDimensions(value) != 2)
     check(request, rc_request_refuse(request, RC_ERR_ARGUMENT, "%s must be a real matrix, double or single", name));
   if (mxIsDouble(value)) return mxGetPr(value);
   const size_t n = mxGetNumberOfElements(value);
-  const float *single = mxGetData(value);
-  double *values = mxMalloc(n * sizeof *values + 1);
+  const float* single = mxGetData(value);
+  double* values = mxMalloc(n * sizeof *values + 1);
   for (size_t i = 0; i < n; ++i) values[i] = single[i];
   return values;
 }
 
-static void set_mask(rc_request *request, const mxArray *value) {
+static void set_mask(rc_request* request, const mxArray* value) {
   const size_t n = mxGetNumberOfElements(value);
-  if (!(mxIsLogical(value) || mxIsDouble(value)) || mxIsComplex(value) || mxIsSparse(value) || mxGetNumberOfDimensions(value) != 2)
+  if (!(mxIsLogical(value) || mxIsDouble(value)) || mxIsComplex(value) || mxIsSparse(value) ||
+      mxGetNumberOfDimensions(value) != 2)
     check(request, rc_request_refuse(request, RC_ERR_ARGUMENT, "opts.mask must be a logical matrix"));
-  uint8_t *bytes = mxMalloc(n + 1);
+  uint8_t* bytes = mxMalloc(n + 1);
   for (size_t i = 0; i < n; ++i) bytes[i] = mxIsLogical(value) ? mxGetLogicals(value)[i] : mxGetPr(value)[i] != 0;
   check(request, rc_request_mask(request, (int64_t)mxGetM(value), (int64_t)mxGetN(value), bytes));
   mxFree(bytes);
 }
 
-static void set_field(rc_request *request, const char *field, const mxArray *value) {
+static void set_field(rc_request* request, const char* field, const mxArray* value) {
   if (value && mxIsChar(value) && mxGetM(value) <= 1) {
-    char *text = mxArrayToString(value);
+    char* text = mxArrayToString(value);
     check(request, rc_request_text(request, field, text ? text : ""));
     mxFree(text);
   } else if (value && (mxIsNumeric(value) || mxIsLogical(value)) && !mxIsComplex(value) && mxGetNumberOfElements(value) == 1) {
@@ -64,15 +65,15 @@ static void set_field(rc_request *request, const char *field, const mxArray *val
   }
 }
 
-static mxArray *info_of(const rc_result *result, const char *message, mxArray *gap) {
-  static const char *names[] = {
+static mxArray* info_of(const rc_result* result, const char* message, mxArray* gap) {
+  static const char* names[] = {
 #define NUMBER(name) #name,
 #define TEXT(name) #name,
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
       "status_name", "status_text", "message", "gap"};
-  mxArray *info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
+  mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
 #define NUMBER(name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)result->name));
 #define TEXT(name) mxSetField(info, 0, #name, mxCreateString(result->name));
 #include "result_fields.def"
@@ -85,7 +86,7 @@ static mxArray *info_of(const rc_result *result, const char *message, mxArray *g
   return info;
 }
 
-void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[]) {
+void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   if (nrhs != 2) mexErrMsgIdAndTxt("roughcontact:RC_ERR_ARGUMENT", "usage: [p, info] = rc_solve(z, opts)");
   const size_t nx = mxGetM(prhs[0]), ny = mxGetN(prhs[0]);
   rc_request request;
@@ -94,8 +95,8 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[]) {
   if (!mxIsStruct(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
     check(&request, rc_request_refuse(&request, RC_ERR_ARGUMENT, "opts must be a struct"));
   for (int k = 0; k < mxGetNumberOfFields(prhs[1]); ++k) {
-    const char *field = mxGetFieldNameByNumber(prhs[1], k);
-    const mxArray *value = mxGetFieldByNumber(prhs[1], 0, k);
+    const char* field = mxGetFieldNameByNumber(prhs[1], k);
+    const mxArray* value = mxGetFieldByNumber(prhs[1], 0, k);
     if (value && !strcmp(field, "mask")) {
       set_mask(&request, value);
     } else if (value && !strcmp(field, "p0")) {
@@ -108,7 +109,7 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[]) {
   }
 
   plhs[0] = mxCreateDoubleMatrix(nx, ny, mxREAL);
-  mxArray *gap = nlhs > 1 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
+  mxArray* gap = nlhs > 1 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
   rc_result result;
   const rc_status status =
       rc_request_solve(&request, heights, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, interrupted, NULL, &result);

@@ -7,12 +7,12 @@
 #include <string.h>
 
 /* Keeps the library's text, which lasts only until the next call. */
-static rc_status keep_message(rc_request *request, rc_status status) {
+static rc_status keep_message(rc_request* request, rc_status status) {
   if (status != RC_OK) snprintf(request->message, sizeof request->message, "%s", rc_last_error());
   return status;
 }
 
-rc_status rc_request_refuse(rc_request *request, rc_status status, const char *format, ...) {
+rc_status rc_request_refuse(rc_request* request, rc_status status, const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(request->message, sizeof request->message, format, arguments);
@@ -20,7 +20,7 @@ rc_status rc_request_refuse(rc_request *request, rc_status status, const char *f
   return status;
 }
 
-rc_status rc_request_open(rc_request *request, int64_t nx, int64_t ny) {
+rc_status rc_request_open(rc_request* request, int64_t nx, int64_t ny) {
   memset(request, 0, sizeof *request);
   rc_system_init(&request->system);
   rc_step_init(&request->step);
@@ -29,7 +29,7 @@ rc_status rc_request_open(rc_request *request, int64_t nx, int64_t ny) {
   return keep_message(request, rc_options_create(NULL, &request->options));
 }
 
-void rc_request_close(rc_request *request) {
+void rc_request_close(rc_request* request) {
   rc_options_destroy(request->options);
   free(request->mask);
   free(request->gap);
@@ -37,7 +37,7 @@ void rc_request_close(rc_request *request) {
 }
 
 /* The option whose key is `field` with '_' for '.'; 0 if there is none. The schema lists the core's keys first. */
-static int find_option(const char *field, rc_option_spec *spec) {
+static int find_option(const char* field, rc_option_spec* spec) {
   const int64_t count = rc_options_count(NULL);
   for (int64_t i = 0; i < count; ++i) {
     spec->struct_size = sizeof *spec;
@@ -49,15 +49,16 @@ static int find_option(const char *field, rc_option_spec *spec) {
   return 0;
 }
 
-static rc_status set_target(rc_request *request, int32_t control, double value) {
-  if (request->target_given) return rc_request_refuse(request, RC_ERR_ARGUMENT, "give one of opts.displacement and opts.load, not both");
+static rc_status set_target(rc_request* request, int32_t control, double value) {
+  if (request->target_given)
+    return rc_request_refuse(request, RC_ERR_ARGUMENT, "give one of opts.displacement and opts.load, not both");
   request->target_given = 1;
   request->step.control = control;
   request->step.target = value;
   return RC_OK;
 }
 
-rc_status rc_request_number(rc_request *request, const char *field, double value) {
+rc_status rc_request_number(rc_request* request, const char* field, double value) {
   if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, request->hy_given = 1, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
@@ -72,17 +73,18 @@ rc_status rc_request_number(rc_request *request, const char *field, double value
   return keep_message(request, rc_options_set_int(request->options, spec.key, (int64_t)value));
 }
 
-rc_status rc_request_text(rc_request *request, const char *field, const char *value) {
+rc_status rc_request_text(rc_request* request, const char* field, const char* value) {
   if (!strcmp(field, "boundary")) {
     if (!strcmp(value, "free")) return request->system.boundary = RC_BOUNDARY_FREE, RC_OK;
     if (!strcmp(value, "periodic")) return request->system.boundary = RC_BOUNDARY_PERIODIC, RC_OK;
-    return rc_request_refuse(request, RC_ERR_ARGUMENT, "opts.boundary = \"%s\" is not known; give \"free\" or \"periodic\"", value);
+    return rc_request_refuse(request, RC_ERR_ARGUMENT, "opts.boundary = \"%s\" is not known; give \"free\" or \"periodic\"",
+                             value);
   }
   rc_option_spec spec;
   return keep_message(request, rc_options_parse(request->options, find_option(field, &spec) ? spec.key : field, value));
 }
 
-rc_status rc_request_mask(rc_request *request, int64_t nx, int64_t ny, const uint8_t *mask) {
+rc_status rc_request_mask(rc_request* request, int64_t nx, int64_t ny, const uint8_t* mask) {
   if (nx != request->system.nx || ny != request->system.ny)
     return rc_request_refuse(request, RC_ERR_SHAPE, "opts.mask is %lld by %lld, z is %lld by %lld", (long long)nx, (long long)ny,
                              (long long)request->system.nx, (long long)request->system.ny);
@@ -94,8 +96,9 @@ rc_status rc_request_mask(rc_request *request, int64_t nx, int64_t ny, const uin
   return RC_OK;
 }
 
-/* Heights to gaps: the highest point that is there touches first. Heights that are not finite are left for the library to refuse. */
-static rc_status make_gap(rc_request *request, const double *heights) {
+/* Heights to gaps: the highest point that is there touches first. Heights that are not finite are left for the library to refuse.
+ */
+static rc_status make_gap(rc_request* request, const double* heights) {
   const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
   double highest = -INFINITY;
   for (size_t i = 0; i < n; ++i)
@@ -106,8 +109,8 @@ static rc_status make_gap(rc_request *request, const double *heights) {
   return RC_OK;
 }
 
-rc_status rc_request_solve(rc_request *request, const double *heights, const double *p0, double *p, double *gap,
-                           rc_progress_fn interrupted, void *user, rc_result *result) {
+rc_status rc_request_solve(rc_request* request, const double* heights, const double* p0, double* p, double* gap,
+                           rc_progress_fn interrupted, void* user, rc_result* result) {
   if (!request->target_given) return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.displacement or opts.load");
   if (!request->hy_given) request->system.hy = request->system.hx;
   rc_status status = make_gap(request, heights);
@@ -119,7 +122,7 @@ rc_status rc_request_solve(rc_request *request, const double *heights, const dou
   result->p = p;
   result->gap = gap;
 
-  rc_contact *contact = NULL;
+  rc_contact* contact = NULL;
   status = rc_contact_create(&request->system, request->options, &contact);
   if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, user, 1);
   if (status == RC_OK) status = rc_contact_solve(contact, &request->step, result);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   if (count != 8) return 2;
   rc_system system = RC_SYSTEM_INIT;
   system.nx = atoll(arguments[2]);
@@ -12,7 +12,7 @@ int main(int count, char **arguments) {
   system.modulus = strtod(arguments[5], NULL);
   const size_t n = (size_t)(system.nx * system.ny);
   double *z = malloc(n * sizeof *z), *p = malloc(n * sizeof *p);
-  FILE *file = fopen(arguments[1], "rb");
+  FILE* file = fopen(arguments[1], "rb");
   if (!z || !p || !file || fread(z, sizeof *z, n, file) != n) return 2;
   fclose(file);
 

@@ -1,0 +1,63 @@
+// The contact law of one Gauss point: a rough patch pressed against a half-space. To be copied into a finite element code.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The library's message; a finite element code cuts its step.
+struct ContactLawError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class ContactLaw {
+ public:
+  struct Answer {
+    double force = 0, tangent = 0;  // F and dF/d(displacement)
+    double contact_area = 0;
+  };
+
+  // Options of the library and their values as text, see `roughcontact options`.
+  using Options = std::vector<std::pair<std::string, std::string>>;
+
+  // heights: nx by ny of the system, x fastest, towards the other body. tol is 1e-10 unless an option says otherwise: Newton's
+  // method of the finite element code wants forces more exact than its own tolerance.
+  ContactLaw(const rc_system& system, const std::vector<double>& heights, const Options& options = {});
+
+  // The mesh deforms under the force of the patch as well. With the patch's stiffness as a whole, force over displacement, what
+  // the half-space below it deforms as a whole is taken off: displacement is then that of the roughness alone. 0 (default): not.
+  void subtract_bulk(double stiffness) { bulk_stiffness_ = stiffness; }
+  // Of a flat square punch of this side: the number is Love's constant for the square in the limit of fine grids.
+  static double square_stiffness(double modulus, double side) { return modulus * side / 0.86783; }
+
+  // At a displacement from first touch, > 0 into the other body. A trial: it starts from the committed state, so that the answer
+  // depends on that and the displacement alone, not on the trials before.
+  Answer evaluate(double displacement);
+
+  // Makes the last trial the state from which the next ones start, when the step is accepted. Contact without friction has no
+  // history: the state saves time, and is all that a restart file needs.
+  void commit() { state_ = trial_; }
+  const std::vector<double>& state() const { return state_; }
+  void restore(std::vector<double> state) { state_ = std::move(state); }
+
+  double area() const { return area_; }
+
+ private:
+  struct Destroy {
+    void operator()(rc_contact* contact) const { rc_contact_destroy(contact); }
+  };
+
+  Answer press(double approach);
+
+  std::unique_ptr<rc_contact, Destroy> contact_;
+  std::vector<double> gap_, state_, trial_;  // pressures; empty: none yet
+  double area_ = 0, bulk_stiffness_ = 0;
+};
+
+// All points at once: point i is evaluated by thread i modulo threads, with the same bits whatever their number.
+std::vector<ContactLaw::Answer> evaluate_all(std::vector<ContactLaw>& laws, const std::vector<double>& displacements,
+                                             int threads);
