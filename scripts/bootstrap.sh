@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of scripts/packages.txt that are not there yet.
+# bootstrap.sh [--bindings]: installs the Debian packages of scripts/packages.txt that are not there yet; with --bindings also those
+# of packages-bindings.txt, for the tests of Octave and flang.
 set -euo pipefail
-list=$(dirname "$0")/packages.txt
-command -v dpkg-query >/dev/null || { echo "not a Debian system: install by hand what corresponds to $(tr "\n" " " <"$list")"; exit 0; }
+lists=("$(dirname "$0")/packages.txt")
+[ "${1:-}" != --bindings ] || lists+=("$(dirname "$0")/packages-bindings.txt")
+command -v dpkg-query >/dev/null || { echo "not a Debian system: install by hand what corresponds to $(cat "${lists[@]}" | tr "\n" " ")"; exit 0; }
 missing=()
 while read -r package; do
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
-done <"$list"
+done < <(cat "${lists[@]}")
 [ ${#missing[@]} -gt 0 ] || { echo "all packages are installed"; exit 0; }
 echo "installing ${missing[*]}"
 as_root=()
