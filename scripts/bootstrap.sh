@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# bootstrap.sh [--bindings]: installs the Debian packages of scripts/packages.txt that are not there yet; with --bindings also those
-# of packages-bindings.txt, for the tests of Octave and flang.
+# bootstrap.sh [--bindings]: installs the Debian packages of scripts/packages.txt that are not there yet; with --bindings also
+# those of packages-bindings.txt, for the tests of Octave and flang.
 set -euo pipefail
 lists=("$(dirname "$0")/packages.txt")
 [ "${1:-}" != --bindings ] || lists+=("$(dirname "$0")/packages-bindings.txt")
-command -v dpkg-query >/dev/null || { echo "not a Debian system: install by hand what corresponds to $(cat "${lists[@]}" | tr "\n" " ")"; exit 0; }
+if ! command -v dpkg-query >/dev/null; then
+  echo "not a Debian system: install by hand what corresponds to $(cat "${lists[@]}" | tr "\n" " ")"
+  exit 0
+fi
 missing=()
 while read -r package; do
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")

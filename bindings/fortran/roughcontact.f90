@@ -1,5 +1,6 @@
 ! roughcontact for Fortran: the C interface name for name (rc_...), and procedures in the manner of Fortran (rcf_...). Compile
-! the files of this folder with your program, in the order of docs/fortran.md: module files are not portable between compilers.
+! the files with your program, in the order that `pkg-config --variable=fortran_source roughcontact-fortran` prints: module files
+! are not portable between compilers.
 module roughcontact
   use roughcontact_functions
   use roughcontact_strings

@@ -73,7 +73,8 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
-  ! counts(k): points with (k - 1) width < p <= k width; density: their share per pressure; upper 0 or absent: the largest pressure.
+  ! counts(k): points with (k - 1) width < p <= k width; density: their share per pressure; upper 0 or absent: the largest
+  ! pressure.
   subroutine rcf_histogram_fill(p, counts, density, upper, mask, histogram, stat, errmsg)
     real(c_double), intent(in), contiguous :: p(:, :)
     integer(c_int64_t), intent(inout), target, contiguous :: counts(:)

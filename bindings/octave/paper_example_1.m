@@ -1,6 +1,6 @@
 % paper_example_1 ()  or  paper_example_1 (draws)
-% Example 1 of Bemporad & Paggi (2015): heights that are independent and uniform on (0, 1), spacing 1, modulus 1, pressed until the
-% lowest possible point would touch. How often does greedy elimination (Algorithm 1) end with points that overlap? With the
+% Example 1 of Bemporad & Paggi (2015): heights that are independent and uniform on (0, 1), spacing 1, modulus 1, pressed until
+% the lowest possible point would touch. How often does greedy elimination (Algorithm 1) end with points that overlap? With the
 % paper's influence coefficients (kernel eq9) often, and the more so the more points; with consistent ones never. Every answer
 % is checked by the library, and compared with the exact one of nnls.
 function failures = paper_example_1(draws)

@@ -36,7 +36,7 @@ int main(int count, char** arguments) {
   const int threads = count > 1 ? std::atoi(arguments[1]) : 1;
   try {
     std::vector<ContactLaw> laws;
-    for (int i = 0; i < points; ++i) laws.push_back(rough_patch(static_cast<std::uint64_t>(i + 1)));
+    for (std::uint64_t seed = 1; seed <= points; ++seed) laws.push_back(rough_patch(seed));
     Chain chain;
     chain.mass = 1e-6;   // kg
     chain.spring = 1e5;  // N/m

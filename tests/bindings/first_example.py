@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The first example of a page of documentation works as printed: the file is put into an empty folder, the commands below it are run
-there with an empty environment but for the prefix the library is installed to, and print what the page says.
+"""The first example of a page of documentation works as printed: the file is put into an empty folder, the commands below it
+are run there with an empty environment but for the prefix the library is installed to, and print what the page says.
 
 first_example.py BUILD [--alone FOLDER PROGRAM] PAGE...
-A page has `NAME`: and a code block, then a block of sh, then a block of text. --alone: an example with a CMakeLists.txt of its own
-builds and runs in the same way.
+A page has `NAME`: and a code block, then a block of sh, then a block of text. --alone: an example with a CMakeLists.txt of
+its own builds and runs in the same way.
 """
 import os
 import pathlib
@@ -23,9 +23,10 @@ def first_example(page):
 
 
 def run_alone(source, program, prefix, folder, environment):
-    for command in (['cmake', '-S', source, '-B', str(folder), f'-DCMAKE_PREFIX_PATH={prefix}'], ['cmake', '--build', str(folder)],
-                    [str(folder / program)]):
-        run = subprocess.run(command, env={**environment, 'HOME': str(folder)}, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    for command in (['cmake', '-S', source, '-B', str(folder), f'-DCMAKE_PREFIX_PATH={prefix}'],
+                    ['cmake', '--build', str(folder)], [str(folder / program)]):
+        run = subprocess.run(command, env={**environment, 'HOME': str(folder)}, text=True, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT)
         if run.returncode:
             return [f'{" ".join(command)} ended with {run.returncode}:\n{run.stdout}']
     print(f'{program}, built alone:\n{run.stdout}')

@@ -55,11 +55,13 @@ def main():
             found = {}
             for name, command in commands:
                 out = folder / f'{name}.raw'
-                subprocess.run([*command, 'heights.raw', str(NX), str(NY), PITCH, MODULUS, displacement, out.name], check=True, cwd=folder)
+                scene = ['heights.raw', str(NX), str(NY), PITCH, MODULUS, displacement, out.name]
+                subprocess.run([*command, *scene], check=True, cwd=folder)
                 found[name] = out.read_bytes()
             if arguments:
-                subprocess.run([str(pathlib.Path(arguments[0]).resolve()), 'solve', 'heights.npy', '--pitch', PITCH, '--modulus', MODULUS,
-                                '--displacement', displacement, '--out', 'results', '--quiet'], check=True, cwd=folder)
+                tool = str(pathlib.Path(arguments[0]).resolve())
+                subprocess.run([tool, 'solve', 'heights.npy', '--pitch', PITCH, '--modulus', MODULUS, '--displacement',
+                                displacement, '--out', 'results', '--quiet'], check=True, cwd=folder)
                 found['command line'] = values_of_npy(folder / 'results' / 'pressure-1.npy')
             (first, expected), *others = found.items()
             contacts = sum(p > 0 for p in struct.unpack(f'<{NX * NY}d', expected))

@@ -168,6 +168,7 @@ contains
     call rcf_batch_solve(system, gaps(:, :, 1:1), loads=load, stat=stat)
     call check('one surface, three histories of loads', stat == RC_OK)
     call rcf_batch_solve(system, gaps, approaches, load=load(:, 1:2), status=statuses(:, 1:1), stat=stat, errmsg=message)
-    call check('shapes: '//trim(message), stat == RC_ERR_SHAPE .and. index(message, 'load') > 0 .and. index(message, 'status') > 0)
+    call check('shapes: '//trim(message), stat == RC_ERR_SHAPE .and. index(message, 'load') > 0 .and. &
+      index(message, 'status') > 0)
   end subroutine
 end program

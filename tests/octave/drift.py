@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Compares what rc_solve uses of the C header with the header: result_fields.def names every member of rc_result, with its kind,
-and the sources compile against the header without a warning.
+"""Compares what rc_solve uses of the C header with the header: result_fields.def names every member of rc_result, with its
+kind, and the sources compile against the header without a warning.
 
 drift.py HEADER FOLDER CC [--self-test]
 """
@@ -18,7 +18,8 @@ NOT_IN_INFO = {'struct_size', 'p', 'gap', 'reserved'}
 
 def problems(header_text, folder, cc):
     members = {name: kind for name, kind in Header(header_text).structs['rc_result'] if name not in NOT_IN_INFO}
-    named = dict((name, what) for what, name in re.findall(r'^(NUMBER|TEXT)\((\w+)\)', (folder / 'result_fields.def').read_text(), re.M))
+    fields = (folder / 'result_fields.def').read_text()
+    named = {name: what for what, name in re.findall(r'^(NUMBER|TEXT)\((\w+)\)', fields, re.M)}
     wanted = {name: 'TEXT' if kind.startswith('char[') else 'NUMBER' for name, kind in members.items()}
     found = [f'{name}: header {wanted.get(name)}, rc_solve {named.get(name)}' for name in sorted(wanted.keys() | named.keys())
              if wanted.get(name) != named.get(name)]
@@ -38,7 +39,7 @@ CHANGES = {
     'text becomes a number': ('char kernel[32];', 'double kernel;'),
     'constant renamed': ('RC_BOUNDARY_PERIODIC = 2', 'RC_BOUNDARY_REPEATED = 2'),
     'function renamed': ('rc_options_parse(', 'rc_options_read('),
-    'argument added': ('rc_options *options, const char *key, int64_t value', 'rc_options *options, const char *key, int64_t value, int32_t x'),
+    'argument added': ('const char *key, int64_t value', 'const char *key, int64_t value, int32_t x'),
     'member of the step renamed': ('double target;', 'double aim;'),
 }
 
