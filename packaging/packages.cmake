@@ -80,11 +80,11 @@ rc_package(libroughcontact-surface0 COMPONENTS surface SECTION libs LIBRARY roug
   SUMMARY "makes and judges rough surfaces - shared library"
   DESCRIPTION ${rc_about} "." "This package has the library of generators, roughness parameters and spectra."
     "It links the GNU Scientific Library and is therefore under the GPL.")
-rc_package(libroughcontact-dev COMPONENTS development fortran SECTION libdevel NOTICES eigen gsl
-  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libgsl-dev SUGGESTS pkg-config gfortran
+rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION libdevel NOTICES eigen gsl
+  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libgsl-dev SUGGESTS pkg-config gfortran octave-dev
   SUMMARY "certified normal contact of rough surfaces - development files"
   DESCRIPTION ${rc_about} "." "This package has headers, static libraries, pkg-config files, a CMake package"
-    "and the source of the Fortran module.")
+    "and the sources of the Fortran modules and of rc_solve for Octave.")
 rc_package(libroughcontact-backend-fft COMPONENTS backend-fft SECTION libs NOTICES fftw eigen
   DEPENDS libroughcontact0
   SUMMARY "certified normal contact of rough surfaces - FFT backends"
