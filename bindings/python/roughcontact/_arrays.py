@@ -1,0 +1,78 @@
+"""Arrays of any order, type and kind as the library wants them, copied only where they differ from that."""
+
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import ArgumentError, ShapeError
+from ._structs import bytes_, doubles, integers, statuses
+
+Doubles = NDArray[np.float64]
+Mask = NDArray[np.uint8]
+Shape = Tuple[int, ...]
+Pitch = Union[float, Sequence[float]]
+
+
+def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> Doubles:
+    """values as a C-ordered array of doubles; the same memory if they are one already."""
+    if np.ma.isMaskedArray(values) and np.ma.getmaskarray(values).any():
+        raise ArgumentError(
+            f"{name} is a masked array with {int(np.ma.getmaskarray(values).sum())} masked values: pass mask=, which "
+            "is 0 where a point takes no part, or heights with missing='exclude'"
+        )
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ShapeError(f"{name} is not an array of numbers: {error}") from None
+    if array.dtype.kind not in "fiub":
+        try:
+            array = array.astype(np.float64, casting="safe") if array.dtype.kind != "O" else array.astype(np.float64)
+        except (TypeError, ValueError):
+            raise TypeError(f"{name} holds {array.dtype}; real numbers are needed") from None
+    array = np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+    if shape is not None and array.shape != shape:
+        raise ShapeError(f"{name} has shape {array.shape}, the grid {shape}")
+    return array
+
+
+def as_mask(values: Optional[ArrayLike], name: str, shape: Optional[Shape] = None) -> Optional[Mask]:
+    """1 where a value is true."""
+    if values is None:
+        return None
+    array = np.asarray(values)
+    if array.dtype.kind not in "biu":
+        raise TypeError(f"{name} holds {array.dtype}; bool or integers are needed: 0 where a point takes no part")
+    array = np.ascontiguousarray(array != 0).view(np.uint8)
+    if shape is not None and array.shape != shape:
+        raise ShapeError(f"{name} has shape {array.shape}, the grid {shape}")
+    return array
+
+
+def as_pitch(pitch: Pitch) -> Tuple[float, float]:
+    """(hx, hy)"""
+    sides = np.atleast_1d(np.asarray(pitch, dtype=np.float64)).tolist()
+    if len(sides) not in (1, 2):
+        raise ShapeError(f"pitch has {len(sides)} values: one, or (hx, hy) with hx along the last axis")
+    return float(sides[0]), float(sides[-1])
+
+
+def as_shape(shape: Union[int, Sequence[int]]) -> Shape:
+    """(ny, nx) or (nx,)"""
+    sides = tuple(int(n) for n in np.atleast_1d(np.asarray(shape)).tolist())
+    if len(sides) not in (1, 2):
+        raise ShapeError(f"shape {sides} has {len(sides)} axes: one, or (ny, nx)")
+    return sides
+
+
+def columns_and_rows(shape: Shape) -> Tuple[int, int]:
+    """(nx, ny); a one-dimensional array is one row."""
+    return shape[-1], shape[0] if len(shape) == 2 else 1
+
+
+def pointer(array: Optional[NDArray[Any]]) -> Any:
+    """Of an array's first element, None for none. The array must be kept as long as the pointer is used."""
+    if array is None:
+        return None
+    kinds: Dict[str, Any] = {"float64": doubles, "int64": integers, "int32": statuses, "uint8": bytes_}
+    return array.ctypes.data_as(kinds[array.dtype.name])

@@ -1,0 +1,194 @@
+"""Many contacts in one call."""
+
+import ctypes
+from typing import Any, Callable, List, Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _constants
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, pointer
+from ._calls import Callbacks, interruptible
+from ._errors import ArgumentError, Interrupted, ShapeError, Status, as_status, error_for
+from ._library import contact_library
+from ._maps import as_surface, gap_below
+from ._structs import rc_batch, rc_batch_fn
+from .contact import control_and_target
+from .context import Context, Options, OptionSet
+from .result import BatchResult, Grid, Result, result_with_copies
+from .system import HalfSpace, System
+
+
+def batch(
+    heights: Any = None,
+    *,
+    displacement: Optional[ArrayLike] = None,
+    load: Optional[ArrayLike] = None,
+    gap: Optional[ArrayLike] = None,
+    mask: Optional[ArrayLike] = None,
+    missing: str = "reject",
+    start: Optional[ArrayLike] = None,
+    warm_start: bool = True,
+    stiffness: bool = False,
+    keep_pressure: bool = False,
+    each: Optional[Callable[[int, int, Result], object]] = None,
+    check: bool = True,
+    system: Optional[System] = None,
+    pitch: Optional[Pitch] = None,
+    modulus: Optional[float] = None,
+    boundary: Optional[str] = None,
+    options: Options = None,
+    context: Optional[Context] = None,
+) -> BatchResult:
+    """Solves the histories of many contacts on one grid, each as by `path`: the same bits, whatever the number of threads.
+
+    heights or gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights each surface's
+        highest point touches at displacement 0 [length]
+    displacement or load: [contacts, steps], or one history [steps] for all of them, or one number [length] or [force]
+    mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
+    start: [contacts, ny, nx] pressures to begin with [force/length^2]
+    keep_pressure: whether to keep the pressures of every contact's last step
+    each: called with (contact, step, `Result`) after every step; with option threads > 1 by several threads at the same time.
+        True ends the batch with Status.STOP_CANCELLED; an exception ends it and is raised
+    check: whether a contact that fails or is not certified raises, when all others are done. Every exception of this call that
+        comes after its start, `Interrupted` (Ctrl-C, at the end of a running step) included, has all answers as its `result`
+    options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
+    the others: as in `solve`
+    """
+    system, gaps, masks = _surfaces(heights, gap, mask, missing, system, pitch, modulus, boundary)
+    control, values = control_and_target(displacement, load)
+    targets = as_doubles(values, "load" if displacement is None else "displacement")
+    targets = np.atleast_1d(targets)
+    if targets.ndim > 2:
+        raise ShapeError(f"histories have {targets.ndim} axes: [contacts, steps], [steps] or one number")
+    axes = len(system.shape)
+    starts = None if start is None else as_doubles(start, "start")
+    counts = {
+        name: len(array)
+        for name, array, shared in (
+            ("heights or gap", gaps, gaps.ndim == axes),
+            ("histories", targets, targets.ndim == 1),
+            ("mask", masks, masks is None or masks.ndim == axes),
+            ("start", starts, starts is None),
+        )
+        if not shared and array is not None
+    }
+    if len(set(counts.values())) > 1:
+        raise ShapeError(f"numbers of contacts differ: {', '.join(f'{name} {n}' for name, n in counts.items())}")
+    n, steps = max(counts.values(), default=1), targets.shape[-1]
+    if starts is not None and starts.shape != (n, *system.shape):
+        raise ShapeError(f"start has shape {starts.shape}; {(n, *system.shape)} is needed")
+
+    out = {name: np.full((n, steps), np.nan) for name in ("load", "displacement", "contact_area", "certificate")}
+    if stiffness:
+        out["stiffness"] = np.full((n, steps), np.nan)
+    whole = {name: np.full((n, steps), -1, np.int64) for name in ("iterations", "applications")}
+    statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
+    pressures = np.zeros((n, *system.shape)) if keep_pressure else None
+
+    struct = rc_batch()
+    contact_library().rc_batch_init(struct, ctypes.sizeof(struct))
+    struct.control, struct.warm_start, struct.n, struct.steps = control, int(warm_start), n, steps
+    struct.targets, struct.target_stride = pointer(targets), _constants.RC_BATCH_SHARED if targets.ndim == 1 else 0
+    struct.gap, struct.gap_stride = pointer(gaps), _constants.RC_BATCH_SHARED if gaps.ndim == axes else 0
+    struct.mask = pointer(masks)
+    struct.mask_stride = _constants.RC_BATCH_SHARED if masks is not None and masks.ndim == axes else 0
+    struct.p0, struct.p, struct.status = pointer(starts), pointer(pressures), pointer(statuses)
+    for name, array in {**out, **whole}.items():
+        setattr(struct, name, pointer(array))
+
+    stop: List[bool] = []
+    grid = Grid(system.shape, system.pitch, system.periodic, masks if masks is not None and masks.ndim == axes else None)
+
+    def after(contact: int, step: int, answer: Any, _: Any) -> object:
+        if each is not None and not stop:
+            own = grid if masks is None or masks.ndim == axes else Grid(grid.shape, grid.pitch, grid.periodic, masks[contact])
+            return each(contact, step, result_with_copies(answer.contents, own))
+        return bool(stop)
+
+    callbacks = Callbacks()
+    struct.fn = rc_batch_fn(callbacks.guarded(after))
+    description, product = system.struct()
+    # Without `each` the function is there for Ctrl-C alone: bounds, which only it would see, are not computed.
+    chosen = dict(options or {}) if each is not None else {**dict(options or {}), _constants.RC_OPT_BOUNDS: 0}
+    with OptionSet(chosen, context) as handle:
+        status, message, interrupt = interruptible(
+            lambda: int(contact_library().rc_batch_solve(description, handle, struct)), lambda: stop.append(True)
+        )
+    answer = None
+    if struct.written == n:
+        answer = BatchResult(
+            as_status(status),
+            message,
+            statuses,
+            out["load"],
+            out["displacement"],
+            out["contact_area"],
+            out["certificate"],
+            whole["iterations"],
+            whole["applications"],
+            out.get("stiffness"),
+            pressures,
+            struct.certified,
+            struct.first,
+            grid,
+        )
+    for raised in (product, callbacks):
+        raised.raise_first()
+    if interrupt is not None:
+        raise Interrupted(answer) if isinstance(interrupt, KeyboardInterrupt) else interrupt
+    if answer is None or check and status not in (Status.OK, Status.WITHIN_GOAL):
+        raise error_for(status, message, answer)
+    return answer
+
+
+def _surfaces(
+    heights: Any,
+    gap: Optional[ArrayLike],
+    mask: Optional[ArrayLike],
+    missing: str,
+    system: Optional[System],
+    pitch: Optional[Pitch],
+    modulus: Optional[float],
+    boundary: Optional[str],
+) -> Tuple[System, Doubles, Optional[Mask]]:
+    """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
+    if (heights is None) == (gap is None):
+        raise ArgumentError("exactly one of heights and gap is needed")
+    periodic = False
+    if heights is not None and _is_sequence_of_surfaces(heights):
+        if mask is not None:
+            raise ArgumentError("mask and a sequence of surfaces are both given; surfaces bring their masks")
+        each = [as_surface(one, pitch, missing=missing) for one in heights]
+        if any(one.shape != each[0].shape or one.pitch != each[0].pitch for one in each):
+            raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
+        pitch, periodic = each[0].pitch, each[0].periodic
+        gaps = np.stack([one.gap() for one in each])
+        masks = None
+        if any(one.mask is not None for one in each):
+            masks = np.stack([np.ones(one.shape, np.uint8) if one.mask is None else one.mask for one in each])
+    elif heights is not None:
+        alone = not isinstance(heights, (np.ndarray, list, tuple))
+        leading = 0 if alone or (np.ndim(heights) == 2 if system is None else np.ndim(heights) == len(system.shape)) else 1
+        surface = as_surface(
+            heights, pitch if pitch is not None or system is None else 1.0, mask=mask, missing=missing, leading=leading
+        )
+        gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
+        pitch, periodic = surface.pitch, surface.periodic
+    else:
+        gaps, masks = as_doubles(gap, "gap"), as_mask(mask, "mask")  # type: ignore[arg-type]
+    if system is None:
+        if modulus is None or pitch is None:
+            raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")
+        system = HalfSpace(
+            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary or ("periodic" if periodic else "free")
+        )
+    axes = len(system.shape)
+    for name, array in (("heights or gap", gaps), ("mask", masks)):
+        if array is not None and (array.shape[-axes:] != system.shape or array.ndim > axes + 1):
+            raise ShapeError(f"{name} has shape {array.shape}; {system.shape} or (contacts, *{system.shape}) is needed")
+    return system, gaps, masks
+
+
+def _is_sequence_of_surfaces(thing: Any) -> bool:
+    return isinstance(thing, (list, tuple)) and len(thing) > 0 and hasattr(thing[0], "heights")

@@ -1,0 +1,104 @@
+"""Finds and loads libroughcontact and libroughcontact-surface.
+
+libroughcontact, the first of these that exists:
+  1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
+  2. the one inside this package, where it was installed from a wheel
+  3. the system's, by its SONAME, as the dynamic loader finds it
+libroughcontact-surface is looked for beside libroughcontact, then by its SONAME, when a function of it is first called:
+programs that only solve contacts do not load the GNU Scientific Library.
+"""
+
+import ctypes
+import os
+import pathlib
+import threading
+from typing import Any, Dict, List, Tuple
+
+from ._constants import RC_ABI
+from ._errors import LibraryNotFoundError
+from ._prototypes import CONTACT_FUNCTIONS, SURFACE_FUNCTIONS, prototypes
+
+VARIABLE = "ROUGHCONTACT_LIBRARY"
+SONAME = f"libroughcontact.so.{RC_ABI}"
+SURFACE_SONAME = f"libroughcontact-surface.so.{RC_ABI}"
+
+_lock = threading.Lock()
+_loaded: Dict[str, Any] = {}
+
+
+def _candidates() -> List[Tuple[str, str]]:
+    """(file or SONAME, where that comes from)."""
+    named = os.environ.get(VARIABLE)
+    if named:
+        return [(os.path.abspath(named), f"the environment variable {VARIABLE}")]
+    own = pathlib.Path(__file__).parent / "lib" / SONAME
+    return ([(str(own), "this package")] if own.exists() else []) + [(SONAME, "the system")]
+
+
+def _open(candidates: List[Tuple[str, str]], functions: str) -> Tuple[Any, str]:
+    reasons = []
+    for file, origin in candidates:
+        try:
+            library = ctypes.CDLL(file)
+        except OSError as error:
+            reasons.append(f"{error} ({origin})")
+            continue
+        for name, result, arguments in prototypes(functions):
+            try:
+                function = getattr(library, name)
+            except AttributeError:
+                raise LibraryNotFoundError(
+                    f"{file} ({origin}) has no function {name}: it does not belong to this version of the "
+                    "package; install both from one source"
+                ) from None
+            function.restype, function.argtypes = result, arguments
+        return library, file
+    raise LibraryNotFoundError(f"{'; '.join(reasons)}; install the library or name its file in {VARIABLE}")
+
+
+def _file_of(library: Any, fallback: str) -> str:
+    """The file a library was loaded from, by the address of one of its functions."""
+
+    class Information(ctypes.Structure):
+        _fields_ = [("file", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p), ("at", ctypes.c_void_p)]
+
+    found = Information()
+    try:
+        dladdr = ctypes.CDLL(None).dladdr
+    except (OSError, AttributeError):
+        return fallback
+    dladdr.argtypes = [ctypes.c_void_p, ctypes.POINTER(Information)]
+    if dladdr(ctypes.cast(library.rc_version, ctypes.c_void_p), ctypes.byref(found)) and found.file:
+        return os.path.abspath(os.fsdecode(found.file))
+    return fallback
+
+
+def contact_library() -> Any:
+    """libroughcontact with the prototypes of all its functions."""
+    with _lock:
+        if "contact" not in _loaded:
+            library, file = _open(_candidates(), CONTACT_FUNCTIONS)
+            abi = ctypes.c_int32()
+            library.rc_version(None, None, None, ctypes.byref(abi))
+            if abi.value != RC_ABI:
+                raise LibraryNotFoundError(
+                    f"{file} has ABI {abi.value}, this package needs {RC_ABI}; install both from one source"
+                )
+            _loaded["contact"], _loaded["file"] = library, _file_of(library, file)
+        return _loaded["contact"]
+
+
+def library_file() -> str:
+    """Path of the libroughcontact in use."""
+    contact_library()
+    return str(_loaded["file"])
+
+
+def surface_library() -> Any:
+    """libroughcontact-surface with the prototypes of all its functions."""
+    beside = os.path.join(os.path.dirname(library_file()), SURFACE_SONAME)
+    with _lock:
+        if "surface" not in _loaded:
+            candidates = [(beside, "beside libroughcontact")] if os.path.exists(beside) else []
+            _loaded["surface"], _ = _open(candidates + [(SURFACE_SONAME, "the system")], SURFACE_FUNCTIONS)
+        return _loaded["surface"]

@@ -1,0 +1,100 @@
+"""One contact in one call."""
+
+from typing import Any, Callable, Optional, Tuple
+
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask
+from ._errors import ArgumentError
+from ._maps import as_surface
+from .contact import Contact, Progress, gap_and_mask
+from .context import Context, Options
+from .result import Result
+from .system import HalfSpace, System
+
+
+def system_for(
+    heights: Any,
+    gap: Optional[ArrayLike],
+    mask: Optional[ArrayLike],
+    missing: str,
+    system: Optional[System],
+    pitch: Optional[Pitch],
+    modulus: Optional[float],
+    boundary: Optional[str],
+    unit: Optional[str],
+) -> Tuple[System, Doubles, Optional[Mask]]:
+    """(system, gap, mask) from what one-shot functions are given."""
+    if (heights is None) == (gap is None):
+        raise ArgumentError("exactly one of heights and gap is needed")
+    if system is not None:
+        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit}
+        twice = [name for name, value in given.items() if value is not None]
+        if twice:
+            raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
+        found, mask_array = gap_and_mask(system.shape, heights, gap, mask, missing)
+        assert found is not None
+        return system, found, mask_array
+    if modulus is None:
+        raise ArgumentError("modulus is missing: the contact modulus E*, or system=")
+    if heights is not None:
+        surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
+        boundary = boundary or ("periodic" if surface.periodic else "free")
+        return HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary), surface.gap(), surface.mask
+    if pitch is None:
+        raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
+    array = as_doubles(gap, "gap")  # type: ignore[arg-type]
+    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary or "free")
+    return half_space, array, as_mask(mask, "mask", array.shape)
+
+
+def solve(
+    heights: Any = None,
+    *,
+    displacement: Optional[float] = None,
+    load: Optional[float] = None,
+    gap: Optional[ArrayLike] = None,
+    mask: Optional[ArrayLike] = None,
+    missing: str = "reject",
+    start: Optional[ArrayLike] = None,
+    want_pressure: bool = True,
+    want_gap: bool = False,
+    check: bool = True,
+    system: Optional[System] = None,
+    pitch: Optional[Pitch] = None,
+    modulus: Optional[float] = None,
+    boundary: Optional[str] = None,
+    unit: Optional[str] = None,
+    options: Options = None,
+    progress: Optional[Callable[[Progress], object]] = None,
+    every: int = 1,
+    context: Optional[Context] = None,
+) -> Result:
+    """Presses a surface into an elastic half-space.
+
+    heights: a `Surface`, a topography of SurfaceTopography, or an array [ny, nx]; the highest point touches at displacement 0
+        [length]
+    gap: the undeformed gap instead of heights [length]
+    displacement: approach of the bodies [length], or load: normal force [force]
+    pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface brings its
+        own
+    modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
+    boundary: "free" or "periodic"; None: as the surface says, free for arrays
+    unit: the lengths of a surface that knows its unit are converted to this one first ("m")
+    system: in the place of pitch, modulus, boundary and unit: a `HalfSpace`, `Matrix` or `Product`
+    options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
+    progress, every, context: as in `Contact`; the others: as in `Contact.solve`
+    """
+    system, gap, mask = system_for(heights, gap, mask, missing, system, pitch, modulus, boundary, unit)
+    with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
+        return contact.solve(
+            displacement=displacement,
+            load=load,
+            gap=gap,
+            mask=mask,
+            start=start,
+            borrow=True,
+            want_pressure=want_pressure,
+            want_gap=want_gap,
+            check=check,
+        )

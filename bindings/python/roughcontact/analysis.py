@@ -1,0 +1,137 @@
+"""What a contact looks like: area, patches and pressures. Functions of pressures alone, yours or a `Result`'s, which has them
+as methods.
+
+A point is in contact where its pressure is positive. periodic joins opposite sides of the grid.
+"""
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, pointer
+from ._calls import check
+from ._errors import ShapeError
+from ._library import contact_library
+from ._structs import rc_area, rc_histogram, rc_patches
+from .system import grid_struct
+
+
+@dataclass(frozen=True)
+class Area:
+    """contacts: points; area, corrected_area: the latter less what cells at the border add [length^2]; perimeter [length]"""
+
+    contacts: int
+    area: float
+    perimeter: float
+    corrected_area: float
+
+
+@dataclass(frozen=True, eq=False)
+class Patches:
+    """Connected parts of a contact, numbered by their lowest point.
+
+    label: of the grid's shape, number of the patch, -1 without contact
+    cells: points of each patch; area [length^2], perimeter [length], load [force], mean_pressure, max_pressure [force/length^2]
+    peak: flat index of the point with max_pressure
+    """
+
+    label: NDArray[np.int64]
+    cells: NDArray[np.int64]
+    area: Doubles
+    perimeter: Doubles
+    load: Doubles
+    mean_pressure: Doubles
+    max_pressure: Doubles
+    peak: NDArray[np.int64]
+
+    def __len__(self) -> int:
+        return len(self.cells)
+
+
+@dataclass(frozen=True, eq=False)
+class Histogram:
+    """Distribution of pressure over the points in contact.
+
+    edges: of the bins [force/length^2]; counts: points; density: share of the contact per pressure [length^2/force]
+    contacts: points; above: of these beyond the last edge; mean_pressure, max_pressure [force/length^2]
+    """
+
+    edges: Doubles
+    counts: NDArray[np.int64]
+    density: Doubles
+    contacts: int
+    above: int
+    mean_pressure: float
+    max_pressure: float
+
+
+def _grid(pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[ArrayLike]) -> Tuple[Any, Doubles, Optional[Mask]]:
+    array = as_doubles(pressure, "pressure")
+    if array.ndim not in (1, 2):
+        raise ShapeError(f"pressure has {array.ndim} axes: [ny, nx] is needed")
+    return grid_struct(array.shape, as_pitch(pitch), periodic), array, as_mask(mask, "mask", array.shape)
+
+
+def area(pressure: ArrayLike, *, pitch: Pitch, periodic: bool = False, mask: Optional[ArrayLike] = None) -> Area:
+    """Area, perimeter, and the area corrected for the grid.
+
+    pressure: [ny, nx] >= 0 [force/length^2]; pitch: one number or (hx, hy) [length]; mask: 0: not in contact, whatever its
+        pressure
+    """
+    system, p, m = _grid(pressure, pitch, periodic, mask)
+    out = rc_area()
+    check(contact_library().rc_area_measure(system, pointer(p), pointer(m), out))
+    return Area(out.contacts, out.area, out.perimeter, out.corrected_area)
+
+
+def patches(
+    pressure: ArrayLike, *, pitch: Pitch, periodic: bool = False, mask: Optional[ArrayLike] = None, corners: bool = False
+) -> Patches:
+    """Connected parts of the contact; corners: across corners of cells as well as edges. Arguments as in `area`."""
+    system, p, m = _grid(pressure, pitch, periodic, mask)
+    library = contact_library()
+    struct = rc_patches()
+    library.rc_patches_init(struct, ctypes.sizeof(struct))
+    struct.neighbours = 8 if corners else 4
+    label = np.empty(p.shape, np.int64)
+    struct.label = pointer(label)
+    check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
+    whole = {name: np.empty(struct.count, np.int64) for name in ("cells", "peak")}
+    real = {name: np.empty(struct.count) for name in ("area", "perimeter", "load", "mean_pressure", "max_pressure")}
+    struct.room, struct.label = struct.count, None
+    for name, array in {**whole, **real}.items():
+        setattr(struct, name, pointer(array))
+    check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
+    return Patches(label=label, **whole, **real)
+
+
+def histogram(
+    pressure: ArrayLike,
+    bins: int = 100,
+    upper: float = 0.0,
+    *,
+    pitch: Pitch = 1.0,
+    periodic: bool = False,
+    mask: Optional[ArrayLike] = None,
+) -> Histogram:
+    """Histogram of the pressures; upper: end of the last bin [force/length^2], 0: the largest pressure. Others as in `area`."""
+    system, p, m = _grid(pressure, pitch, periodic, mask)
+    library = contact_library()
+    struct = rc_histogram()
+    library.rc_histogram_init(struct, ctypes.sizeof(struct))
+    struct.bins, struct.upper = bins, upper
+    counts, density = np.zeros(max(bins, 0), np.int64), np.zeros(max(bins, 0))
+    struct.counts, struct.density = pointer(counts), pointer(density)
+    check(library.rc_histogram_fill(system, pointer(p), pointer(m), struct))
+    return Histogram(
+        struct.width * np.arange(bins + 1),
+        counts,
+        density,
+        struct.contacts,
+        struct.above,
+        struct.mean_pressure,
+        struct.max_pressure,
+    )

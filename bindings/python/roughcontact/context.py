@@ -1,0 +1,215 @@
+"""What there is: backends, solvers, kernels and options by name, in the default registry or one of your own."""
+
+import ctypes
+import sys
+import weakref
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _constants
+from ._arrays import Doubles, Pitch, as_pitch, as_shape, columns_and_rows, pointer
+from ._calls import check
+from ._library import contact_library
+from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
+
+OptionValue = Union[int, float, str]
+Options = Optional[Mapping[str, OptionValue]]
+
+
+@dataclass(frozen=True)
+class Component:
+    """A backend, solver or kernel. license: of it with what it links (SPDX). origin: "built-in" or its file."""
+
+    name: str
+    summary: str
+    license: str
+    origin: str
+
+
+@dataclass(frozen=True)
+class OptionSpec:
+    """An option: kind is int, float or str; minimum and maximum are inclusive and None for text; fixed options cannot change on
+    a `Contact` that exists."""
+
+    key: str
+    kind: type
+    default: OptionValue
+    help: str
+    choices: Optional[Tuple[str, ...]]
+    fixed: bool
+    minimum: Optional[float]
+    maximum: Optional[float]
+
+
+class Context:
+    """A registry of its own. `Contact` and the functions below use the default one where none is given.
+
+    plugin_path: absolute directories that are searched first for plugins
+    plugins: False: never load code from disk
+    environment: False: ignore RC_PLUGIN_PATH
+    log: called with (level, message), level "info" or "warning", for instance about plugins that are refused
+    """
+
+    def __init__(
+        self,
+        plugin_path: Union[str, Sequence[str]] = (),
+        *,
+        plugins: bool = True,
+        environment: bool = True,
+        log: Optional[Callable[[str, str], object]] = None,
+    ) -> None:
+        library = contact_library()
+        config = rc_context_config()
+        library.rc_context_config_init(config, ctypes.sizeof(config))
+        config.flags = (0 if plugins else _constants.RC_CONTEXT_NO_PLUGINS) | (
+            0 if environment else _constants.RC_CONTEXT_NO_ENVIRONMENT
+        )
+        config.plugin_path = (plugin_path if isinstance(plugin_path, str) else ":".join(plugin_path)).encode() or None
+        self._log = rc_log_fn() if log is None else rc_log_fn(_guarded_log(log))
+        config.log = self._log
+        handle = ctypes.c_void_p()
+        check(library.rc_context_create(config, handle))
+        self.handle = handle
+        weakref.finalize(self, library.rc_context_destroy, handle).atexit = False
+
+
+def _guarded_log(log: Callable[[str, str], object]) -> Callable[[int, bytes, Any], None]:
+    def call(level: int, message: bytes, _: Any) -> None:
+        try:
+            log("warning" if level == _constants.RC_LOG_WARNING else "info", message.decode(errors="replace"))
+        except Exception:  # as Python itself does where nobody could catch it
+            sys.excepthook(*sys.exc_info())
+
+    return call
+
+
+def context_handle(context: Optional[Context]) -> Optional[ctypes.c_void_p]:
+    return None if context is None else context.handle
+
+
+class OptionSet:
+    """Options in C's form, for the time of a with statement."""
+
+    def __init__(self, options: Options, context: Optional[Context]) -> None:
+        self._given, self._context = dict(options or {}), context
+        self.handle = ctypes.c_void_p()
+
+    def __enter__(self) -> ctypes.c_void_p:
+        library = contact_library()
+        check(library.rc_options_create(context_handle(self._context), self.handle))
+        try:
+            for key, value in self._given.items():
+                self._set(library, str(key).encode(), value)
+        except BaseException:
+            self.__exit__()
+            raise
+        return self.handle
+
+    def _set(self, library: Any, key: bytes, value: OptionValue) -> None:
+        if isinstance(value, str):
+            check(library.rc_options_parse(self.handle, key, value.encode()))
+        elif isinstance(value, (bool, np.bool_, int, np.integer)):
+            # The schema knows whether that is a whole number or a real one, and says so where it is neither.
+            check(library.rc_options_parse(self.handle, key, str(int(value)).encode()))
+        elif isinstance(value, (float, np.floating)):
+            check(library.rc_options_set_real(self.handle, key, float(value)))
+        else:
+            raise TypeError(f"option {key.decode()!r} is {type(value).__name__}; int, float or str is needed")
+
+    def __exit__(self, *_: object) -> None:
+        contact_library().rc_options_destroy(self.handle)
+
+
+def _text(value: Optional[bytes]) -> str:
+    return (value or b"").decode(errors="replace")
+
+
+def _components(kind: str, context: Optional[Context]) -> List[Component]:
+    library, handle = contact_library(), context_handle(context)
+    found = []
+    for i in range(getattr(library, f"rc_{kind}_count")(handle)):
+        each = rc_component()
+        check(getattr(library, f"rc_{kind}_describe")(handle, i, each))
+        found.append(Component(_text(each.name), _text(each.summary), _text(each.license), _text(each.origin)))
+    return found
+
+
+def backends(context: Optional[Context] = None) -> List[Component]:
+    """Backends, sorted by name. The first call loads the plugins."""
+    return _components("backend", context)
+
+
+def solvers(context: Optional[Context] = None) -> List[Component]:
+    """Solvers, sorted by name."""
+    return _components("solver", context)
+
+
+def kernels(context: Optional[Context] = None) -> List[Component]:
+    """Influence kernels, sorted by name."""
+    return _components("kernel", context)
+
+
+def options(context: Optional[Context] = None) -> List[OptionSpec]:
+    """All options: the core's, then those of every component."""
+    library, handle = contact_library(), context_handle(context)
+    found = []
+    for i in range(library.rc_options_count(handle)):
+        each = rc_option_spec()
+        check(library.rc_options_describe(handle, i, each))
+        kind: type = {_constants.RC_TYPE_INT: int, _constants.RC_TYPE_REAL: float, _constants.RC_TYPE_TEXT: str}[each.type]
+        number = kind is not str
+        choices = tuple(_text(each.choices).split("|")) if each.choices else None
+        default: OptionValue = float(_text(each.default_value)) if number else _text(each.default_value)
+        found.append(
+            OptionSpec(
+                _text(each.key),
+                kind,
+                int(default) if kind is int else default,
+                _text(each.help),
+                choices,
+                bool(each.fixed),
+                each.minimum if number else None,
+                each.maximum if number else None,
+            )
+        )
+    return found
+
+
+def effective_options(given: Options = None, context: Optional[Context] = None) -> Mapping[str, OptionValue]:
+    """The value of every option after these were set."""
+    library = contact_library()
+    values: Dict[str, OptionValue] = {}
+    with OptionSet(given, context) as handle:
+        for spec in options(context):
+            key = spec.key.encode()
+            if spec.kind is int:
+                whole = ctypes.c_int64()
+                check(library.rc_options_get_int(handle, key, whole))
+                values[spec.key] = whole.value
+            elif spec.kind is float:
+                real = ctypes.c_double()
+                check(library.rc_options_get_real(handle, key, real))
+                values[spec.key] = real.value
+            else:
+                text = ctypes.c_char_p()
+                check(library.rc_options_get_text(handle, key, text))
+                values[spec.key] = _text(text.value)
+    return values
+
+
+def version() -> Tuple[int, int, int]:
+    """(major, minor, patch) of the library in use."""
+    numbers = [ctypes.c_int32() for _ in range(3)]
+    contact_library().rc_version(*numbers, None)
+    return numbers[0].value, numbers[1].value, numbers[2].value
+
+
+def kernel_coefficients(kernel: str, shape: Union[int, Sequence[int]], pitch: Pitch) -> Doubles:
+    """[ny, nx] E* times the deflection at offset (ix hx, iy hy) from a cell under unit pressure, free boundaries [length]."""
+    sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
+    nx, ny = columns_and_rows(sides)
+    out = np.empty(sides)
+    check(contact_library().rc_kernel_coefficients(kernel.encode(), hx, hy, nx, ny, pointer(out)))
+    return out

@@ -1,0 +1,14 @@
+"""The C interface as it is: constants and structs under their names in the headers, and the loaded libraries.
+
+    from roughcontact import raw
+    library = raw.contact_library()
+    step = raw.rc_step()
+    library.rc_step_init(step, ctypes.sizeof(step))
+
+Structs are passed by reference where ctypes expects a pointer to one. Shapes, units and who keeps what: see the headers.
+"""
+
+from ._constants import *  # noqa: F401,F403
+from ._library import contact_library, library_file, surface_library  # noqa: F401
+from ._structs import *  # noqa: F401,F403
+from ._surface_structs import *  # noqa: F401,F403

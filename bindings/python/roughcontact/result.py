@@ -1,0 +1,247 @@
+"""Answers."""
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._arrays import Doubles, Mask, Shape
+from ._errors import Status, as_status
+from ._structs import rc_level, rc_result
+
+if TYPE_CHECKING:
+    from .analysis import Area, Histogram, Patches
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Where an answer lives: shape, (hx, hy) [length], whether it repeats, and the points left out."""
+
+    shape: Shape
+    pitch: Tuple[float, float]
+    periodic: bool = False
+    mask: Optional[Mask] = None
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """Answer of one step. All numbers are those of rc_result in <roughcontact/roughcontact.h>.
+
+    pressure: of the grid's shape [force/length^2]; None if not wanted
+    gap: deformed gap, of the grid's shape [length]; None if not wanted
+    status, message: how it ended; the message is empty for Status.OK
+    """
+
+    status: Status
+    message: str
+    pressure: Optional[Doubles]
+    gap: Optional[Doubles]
+    grid: Grid
+    #: of the solver, all rounds together
+    iterations: int
+    #: products with H, the certificate's and the stiffness' included
+    applications: int
+    points: int
+    #: points that can carry pressure at this displacement
+    candidates: int
+    #: unknowns or transform points of the operator used
+    modelled: int
+    #: points with pressure
+    contacts: int
+    #: [force]
+    load: float
+    #: approach of the bodies from first touch of the undeformed gap's zero [length]
+    displacement: float
+    #: load over the area of the grid [force/length^2]
+    mean_pressure: float
+    #: [length^2]
+    contact_area: float
+    #: the functional that is minimised [force length]
+    energy: float
+    #: dW/dd [force/length]; NaN unless option stiffness is 1
+    stiffness: float
+    kkt_primal: float
+    kkt_dual: float
+    kkt_complementarity: float
+    kkt_control: float
+    #: solving and certifying
+    seconds: float
+    #: influence coefficients, plans and factors built in this call
+    setup_seconds: float
+    solver: str
+    backend: str
+    kernel: str
+    #: operations that were substituted, remarks of the solver
+    note: str
+    #: the energy is above the least one by this at most [force length]; NaN where no proof is known
+    duality_gap: float
+    #: the exact load at this displacement lies between [force]
+    load_lower: float
+    load_upper: float
+    #: the exact contact area lies between [length^2]
+    area_lower: float
+    area_upper: float
+    #: points proven to be in contact, out of contact, and the others; -1 where no proof is known
+    proven_contacts: int
+    proven_open: int
+    undecided: int
+    #: coarse solutions kept, see `Contact.levels`
+    levels: int
+    #: what the residuals were held to
+    tolerance: float
+    #: points of the grid that was solved
+    model_nx: int
+    model_ny: int
+    #: with option accuracy: estimated relative error of the load or the area
+    error_estimate: float
+    #: roughness that the solved grid does not see, rms over the points in contact [length]
+    left_out: float
+
+    @property
+    def certified(self) -> bool:
+        """Whether every residual is within the tolerance."""
+        return self.status == Status.OK
+
+    @property
+    def residual(self) -> float:
+        """The largest kkt_* residual."""
+        return max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control)
+
+    def area(self) -> "Area":
+        """Contact area corrected for the grid, and perimeter."""
+        from .analysis import area
+
+        return area(self._needed(), pitch=self.grid.pitch, periodic=self.grid.periodic, mask=self.grid.mask)
+
+    def patches(self, corners: bool = False) -> "Patches":
+        """Connected parts of the contact."""
+        from .analysis import patches
+
+        return patches(self._needed(), pitch=self.grid.pitch, periodic=self.grid.periodic, mask=self.grid.mask, corners=corners)
+
+    def histogram(self, bins: int = 100, upper: float = 0.0) -> "Histogram":
+        """Distribution of the pressures."""
+        from .analysis import histogram
+
+        return histogram(self._needed(), bins, upper, pitch=self.grid.pitch, periodic=self.grid.periodic, mask=self.grid.mask)
+
+    def _needed(self) -> Doubles:
+        if self.pressure is None:
+            raise ValueError("the result has no pressures; solve with want_pressure=True")
+        return self.pressure
+
+    def __repr__(self) -> str:
+        return (
+            f"Result({self.status.name}, load={self.load:.6g}, displacement={self.displacement:.6g}, "
+            f"contacts={self.contacts} of {self.points}, residual={self.residual:.1e}, {self.solver} on {self.backend})"
+        )
+
+
+_NUMBERS = [each.name for each in fields(Result) if each.name not in ("status", "message", "pressure", "gap", "grid")]
+
+
+def result_from(struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles]) -> Result:
+    values = {name: getattr(struct, name) for name in _NUMBERS}
+    texts = {name: value.decode(errors="replace") for name, value in values.items() if isinstance(value, bytes)}
+    return Result(
+        status=as_status(struct.status), message=message, pressure=pressure, gap=gap, grid=grid, **{**values, **texts}
+    )
+
+
+def result_with_copies(struct: rc_result, grid: Grid) -> Result:
+    """From inside a callback, whose arrays last only until it returns."""
+    n = int(np.prod(grid.shape))
+
+    def copy(values: Any) -> Optional[Doubles]:
+        return np.ctypeslib.as_array(values, (n,)).reshape(grid.shape).copy() if values else None
+
+    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap))
+
+
+@dataclass(frozen=True, eq=False)
+class Level:
+    """A solution on a coarser grid that a multilevel solver left behind. pressure: [ny, nx] [force/length^2]; pitch
+    [length]."""
+
+    pressure: Doubles
+    status: Status
+    pitch: Tuple[float, float]
+    displacement: float
+    load: float
+    candidates: int
+    contacts: int
+
+
+def level_from(struct: rc_level, pressure: Doubles) -> Level:
+    return Level(
+        pressure,
+        as_status(struct.status),
+        (struct.hx, struct.hy),
+        struct.displacement,
+        struct.load,
+        struct.candidates,
+        struct.contacts,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class PathResult:
+    """Answers of a loading history. Arrays have one value for each completed step.
+
+    load [force], displacement [length], contact_area [length^2], certificate: largest residual, applications: products with H
+    stiffness: dW/dd [force/length]; None unless asked for
+    pressure: [steps, ny, nx] [force/length^2]; None unless asked for
+    targets: as given, those of steps that were not completed as well
+    """
+
+    status: Status
+    message: str
+    targets: Doubles
+    load: Doubles
+    displacement: Doubles
+    contact_area: Doubles
+    certificate: Doubles
+    applications: NDArray[np.int64]
+    stiffness: Optional[Doubles]
+    pressure: Optional[Doubles]
+    grid: Grid
+
+    @property
+    def completed(self) -> int:
+        """Steps that were completed."""
+        return len(self.load)
+
+    def __repr__(self) -> str:
+        return f"PathResult({self.status.name}, {self.completed} of {len(self.targets)} steps)"
+
+
+@dataclass(frozen=True, eq=False)
+class BatchResult:
+    """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
+
+    statuses: of every step, see `Status`
+    load [force], displacement [length], contact_area [length^2], certificate: largest residual, iterations, applications
+    stiffness: dW/dd [force/length]; None unless asked for
+    pressure: [contacts, ny, nx] of each contact's last step, 0 where it has none [force/length^2]; None unless asked for
+    certified: contacts of which every step is certified
+    first: the contact whose status is given; -1: none
+    """
+
+    status: Status
+    message: str
+    statuses: NDArray[np.int32]
+    load: Doubles
+    displacement: Doubles
+    contact_area: Doubles
+    certificate: Doubles
+    iterations: NDArray[np.int64]
+    applications: NDArray[np.int64]
+    stiffness: Optional[Doubles]
+    pressure: Optional[Doubles]
+    certified: int
+    first: int
+    grid: Grid
+
+    def __repr__(self) -> str:
+        return f"BatchResult({self.status.name}, {self.certified} of {len(self.load)} contacts certified)"

@@ -1,0 +1,337 @@
+"""Making and judging rough surfaces. These functions load libroughcontact-surface, which links the GNU Scientific Library
+(GPL).
+
+Generators return a `Surface`. Whatever takes a surface takes a `Surface`, a topography of SurfaceTopography, or heights with a
+pitch. The PSD is C(qx, qy) = nx ny hx hy |a|^2 with a = DFT(heights)/(nx ny) [length^4]; wave numbers are 2 pi / wavelength
+[1/length].
+"""
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _constants
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_pitch, as_shape, columns_and_rows, pointer
+from ._calls import check_surface
+from ._errors import ArgumentError, ShapeError
+from ._library import surface_library
+from ._maps import Surface, as_surface
+from ._surface_structs import (
+    rc_surface_cmr,
+    rc_surface_map,
+    rc_surface_power_law,
+    rc_surface_rmd_spec,
+    rc_surface_shape_spec,
+    rc_surface_spectral_spec,
+    rc_surface_statistics,
+)
+
+Grid = Union[int, Sequence[int]]
+
+
+def rmd(
+    levels: int,
+    *,
+    pitch: Pitch = 1.0,
+    hurst: float = 0.7,
+    sigma: float = 1.0,
+    rms_height: float = 0.0,
+    seed: int = 1,
+    additions: bool = False,
+    stage: Optional[int] = None,
+    crop: bool = True,
+) -> Surface:
+    """Random midpoint displacement (Peitgen & Saupe 1988): the same numbers on every machine.
+
+    levels: 1 .. 14, the finest stage has 2^levels + 1 points a side; stage: 0 .. levels, None: the finest
+    hurst: 0 < H <= 1; sigma: standard deviation of the corners [length]
+    rms_height: > 0: all stages are scaled so that the finest has it [length]
+    additions: random additions to all earlier points at every stage
+    crop: leave the last row and column out, 2^stage points a side remain
+    pitch: of the stage [length]
+    """
+    spec = rc_surface_rmd_spec()
+    spec.seed, spec.levels, spec.additions, spec.hurst, spec.sigma, spec.rms_height = (
+        seed,
+        levels,
+        int(additions),
+        hurst,
+        sigma,
+        rms_height,
+    )
+    at = levels if stage is None else stage
+    side = 2**at + (0 if crop else 1) if 0 <= at <= levels <= 14 else 1  # what is refused is not written to
+    heights = np.empty((side, side))
+    check_surface(surface_library().rc_surface_rmd(spec, at, int(crop), pointer(heights)))
+    return Surface(heights, as_pitch(pitch))
+
+
+def spectral(
+    shape: Grid,
+    *,
+    pitch: Pitch = 1.0,
+    hurst: float = 0.8,
+    q_low: float = 0.0,
+    q_rolloff: float = 0.0,
+    q_high: float = 0.0,
+    rms_height: Optional[float] = None,
+    rms_slope: Optional[float] = None,
+    fixed_amplitudes: bool = False,
+    seed: int = 1,
+) -> Surface:
+    """Periodic self-affine surface: C(q) = 0 below q_low, constant up to q_rolloff, ~ q^(-2 - 2H) up to q_high, 0 above.
+
+    shape: (ny, nx) or nx points; pitch: one number or (hx, hy) [length]; hurst: 0 .. 1
+    q_low, q_rolloff, q_high: wave numbers [1/length]; 0: none, q_high pi / max(hx, hy)
+    rms_height [length] or rms_slope: one of them, None for both: rms_height 1
+    fixed_amplitudes: only the phases are random
+    """
+    sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
+    spec = rc_surface_spectral_spec()
+    spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy, spec.hurst = seed, columns_and_rows(sides), hx, hy, hurst
+    spec.q_low, spec.q_rolloff, spec.q_high = q_low, q_rolloff, q_high
+    spec.rms_height = (1.0 if rms_slope is None else 0.0) if rms_height is None else rms_height
+    spec.rms_slope, spec.fixed_amplitudes = rms_slope or 0.0, int(fixed_amplitudes)
+    heights = np.empty(_not_negative(sides))
+    check_surface(surface_library().rc_surface_spectral(spec, pointer(heights)))
+    return Surface(heights, (hx, hy), periodic=True)
+
+
+def _not_negative(sides: Tuple[int, ...]) -> Tuple[int, ...]:
+    return sides if min(sides) >= 0 else (0,)
+
+
+def _shape(
+    kind: int,
+    shape: Grid,
+    pitch: Pitch,
+    periodic: bool = False,
+    radius: float = 0.0,
+    height: float = 0.0,
+    period: Tuple[float, float] = (0.0, 0.0),
+    seed: int = 1,
+) -> Surface:
+    sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
+    spec = rc_surface_shape_spec()
+    spec.shape, spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy = kind, seed, columns_and_rows(sides), hx, hy
+    spec.radius, spec.height, (spec.period_x, spec.period_y) = radius, height, period
+    heights = np.empty(_not_negative(sides))
+    check_surface(surface_library().rc_surface_shape(spec, pointer(heights)))
+    return Surface(heights, (hx, hy), periodic)
+
+
+def paraboloid(shape: Grid, *, pitch: Pitch = 1.0, radius: float) -> Surface:
+    """-r^2 / (2 radius) about the grid's centre [length]."""
+    return _shape(_constants.RC_SURFACE_PARABOLOID, shape, pitch, radius=radius)
+
+
+def sphere(shape: Grid, *, pitch: Pitch = 1.0, radius: float) -> Surface:
+    """sqrt(radius^2 - r^2) - radius about the grid's centre, -radius beyond the radius [length]."""
+    return _shape(_constants.RC_SURFACE_SPHERE, shape, pitch, radius=radius)
+
+
+def waves(shape: Grid, *, pitch: Pitch = 1.0, amplitude: float, period: Tuple[float, float]) -> Surface:
+    """amplitude cos(2 pi x / period[0]) cos(2 pi y / period[1]); a period of 0: no waves along it [length]."""
+    return _shape(_constants.RC_SURFACE_WAVES, shape, pitch, True, height=amplitude, period=period)
+
+
+def pyramids(shape: Grid, *, pitch: Pitch = 1.0, height: float, period: Tuple[float, float]) -> Surface:
+    """Square pyramids of this height, base to tip, one a period; a period of 0: ridges [length]."""
+    return _shape(_constants.RC_SURFACE_PYRAMIDS, shape, pitch, True, height=height, period=period)
+
+
+def noise(shape: Grid, *, pitch: Pitch = 1.0, rms_height: float = 1.0, seed: int = 1) -> Surface:
+    """Independent Gaussian heights, the same numbers on every machine [length]."""
+    return _shape(_constants.RC_SURFACE_NOISE, shape, pitch, True, height=rms_height, seed=seed)
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """Moments of the heights less their trend; NaN where a number has no meaning.
+
+    rms_height, highest, lowest [length]; rms_slope and along x and y; rms_curvature: of the mean curvature [1/length]
+    skewness, kurtosis: 0 and 3 for a Gaussian; m0, m2, m4: spectral moments of profiles; nayak: m0 m4 / m2^2
+    """
+
+    rms_height: float
+    skewness: float
+    kurtosis: float
+    highest: float
+    lowest: float
+    rms_slope: float
+    rms_slope_x: float
+    rms_slope_y: float
+    rms_curvature: float
+    m0: float
+    m2: float
+    m4: float
+    nayak: float
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum:
+    """Radial average of the PSD: mean wave number q [1/length], mean PSD [length^4] and number of modes of every ring."""
+
+    q: Doubles
+    psd: Doubles
+    modes: NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class PowerLaw:
+    """What the spectrum is like; NaN where something was not seen.
+
+    hurst: exponent of the longest power-law range, hurst_error: half of its 95 % interval
+    C = prefactor q^slope for q_min <= q <= q_max; q_rolloff: below it the PSD is flat; q_cutoff: above it the PSD falls faster
+    [1/length]
+    peak_q: [peaks, 2] wave vectors (qx, qy) of periodic textures, the strongest first [1/length]; peak_share: of the variance
+    """
+
+    hurst: float
+    hurst_error: float
+    slope: float
+    prefactor: float
+    q_min: float
+    q_max: float
+    q_rolloff: float
+    q_cutoff: float
+    peak_q: Doubles
+    peak_share: Doubles
+
+
+@dataclass(frozen=True)
+class CmrAdvice:
+    """Whether cascade multi-resolution without a check of what it left out can be trusted on a surface.
+
+    trustworthy: whether unresolved <= limit; reason: the verdict in words
+    levels: halvings of the grid, as asked; safe_levels: the largest number for which it is trustworthy
+    unresolved: share of the roughness within reach that the coarsest grid does not see; unresolved_overall: over the whole
+        surface
+    peak_loss: by how much sub-sampling lowers the highest point, over the approach; approach, coarsest_pitch [length]
+    """
+
+    trustworthy: bool
+    levels: int
+    safe_levels: int
+    unresolved: float
+    limit: float
+    unresolved_overall: float
+    peak_loss: float
+    approach: float
+    coarsest_pitch: float
+    reason: str
+
+
+TRENDS = {
+    "auto": _constants.RC_SURFACE_TREND_AUTO,
+    "mean": _constants.RC_SURFACE_TREND_MEAN,
+    "plane": _constants.RC_SURFACE_TREND_PLANE,
+}
+FILTERS = {"subsample": _constants.RC_SURFACE_SUBSAMPLE, "mean": _constants.RC_SURFACE_MEAN, "max": _constants.RC_SURFACE_MAX}
+
+
+def _map(surface: Any, pitch: Optional[Pitch], periodic: Optional[bool], trend: str) -> Tuple[rc_surface_map, Surface]:
+    if trend not in TRENDS:
+        raise ArgumentError(f"trend is {trend!r}: {', '.join(TRENDS)}")
+    found = as_surface(surface, pitch, periodic)
+    if found.mask is not None:
+        raise ArgumentError("the surface has missing points; fill them first")
+    struct = rc_surface_map()
+    struct.nx, struct.ny = columns_and_rows(found.shape)
+    struct.hx, struct.hy = found.pitch
+    struct.heights, struct.periodic, struct.trend = pointer(found.heights), int(found.periodic), TRENDS[trend]
+    return struct, found  # the heights live as long as the surface
+
+
+def analyze(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: str = "auto") -> Statistics:
+    """Moments of the heights.
+
+    surface: see the module; periodic: differences across the edges; trend that is removed first: "mean", "plane", or "auto":
+        the mean
+    of periodic surfaces, else the plane
+    """
+    struct, _kept = _map(surface, pitch, periodic, trend)
+    out = rc_surface_statistics()
+    check_surface(surface_library().rc_surface_analyze(struct, out))
+    return Statistics(**{name: getattr(out, name) for name in Statistics.__dataclass_fields__})
+
+
+def psd(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: str = "auto") -> Spectrum:
+    """Radial average of the PSD; surfaces that are not periodic get a Hann window. Arguments as in `analyze`."""
+    struct, _kept = _map(surface, pitch, periodic, trend)
+    library = surface_library()
+    count = ctypes.c_int64()
+    check_surface(library.rc_surface_psd(struct, None, None, None, count))
+    q, power, modes = np.empty(count.value), np.empty(count.value), np.empty(count.value, np.int64)
+    check_surface(library.rc_surface_psd(struct, pointer(q), pointer(power), pointer(modes), count))
+    return Spectrum(q, power, modes)
+
+
+def power_law(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: str = "auto") -> PowerLaw:
+    """Hurst exponent, roll-off, cut-off and periodic textures. Arguments as in `analyze`."""
+    struct, _kept = _map(surface, pitch, periodic, trend)
+    out = rc_surface_power_law()
+    check_surface(surface_library().rc_surface_fit(struct, out))
+    peaks = np.array([out.peak_qx[: out.peaks], out.peak_qy[: out.peaks]]).T.reshape(out.peaks, 2)
+    return PowerLaw(
+        out.hurst,
+        out.hurst_error,
+        out.slope,
+        out.prefactor,
+        out.q_min,
+        out.q_max,
+        out.q_rolloff,
+        out.q_cutoff,
+        peaks,
+        np.array(out.peak_share[: out.peaks]),
+    )
+
+
+def cmr_advice(
+    surface: Any,
+    levels: int,
+    approach: float = 0.0,
+    *,
+    pitch: Optional[Pitch] = None,
+    periodic: Optional[bool] = None,
+    trend: str = "auto",
+) -> CmrAdvice:
+    """Whether cascade multi-resolution with `levels` halvings of the grid can be trusted.
+
+    approach: of the other body from the highest point [length], 0: (highest - mean)/2. Others as in `analyze`
+    """
+    struct, _kept = _map(surface, pitch, periodic, trend)
+    out = rc_surface_cmr()
+    check_surface(surface_library().rc_surface_cmr_advice(struct, levels, approach, out))
+    numbers = {name: getattr(out, name) for name in CmrAdvice.__dataclass_fields__ if name not in ("trustworthy", "reason")}
+    return CmrAdvice(trustworthy=bool(out.trustworthy), reason=out.reason.decode(errors="replace"), **numbers)
+
+
+def downsample(
+    surface: Any, filter: str = "mean", *, pitch: Optional[Pitch] = None, mask: Optional[ArrayLike] = None
+) -> Surface:
+    """Halves a grid: blocks of 2 x 2 points become one, the point at even indices ("subsample"), the mean, or the highest
+    ("max").
+
+    mask: 0 where a point is missing; a block that has none is missing in the outcome, with NaN for its height
+    """
+    if filter not in FILTERS:
+        raise ArgumentError(f"filter is {filter!r}: {', '.join(FILTERS)}")
+    fine = as_surface(surface, pitch, mask=mask, missing="exclude")
+    heights = as_doubles(fine.heights, "heights")
+    nx, ny = columns_and_rows(fine.shape)
+    coarse = tuple((n + 1) // 2 for n in fine.shape)
+    if heights.size == 0:
+        raise ShapeError(f"heights have shape {fine.shape}; at least one point is needed")
+    out = np.empty(coarse)
+    out_mask: Optional[Mask] = None if fine.mask is None else np.empty(coarse, np.uint8)
+    check_surface(
+        surface_library().rc_surface_downsample(
+            nx, ny, pointer(heights), pointer(fine.mask), FILTERS[filter], pointer(out), pointer(out_mask)
+        )
+    )
+    pitches = (2 * fine.pitch[0], 2 * fine.pitch[1] if len(coarse) == 2 else fine.pitch[1])
+    return Surface(out, pitches, fine.periodic, out_mask, fine.unit)

@@ -1,0 +1,159 @@
+"""What stays fixed over a loading sequence: a half-space grid, your own matrix, or your own product."""
+
+import ctypes
+from abc import ABC, abstractmethod
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _constants
+from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, columns_and_rows, pointer
+from ._calls import Callbacks, check
+from ._errors import ArgumentError, ShapeError, Status
+from ._library import contact_library
+from ._maps import as_surface
+from ._structs import rc_apply_fn, rc_system
+from .context import Context, Options, OptionSet, context_handle
+
+BOUNDARIES = {"free": _constants.RC_BOUNDARY_FREE, "periodic": _constants.RC_BOUNDARY_PERIODIC}
+
+
+class System(ABC):
+    """`HalfSpace`, `Matrix` or `Product`. shape: of gaps and pressures. pitch: (hx, hy), hx along the last axis [length]."""
+
+    shape: Shape
+    pitch: Tuple[float, float]
+    periodic = False
+
+    @abstractmethod
+    def fill(self, system: rc_system) -> Callbacks:
+        """Completes the C struct; what it returns knows what a callback raised. Arrays live as long as this object."""
+
+    def struct(self) -> Tuple[rc_system, Callbacks]:
+        system = grid_struct(self.shape, self.pitch, self.periodic)
+        return system, self.fill(system)
+
+
+def grid_struct(shape: Shape, pitch: Tuple[float, float], periodic: bool) -> rc_system:
+    system = rc_system()
+    contact_library().rc_system_init(system, ctypes.sizeof(system))
+    system.nx, system.ny = columns_and_rows(shape)
+    system.hx, system.hy = pitch
+    system.boundary = _constants.RC_BOUNDARY_PERIODIC if periodic else _constants.RC_BOUNDARY_FREE
+    return system
+
+
+class HalfSpace(System):
+    """An elastic half-space.
+
+    shape: (ny, nx) or nx points
+    pitch: cell size, one number or (hx, hy) with hx along the last axis [length]
+    modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
+    boundary: "free" or "periodic"
+    """
+
+    def __init__(self, shape: Union[int, Sequence[int]], *, pitch: Pitch, modulus: float, boundary: str = "free") -> None:
+        if boundary not in BOUNDARIES:
+            raise ArgumentError(f"boundary is {boundary!r}: 'free' or 'periodic'")
+        self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(modulus)
+        self.boundary, self.periodic = boundary, boundary == "periodic"
+
+    @classmethod
+    def under(
+        cls, surface: Any, *, modulus: float, pitch: Optional[Pitch] = None, boundary: Optional[str] = None
+    ) -> "HalfSpace":
+        """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
+        found = as_surface(surface, pitch, missing="exclude")
+        return cls(
+            found.shape, pitch=found.pitch, modulus=modulus, boundary=boundary or ("periodic" if found.periodic else "free")
+        )
+
+    def fill(self, system: rc_system) -> Callbacks:
+        system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, self.modulus
+        return Callbacks()
+
+
+class Matrix(System):
+    """The caller's own influence matrix H, symmetric and positive definite [length per (force/length^2)].
+
+    H: [n, n]; not copied where it is an array of doubles whose rows or columns are contiguous, and then to stay as it is
+    shape: of gaps and pressures, n points altogether; None: (n,)
+    pitch: hx hy is the area of a cell
+    """
+
+    def __init__(self, H: ArrayLike, *, shape: Optional[Union[int, Sequence[int]]] = None, pitch: Pitch = 1.0) -> None:
+        self.H = square(H)
+        n = self.H.shape[0]
+        self.shape, self.pitch = (n,) if shape is None else as_shape(shape), as_pitch(pitch)
+        if int(np.prod(self.shape)) != n:
+            raise ShapeError(f"H is {n} x {n}, but shape {self.shape} has {int(np.prod(self.shape))} points")
+
+    def fill(self, system: rc_system) -> Callbacks:
+        system.op, system.dense, system.dense_ld = _constants.RC_OPERATOR_DENSE, pointer(self.H), row_stride(self.H)
+        return Callbacks()
+
+
+def square(H: ArrayLike) -> Doubles:
+    """H with contiguous rows. Being symmetric, its transpose does as well."""
+    if isinstance(H, np.ndarray) and H.dtype == np.float64 and H.ndim == 2 and H.dtype.isnative:
+        for each in (H, H.T):
+            if each.strides[1] == 8 and each.strides[0] % 8 == 0 and each.strides[0] >= 8 * each.shape[1]:
+                array = each
+                break
+        else:
+            array = np.ascontiguousarray(H)
+    else:
+        array = as_doubles(H, "H")
+    if array.ndim != 2 or array.shape[0] != array.shape[1]:
+        raise ShapeError(f"H has shape {array.shape}; it must be square")
+    return array
+
+
+def row_stride(H: Doubles) -> int:
+    return max(int(H.strides[0]) // 8, int(H.shape[1]))
+
+
+class Product(System):
+    """The caller's own product y = H x with a symmetric positive definite H.
+
+    apply: called with an array of `shape` that is to be read only [force/length^2], returns one of that shape [length]. It is
+        called on the thread that solves, which is not the main one; by `batch` on several threads at the same time. An
+        exception ends the solve and is raised by it.
+    shape, pitch: as in `Matrix`
+    """
+
+    def __init__(self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Pitch = 1.0) -> None:
+        self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
+        self._callbacks = Callbacks()
+        self._function = rc_apply_fn(self._callbacks.guarded(self._call))
+
+    def _call(self, x: Any, y: Any, n: int, _: Any) -> int:
+        given = np.ctypeslib.as_array(x, (n,)).reshape(self.shape)
+        given.flags.writeable = False
+        np.ctypeslib.as_array(y, (n,)).reshape(self.shape)[...] = as_doubles(self.apply(given), "the product", self.shape)
+        return 0
+
+    def fill(self, system: rc_system) -> Callbacks:
+        system.op, system.apply = _constants.RC_OPERATOR_CALLBACK, self._function
+        return self._callbacks
+
+
+def supported(
+    solver: str, backend: str, system: System, *, load: bool = False, options: Options = None, context: Optional[Context] = None
+) -> Tuple[Status, str]:
+    """(Status.OK, "") if the solver can run on the backend for this system, else the status that solving would give and the
+    reason.
+
+    load: whether the load is prescribed instead of the displacement
+    """
+    library = contact_library()
+    struct, callbacks = system.struct()
+    control = _constants.RC_CONTROL_LOAD if load else _constants.RC_CONTROL_DISPLACEMENT
+    with OptionSet(options, context) as handle:
+        status = library.rc_pair_supported(context_handle(context), solver.encode(), backend.encode(), struct, control, handle)
+        reason = library.rc_last_error().decode(errors="replace") if status else ""
+    callbacks.raise_first()
+    if status == Status.ERR_ARGUMENT:
+        check(status)
+    return Status(status), reason

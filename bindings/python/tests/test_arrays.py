@@ -1,0 +1,162 @@
+"""What is accepted for an array: every order and type, copied only where it must be; surfaces of other packages; missing points."""
+import numpy as np
+import pytest
+from conftest import MODULUS, PITCH
+
+import roughcontact as rc
+from roughcontact._arrays import as_doubles
+
+
+@pytest.fixture
+def expected(sphere_gap):
+    return rc.solve(gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=3e-7).pressure
+
+
+FORMS = {
+    "Fortran order": np.asfortranarray,
+    "every second value": lambda gap: np.repeat(np.repeat(gap, 2, axis=0), 2, axis=1)[::2, ::2],
+    "turned round": lambda gap: gap[::-1, ::-1].copy()[::-1, ::-1],
+    "transposed": lambda gap: gap.T.copy().T,
+    "big endian": lambda gap: gap.astype(">f8"),
+    "extended": lambda gap: gap.astype(np.longdouble),
+    "nested lists": lambda gap: gap.tolist(),
+    "objects": lambda gap: gap.astype(object),
+    "masked array without missing points": np.ma.array,
+    "unaligned": lambda gap: np.frombuffer(b"." + gap.tobytes(), dtype=np.uint8)[1:].view(np.float64).reshape(gap.shape),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_same_answer_from_every_form(form, sphere_gap, expected):
+    result = rc.solve(gap=FORMS[form](sphere_gap), pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    assert np.array_equal(result.pressure, expected)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float16, np.int64, np.uint8, np.int16, bool])
+def test_types_are_converted(kind):
+    gap = (np.arange(36).reshape(6, 6) % 7 > 2).astype(kind)
+    result = rc.solve(gap=gap, pitch=1.0, modulus=1.0, displacement=1.5)
+    assert np.array_equal(result.pressure, rc.solve(gap=gap.astype(float), pitch=1.0, modulus=1.0, displacement=1.5).pressure)
+
+
+def test_no_copy_of_what_fits(sphere_gap):
+    assert as_doubles(sphere_gap, "gap").ctypes.data == sphere_gap.ctypes.data
+    assert as_doubles(sphere_gap[8:24], "gap").ctypes.data == sphere_gap[8:24].ctypes.data
+    read_only = sphere_gap.copy()
+    read_only.flags.writeable = False
+    assert np.shares_memory(as_doubles(read_only, "gap"), read_only)
+    assert not np.shares_memory(as_doubles(sphere_gap.T[:, ::2], "gap"), sphere_gap)
+
+
+def test_inputs_are_left_alone(sphere_gap):
+    before = sphere_gap.copy()
+    start = np.ones_like(sphere_gap)
+    rc.solve(gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=3e-7, start=start)
+    assert np.array_equal(before, sphere_gap) and np.all(start == 1)
+
+
+@pytest.mark.parametrize("gap, error, words", [
+    ([[1, 2], [3]], ValueError, "gap"), ("flat", TypeError, "real numbers"), ([[1j]], TypeError, "complex"),
+    ([["a", "b"]], TypeError, "real numbers"), (np.zeros((2, 3, 4)), rc.ShapeError, "3 axes"), (np.zeros((0, 3)), rc.ShapeError, "ny"),
+    ([[0.0, np.nan]], rc.ArgumentError, "not finite"), (np.zeros((2, 2), "M8[s]"), TypeError, "datetime64"),
+])
+def test_what_is_no_array_is_refused(gap, error, words):
+    with pytest.raises(error, match=words):
+        rc.solve(gap=gap, pitch=1.0, modulus=1.0, displacement=1.0)
+
+
+def test_one_row():
+    result = rc.solve(gap=[0.0, 0.1, 1.0], pitch=(1.0, 2.0), modulus=1.0, displacement=0.6)
+    assert result.pressure.shape == (3,) and result.contacts == 2
+    column = rc.solve(gap=[[0.0], [0.1], [1.0]], pitch=(2.0, 1.0), modulus=1.0, displacement=0.6)
+    assert np.allclose(column.pressure[:, 0], result.pressure)
+
+
+class Topography:
+    """The part of SurfaceTopography's interface that is used."""
+
+    def __init__(self, heights, physical_sizes, unit=None, is_periodic=False, is_uniform=True):
+        self._heights, self.physical_sizes, self.unit, self.is_periodic = heights, physical_sizes, unit, is_periodic
+        self.is_uniform = is_uniform
+
+    def heights(self):
+        return self._heights
+
+
+def test_topographies(rough):
+    topography = Topography(rough.heights, (48.0, 64.0), "\u00b5m", True)
+    result = rc.solve(topography, modulus=1e3, load=0.1)
+    assert result.pressure.shape == (48, 64) and result.grid.pitch == (1.0, 1.0) and result.grid.periodic
+    stretched = Topography(rough.heights, (48.0, 128.0))
+    assert rc.HalfSpace.under(stretched, modulus=1.0).pitch == (2.0, 1.0)  # the last axis is 64 points on a length of 128
+    assert rc.solve(stretched, modulus=1e3, load=0.1, pitch=3.0).grid.pitch == (3.0, 3.0)
+
+
+def test_units_of_topographies(rough):
+    micrometres = Topography(rough.heights * 1e6, (48.0, 64.0), "\u00b5m", True)
+    metres = rc.solve(micrometres, modulus=1e9, load=1e-4, unit="m")
+    plain = rc.solve(rough, modulus=1e9, load=1e-4)
+    assert metres.displacement == pytest.approx(plain.displacement, rel=1e-6)
+    with pytest.raises(rc.ArgumentError, match="does not say its unit"):
+        rc.solve(Topography(rough.heights, (48.0, 64.0)), modulus=1e9, load=1e-4, unit="m")
+    with pytest.raises(rc.ArgumentError, match="furlong"):
+        rc.solve(micrometres, modulus=1e9, load=1e-4, unit="furlong")
+
+
+def test_topographies_that_cannot_be_used():
+    with pytest.raises(rc.ArgumentError, match="uniform"):
+        rc.solve(Topography(np.zeros(4), (4.0,), is_uniform=False), modulus=1.0, load=1.0)
+    with pytest.raises(rc.ArgumentError, match="line"):
+        rc.solve(Topography(np.zeros(4), (4.0,)), modulus=1.0, load=1.0)
+
+
+@pytest.mark.parametrize("absent", ["masked", "nan"])
+def test_missing_points(rough, absent):
+    holes = np.zeros(rough.shape, bool)
+    holes[10:14, 20:30] = holes[0, 0] = True
+    holes[np.unravel_index(rough.heights.argmax(), rough.shape)] = True  # the highest point must not count
+    heights = np.ma.array(rough.heights, mask=holes) if absent == "masked" else np.where(holes, np.nan, rough.heights)
+    how = {"pitch": 1e-6, "modulus": 1e9, "displacement": 1e-7}
+    with pytest.raises(rc.ArgumentError, match=f"{holes.sum()} missing points.*first at \\[0, 0\\].*missing='exclude'"):
+        rc.solve(heights, **how)
+    result = rc.solve(heights, **how, missing="exclude")
+    present = rough.heights[~holes].max()
+    by_hand = rc.solve(gap=present - rough.heights, mask=~holes, **how)
+    assert np.array_equal(result.pressure, by_hand.pressure) and result.pressure[holes].max() == 0
+    assert np.array_equal(rc.solve(heights, **how, mask=~holes).pressure, by_hand.pressure)  # said by hand, nothing is missing
+    with pytest.raises(rc.ArgumentError, match="'reject' or 'exclude'"):
+        rc.solve(heights, **how, missing="ignore")
+
+
+def test_masked_gap_is_refused(sphere_gap):
+    masked = np.ma.array(sphere_gap)
+    masked[3, 5] = np.ma.masked
+    with pytest.raises(rc.ArgumentError, match="gap is a masked array with 1 masked values"):
+        rc.solve(gap=masked, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+
+
+@pytest.mark.parametrize("kind", [bool, np.uint8, np.int64])
+def test_masks_of_every_type(sphere_gap, kind):
+    mask = np.ones((64, 64), kind)
+    mask[:, 32:] = 0
+    result = rc.solve(gap=sphere_gap, mask=np.asfortranarray(mask), pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    assert result.pressure[:, 32:].max() == 0 and result.pressure[:, :32].max() > 0
+
+
+def test_masks_that_are_refused(sphere_gap):
+    with pytest.raises(TypeError, match="mask holds float64"):
+        rc.solve(gap=sphere_gap, mask=np.ones((64, 64)), pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    with pytest.raises(rc.ShapeError, match="mask has shape"):
+        rc.solve(gap=sphere_gap, mask=np.ones((64, 63), bool), pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+
+
+def test_two_or_no_surfaces_are_refused(sphere_gap):
+    for given in ({}, {"heights": -sphere_gap, "gap": sphere_gap}):
+        with pytest.raises(rc.ArgumentError, match="exactly one of heights and gap"):
+            rc.solve(**given, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    with pytest.raises(rc.ArgumentError, match="exactly one of displacement and load"):
+        rc.solve(gap=sphere_gap, pitch=PITCH, modulus=MODULUS)
+    with pytest.raises(rc.ArgumentError, match="pitch is missing"):
+        rc.solve(-sphere_gap, modulus=MODULUS, load=1)
+    with pytest.raises(rc.ArgumentError, match="modulus is missing"):
+        rc.solve(-sphere_gap, pitch=PITCH, load=1)

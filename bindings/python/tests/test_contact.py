@@ -1,0 +1,230 @@
+"""Contacts that are kept: warm starts, control, options, systems of the caller's, and what their callbacks do."""
+import gc
+import weakref
+
+import numpy as np
+import pytest
+from conftest import MODULUS, PITCH
+
+import roughcontact as rc
+
+
+def test_warm_start_saves_iterations(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "polonsky-keer"}) as contact:
+        cold = contact.solve(rough, load=1e-3)
+        warm = contact.solve(load=1.001e-3)
+        again = contact.solve(load=1.001e-3, warm_start=False)
+    assert warm.iterations < cold.iterations <= again.iterations + 2
+    assert warm.load == pytest.approx(again.load, rel=1e-7)
+
+
+def test_surface_stays_until_another_comes(rough):
+    half_space = rc.HalfSpace.under(rough, modulus=1e9)
+    with rc.Contact(half_space) as contact:
+        mask = rough.heights < 1e-7
+        first = contact.solve(rough, mask=mask, displacement=5e-8)
+        second = contact.solve(displacement=6e-8)
+        assert np.array_equal(second.grid.mask, mask) and second.pressure[~mask].max() == 0
+        assert contact.solve(rough, displacement=5e-8).grid.mask is None
+        contact.reset()
+        with pytest.raises(rc.ArgumentError, match="gap"):
+            contact.solve(displacement=5e-8)
+    assert first.contacts < second.contacts
+
+
+def test_explicit_start(rough):
+    half_space = rc.HalfSpace.under(rough, modulus=1e9)
+    solution = rc.solve(rough, system=half_space, displacement=1e-7, options={"solver": "gp"})
+    again = rc.solve(rough, system=half_space, displacement=1e-7, options={"solver": "gp"}, start=solution.pressure)
+    assert again.iterations < solution.iterations / 2
+
+
+def test_borrowed_arrays_live_as_long_as_they_are_used(rough):
+    half_space = rc.HalfSpace.under(rough, modulus=1e9)
+    with rc.Contact(half_space) as contact:
+        gap = rough.gap()
+        first = contact.solve(gap=gap, displacement=5e-8, borrow=True)
+        seen = weakref.ref(gap)
+        del gap
+        gc.collect()
+        assert seen() is not None
+        assert np.array_equal(contact.solve(displacement=5e-8, warm_start=False).pressure, first.pressure)
+        contact.solve(rough, displacement=5e-8)
+        assert seen() is None
+
+
+def test_certify_judges_pressures(rough):
+    half_space = rc.HalfSpace.under(rough, modulus=1e9)
+    with rc.Contact(half_space) as contact:
+        answer = contact.solve(rough, displacement=5e-8)
+        assert contact.certify(answer.pressure, rough, displacement=5e-8).certified
+        off = answer.pressure.copy()
+        off[off.argmax() // 64, off.argmax() % 64] *= 1.01
+        with pytest.raises(rc.NotCertifiedError) as caught:
+            contact.certify(off, rough, displacement=5e-8)
+        assert caught.value.status == rc.Status.STOP_UNCERTIFIED and caught.value.result.residual > 1e-4
+        judged = contact.certify(off, rough, displacement=5e-8, check=False, want_gap=True)
+    assert np.array_equal(judged.pressure, off) and judged.gap is not None
+
+
+def test_points_without_arrays(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        assert [len(each) for each in contact.points()] == [0, 0]
+        answer = contact.solve(rough, displacement=5e-8)
+        index, pressure = contact.points()
+    assert np.array_equal(index, np.flatnonzero(answer.pressure)) and np.array_equal(pressure, answer.pressure.ravel()[index])
+
+
+def test_levels_of_the_cascade(sphere_gap, half_space):
+    with rc.Contact(half_space, options={"solver": "cmr", "cmr.levels": 3}) as contact:
+        answer = contact.solve(gap=sphere_gap, displacement=3e-7)
+        levels = contact.levels()
+    assert answer.levels == len(levels) == 2
+    assert [level.pressure.shape for level in levels] == [(16, 16), (32, 32)]
+    assert all(level.load == pytest.approx(answer.load, rel=0.2) for level in levels)
+    assert levels[1].pitch == (2 * PITCH, 2 * PITCH)
+
+
+def test_options_can_change(sphere_gap, half_space):
+    with rc.Contact(half_space, options={"tol": 1e-4}) as contact:
+        assert contact.solve(gap=sphere_gap, displacement=3e-7).tolerance == 1e-4
+        contact.set_options({"stiffness": 1})
+        answer = contact.solve(displacement=3e-7)
+        assert answer.tolerance == 1e-4 and answer.stiffness > 0
+        with pytest.raises(rc.OptionError, match="kernel"):
+            contact.set_options({"kernel": "disc"})
+        assert contact.solve(displacement=3e-7).stiffness > 0
+
+
+def test_closed_contacts_say_so(half_space, sphere_gap):
+    contact = rc.Contact(half_space)
+    contact.close()
+    contact.close()
+    contact.cancel()
+    for call in (lambda: contact.solve(gap=sphere_gap, displacement=1e-7), contact.reset, contact.points):
+        with pytest.raises(rc.ArgumentError, match="closed"):
+            call()
+
+
+def test_progress_sees_and_stops(rough):
+    seen = []
+    how = {"modulus": 1e9, "displacement": 1e-7, "options": {"solver": "gp"}}
+    rc.solve(rough, **how, progress=seen.append)
+    assert len(seen) > 5 and [p.iteration for p in seen] == sorted(p.iteration for p in seen)
+    assert seen[-1].kkt < seen[1].kkt and seen[-1].applications > 5
+    fewer = []
+    rc.solve(rough, **how, progress=fewer.append, every=5)
+    assert 0 < len(fewer) < len(seen)
+    with pytest.raises(rc.NotCertifiedError) as caught:
+        rc.solve(rough, **how, progress=lambda p: p.iteration >= 3)
+    assert caught.value.status == rc.Status.STOP_CANCELLED and caught.value.result.iterations <= 4
+    assert rc.solve(rough, **how, progress=lambda p: p.iteration >= 3, check=False).status == rc.Status.STOP_CANCELLED
+
+
+def test_exceptions_of_progress_arrive(rough):
+    def progress(_):
+        raise LookupError("from inside")
+
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
+        for _ in range(2):  # and leave the contact usable
+            with pytest.raises(LookupError, match="from inside"):
+                contact.solve(rough, displacement=1e-7)
+
+
+def test_a_callback_cannot_use_the_contact_that_calls_it(rough):
+    caught = []
+
+    def progress(_):
+        for call in (lambda: contact.solve(displacement=1e-7), contact.close, contact.reset):
+            try:
+                call()
+            except rc.BusyError as error:
+                caught.append(error.status)
+        return True
+
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
+        contact.solve(rough, displacement=1e-7, check=False)
+    assert caught == [rc.Status.ERR_BUSY] * 3
+
+
+def test_cancel_reaches_the_next_step(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        contact.cancel()
+        assert contact.solve(rough, displacement=1e-7, check=False).status == rc.Status.STOP_CANCELLED
+        assert contact.solve(rough, displacement=1e-7).certified
+
+
+def test_own_matrix_in_every_layout(small_matrix):
+    gap = np.linspace(0, 2, 12)
+    expected = rc.solve(gap=gap, displacement=1.5, system=rc.Matrix(small_matrix))
+    assert expected.certified and 0 < expected.contacts < 12
+    product = small_matrix @ expected.pressure + gap - 1.5
+    assert np.abs(product[expected.pressure > 0]).max() < 1e-7 and product.min() > -1e-7
+    wide = np.zeros((12, 20))
+    wide[:, :12] = small_matrix
+    forms = {"Fortran": np.asfortranarray(small_matrix), "rows of a wider one": wide[:, :12], "its columns": wide[:, :12].T,
+             "single": small_matrix.astype(np.float32).astype(float), "lists": small_matrix.tolist(), "every second": np.repeat(
+                 np.repeat(small_matrix, 2, 0), 2, 1)[::2, ::2]}
+    for name, H in forms.items():
+        system = rc.Matrix(H)
+        if name in ("Fortran", "rows of a wider one", "its columns"):
+            assert np.shares_memory(system.H, H), name
+        assert np.allclose(rc.solve(gap=gap, displacement=1.5, system=system).pressure, expected.pressure, rtol=1e-6), name
+
+
+def test_own_matrix_with_a_shape(small_matrix):
+    gap = np.linspace(0, 2, 12).reshape(3, 4)
+    result = rc.solve(gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, shape=(3, 4), pitch=(2.0, 3.0)))
+    assert result.pressure.shape == (3, 4) and result.load == pytest.approx(6 * result.pressure.sum())
+    with pytest.raises(rc.ShapeError, match="12 x 12.*has 10 points"):
+        rc.Matrix(small_matrix, shape=(2, 5))
+    with pytest.raises(rc.ShapeError, match="square"):
+        rc.Matrix(small_matrix[:5])
+    with pytest.raises(rc.ArgumentError, match="symmetric"):
+        rc.Contact(rc.Matrix(small_matrix + np.triu(np.ones((12, 12)))))
+
+
+def test_own_product(small_matrix):
+    gap = np.linspace(0, 2, 12)
+    expected = rc.solve(gap=gap, displacement=1.5, system=rc.Matrix(small_matrix))
+    result = rc.solve(gap=gap, displacement=1.5, system=rc.Product(lambda x: small_matrix @ x, 12))
+    assert result.backend == "callback" and np.allclose(result.pressure, expected.pressure, rtol=1e-6)
+    seen = []
+
+    def flat(x):
+        seen.append((x.shape, x.flags.writeable))
+        return small_matrix.dot(x.ravel()).reshape(3, 4).tolist()
+
+    shaped = rc.solve(gap=gap.reshape(3, 4), displacement=1.5, system=rc.Product(flat, (3, 4)))
+    assert np.allclose(shaped.pressure.ravel(), expected.pressure, rtol=1e-6) and set(seen) == {((3, 4), False)}
+
+
+def test_exceptions_of_products_arrive(small_matrix):
+    calls = []
+
+    def failing(x):
+        calls.append(1)
+        if len(calls) > 3:
+            raise ZeroDivisionError("in the product")
+        return small_matrix @ x
+
+    with pytest.raises(ZeroDivisionError, match="in the product"):
+        rc.solve(gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(failing, 12))
+    with pytest.raises(rc.ShapeError, match="the product has shape"):
+        rc.Contact(rc.Product(lambda x: x[:3], 12))
+    with pytest.raises(TypeError, match="real numbers"):
+        rc.Contact(rc.Product(lambda x: None, 12))
+
+
+def test_contacts_are_freed(half_space, sphere_gap):
+    contact = rc.Contact(half_space, progress=lambda p: None)
+    contact.solve(gap=sphere_gap, displacement=1e-7)
+    seen = weakref.ref(contact)
+    del contact
+    gc.collect()
+    assert seen() is None
+
+
+def test_modulus_scales_the_load(sphere_gap):
+    loads = [rc.solve(gap=sphere_gap, pitch=PITCH, modulus=m, displacement=2e-7).load for m in (MODULUS, 2 * MODULUS)]
+    assert loads[1] == pytest.approx(2 * loads[0], rel=1e-7)

@@ -1,0 +1,147 @@
+"""Paths and batches: against single steps, what they keep, how they end."""
+import threading
+
+import numpy as np
+import pytest
+from conftest import MODULUS, PITCH
+
+import roughcontact as rc
+
+
+def test_path_is_its_steps(rough):
+    targets = [4e-8, 8e-8, 6e-8]
+    history = rc.path(rough, modulus=1e9, displacement=targets, stiffness=True, keep_pressure=True)
+    assert history.completed == 3 and history.status == rc.Status.OK and history.message == ""
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"stiffness": 1}) as contact:
+        for k, target in enumerate(targets):
+            step = contact.solve(rough if k == 0 else None, displacement=target)
+            assert np.array_equal(step.pressure, history.pressure[k])
+            for name in ("load", "displacement", "contact_area", "stiffness", "applications"):
+                assert getattr(step, name) == getattr(history, name)[k]
+            assert history.certificate[k] == step.residual
+
+
+def test_path_in_load_control_on_a_kept_contact(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        first = contact.path(rough, load=[1e-4, 1e-3])
+        second = contact.path(load=2e-3)
+    assert np.allclose(first.load, [1e-4, 1e-3], rtol=1e-7) and second.load.shape == (1,)
+    assert second.displacement[0] > first.displacement[1] > first.displacement[0]
+    assert first.pressure is None and first.stiffness is None
+
+
+def test_each_step_is_seen(rough):
+    seen = []
+    history = rc.path(rough, modulus=1e9, displacement=[2e-8, 4e-8], each=lambda k, result: seen.append((k, result)))
+    assert [k for k, _ in seen] == [0, 1]
+    assert [result.load for _, result in seen] == list(history.load)
+    assert seen[0][1].pressure.sum() < seen[1][1].pressure.sum() and seen[0][1].gap.shape == rough.shape  # copies: they last
+
+
+def test_path_ends_early(rough):
+    how = {"modulus": 1e9, "displacement": [2e-8, 4e-8, 6e-8]}
+    with pytest.raises(rc.NotCertifiedError) as caught:
+        rc.path(rough, **how, each=lambda k, result: k == 1)
+    assert caught.value.status == rc.Status.STOP_CANCELLED and caught.value.result.completed == 2
+    assert rc.path(rough, **how, each=lambda k, result: k == 0, check=False).load.shape == (1,)
+    with pytest.raises(RuntimeError, match="mine"):
+        rc.path(rough, **how, each=lambda k, result: (_ for _ in ()).throw(RuntimeError("mine")))
+
+
+def test_path_that_fails_keeps_what_was_done(rough):
+    with pytest.raises(rc.InfeasibleError, match="step 2") as caught:
+        rc.path(rough, modulus=1e9, displacement=[2e-8, 4e-8, 1.0, 6e-8], keep_pressure=True)
+    done = caught.value.result
+    assert done.completed == 2 and done.pressure.shape == (2, *rough.shape) and len(done.targets) == 4
+    with pytest.raises(rc.ArgumentError, match="2 axes"):
+        rc.path(rough, modulus=1e9, displacement=[[1e-8]])
+
+
+def surfaces(n):
+    return [rc.surface.spectral((32, 32), pitch=1e-6, rms_height=1e-7, seed=k) for k in range(n)]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_batch_is_its_paths(threads):
+    each = surfaces(5)
+    loads = np.linspace(1e-4, 1e-3, 15).reshape(5, 3)
+    answer = rc.batch(each, modulus=1e9, load=loads, stiffness=True, keep_pressure=True, options={"threads": threads})
+    assert answer.certified == 5 and answer.first == -1 and np.all(answer.statuses == 0)
+    for k, surface in enumerate(each):
+        alone = rc.path(surface, modulus=1e9, load=loads[k], stiffness=True, keep_pressure=True)
+        assert np.array_equal(answer.pressure[k], alone.pressure[-1])
+        for name in ("load", "displacement", "contact_area", "stiffness", "certificate", "applications"):
+            assert np.array_equal(getattr(answer, name)[k], getattr(alone, name))
+
+
+def test_batch_shares_surfaces_histories_and_masks():
+    each = surfaces(3)
+    gaps = np.stack([s.gap() for s in each])
+    how = {"pitch": 1e-6, "modulus": 1e9, "boundary": "periodic"}
+    by_surfaces = rc.batch(each, modulus=1e9, load=[1e-4, 1e-3])
+    assert np.array_equal(by_surfaces.load, rc.batch(gap=gaps, load=[1e-4, 1e-3], **how).load)
+    stacked = rc.batch(np.stack([s.heights for s in each]), load=[1e-4, 1e-3], **how)
+    assert np.array_equal(by_surfaces.displacement, stacked.displacement)  # every surface touches at 0
+    assert rc.batch(gap=gaps, load=1e-3, **how).load.shape == (3, 1)
+    one = rc.batch(gap=gaps[0], load=[[1e-4], [1e-3]], **how)
+    assert one.load.shape == (2, 1) and one.displacement[0, 0] == by_surfaces.displacement[0, 0]
+    mask = np.ones((32, 32), bool)
+    mask[:, 16:] = False
+    shared = rc.batch(gap=gaps, load=1e-3, mask=mask, keep_pressure=True, **how)
+    own = rc.batch(gap=gaps, load=1e-3, mask=np.stack([mask] * 3), keep_pressure=True, **how)
+    assert shared.pressure[..., 16:].max() == 0 and np.array_equal(shared.pressure, own.pressure)
+    starts = rc.batch(gap=gaps, load=1e-3, mask=mask, start=shared.pressure, **how)
+    assert starts.iterations.sum() < shared.iterations.sum()
+
+
+def test_batch_goes_on_after_a_failure():
+    each = surfaces(3)
+    displacements = [[5e-8], [1.0], [5e-8]]
+    with pytest.raises(rc.InfeasibleError) as caught:
+        rc.batch(each, modulus=1e9, displacement=displacements)
+    answer = caught.value.result
+    assert list(answer.statuses[:, 0]) == [0, rc.Status.ERR_INFEASIBLE, 0] and answer.first == 1
+    assert np.isnan(answer.load[1, 0]) and answer.load[2, 0] > 0 and answer.applications[1, 0] == -1
+    assert rc.batch(each, modulus=1e9, displacement=displacements, check=False).status == rc.Status.ERR_INFEASIBLE
+
+
+def test_batch_that_is_refused():
+    with pytest.raises(rc.ArgumentError) as caught:
+        rc.batch(surfaces(2), modulus=1e9, displacement=[np.nan])
+    assert caught.value.result is None
+    with pytest.raises(rc.ShapeError, match="numbers of contacts differ"):
+        rc.batch(surfaces(2), modulus=1e9, displacement=[[1e-8], [1e-8], [1e-8]])
+    with pytest.raises(rc.ShapeError, match="differ in shape or pitch"):
+        rc.batch(surfaces(1) + [rc.surface.noise((8, 8))], modulus=1e9, load=1)
+    with pytest.raises(rc.ShapeError, match="heights or gap has shape"):
+        rc.batch(gap=np.zeros((2, 3, 4)), system=rc.HalfSpace((5, 4), pitch=1, modulus=1), load=1)
+
+
+def test_batch_shows_every_step():
+    seen, threads = {}, set()
+
+    def each(contact, step, result):
+        seen[contact, step] = result.load, result.load_lower <= result.load <= result.load_upper
+        threads.add(threading.get_ident())
+
+    answer = rc.batch(surfaces(4), modulus=1e9, load=[1e-4, 1e-3], each=each, options={"threads": 2})
+    assert {key: load for key, (load, _) in seen.items()} == {(i, k): answer.load[i, k] for i in range(4) for k in range(2)}
+    assert all(bounded for _, bounded in seen.values())
+    with pytest.raises(RuntimeError, match="mine"):
+        rc.batch(surfaces(4), modulus=1e9, load=1e-3, each=lambda i, k, r: (_ for _ in ()).throw(RuntimeError("mine")))
+    stopped = rc.batch(surfaces(4), modulus=1e9, load=1e-3, each=lambda i, k, r: i == 1, check=False)
+    assert stopped.status == rc.Status.STOP_CANCELLED and stopped.statuses[0, 0] == 0 and stopped.statuses[3, 0] == 3
+
+
+def test_batch_of_products(small_matrix):
+    gaps = np.array([np.linspace(0, 2, 12), np.linspace(0, 3, 12)])
+    answer = rc.batch(gap=gaps, displacement=1.5, system=rc.Product(lambda x: small_matrix @ x, 12), options={"threads": 2})
+    dense = rc.batch(gap=gaps, displacement=1.5, system=rc.Matrix(small_matrix))
+    assert np.allclose(answer.load, dense.load, rtol=1e-6)
+
+
+def test_history_of_a_sphere_follows_hertz(sphere_gap):
+    d = np.array([1e-7, 2e-7, 3e-7, 1e-7])
+    history = rc.path(gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=d)
+    assert np.allclose(history.load, 4 / 3 * MODULUS * np.sqrt(1e-3) * d**1.5, rtol=0.03)
+    assert history.load[3] == pytest.approx(history.load[0], rel=1e-6)

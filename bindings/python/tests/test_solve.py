@@ -1,0 +1,113 @@
+"""Answers: against theory, and bit by bit against the C functions called with nothing of this package in between."""
+import ctypes
+
+import numpy as np
+import pytest
+from conftest import MODULUS, PITCH, RADIUS
+
+import roughcontact as rc
+
+
+def hertz_load(displacement):
+    return 4 / 3 * MODULUS * np.sqrt(RADIUS) * displacement**1.5
+
+
+def test_load_of_a_sphere_is_hertz(sphere_gap):
+    result = rc.solve(gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    assert result.certified and result.status == rc.Status.OK
+    assert result.load == pytest.approx(hertz_load(3e-7), rel=0.01)
+    assert result.contact_area == pytest.approx(np.pi * RADIUS * 3e-7, rel=0.03)
+    assert result.pressure.max() == pytest.approx(2 * MODULUS / np.pi * np.sqrt(3e-7 / RADIUS), rel=0.01)
+    assert result.load_lower <= result.load <= result.load_upper
+    assert result.residual <= result.tolerance
+
+
+def test_load_control_finds_the_displacement(sphere_gap):
+    result = rc.solve(gap=sphere_gap, pitch=PITCH, modulus=MODULUS, load=hertz_load(3e-7))
+    assert result.load == pytest.approx(hertz_load(3e-7), rel=1e-7)
+    assert result.displacement == pytest.approx(3e-7, rel=0.01)
+    assert PITCH**2 * result.pressure.sum() == pytest.approx(result.load, rel=1e-12)
+
+
+def test_heights_are_gaps_upside_down(sphere_gap):
+    gap = rc.solve(gap=sphere_gap - sphere_gap.min(), pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    heights = rc.solve(-sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    assert np.array_equal(gap.pressure, heights.pressure)
+
+
+def test_axes_are_rows_and_columns():
+    """A ridge along x on cells that are not square: what varies along the last axis has pitch hx."""
+    y = np.arange(33) - 16.0
+    gap = np.repeat((y**2 / 50)[:, None], 20, axis=1)
+    result = rc.solve(gap=gap, pitch=(2.0, 1.0), modulus=1.0, displacement=1.0)
+    assert result.pressure.shape == (33, 20)
+    assert result.pressure[16].min() > 0 and result.pressure[0].max() == 0
+    turned = rc.solve(gap=gap.T, pitch=(1.0, 2.0), modulus=1.0, displacement=1.0)
+    assert turned.load == pytest.approx(result.load, rel=1e-7)
+    assert np.allclose(turned.pressure.T, result.pressure, atol=1e-6 * result.pressure.max())
+
+
+def test_gap_is_complementary_to_pressure(rough):
+    result = rc.solve(rough, modulus=1e9, displacement=5e-8, want_gap=True)
+    scale = 5e-8
+    assert result.gap.min() >= -1e-7 * scale
+    assert np.abs(result.gap[result.pressure > 0]).max() <= 1e-7 * scale
+    assert rc.solve(rough, modulus=1e9, displacement=5e-8, want_pressure=False).pressure is None
+
+
+def test_surface_brings_pitch_and_boundary(rough):
+    by_surface = rc.solve(rough, modulus=1e9, load=1e-4)
+    by_hand = rc.solve(rough.heights, pitch=1e-6, boundary="periodic", modulus=1e9, load=1e-4)
+    assert by_surface.grid.periodic and by_surface.kernel == "spectral"
+    assert np.array_equal(by_surface.pressure, by_hand.pressure)
+    assert rc.solve(rough, modulus=1e9, load=1e-4, boundary="free").kernel == "love"
+
+
+def test_options_reach_the_library(sphere_gap, half_space):
+    how = {"system": half_space, "displacement": 3e-7}
+    result = rc.solve(gap=sphere_gap, **how, options={"solver": "polonsky-keer", "backend": "fft", "tol": 1e-5, "stiffness": True})
+    assert (result.solver, result.backend, result.tolerance) == ("polonsky-keer", "fft", 1e-5)
+    assert result.stiffness == pytest.approx(2 * MODULUS * np.sqrt(RADIUS * 3e-7), rel=0.02)
+
+
+def test_accuracy_is_a_success_on_a_coarser_grid():
+    surface = rc.surface.spectral((512, 512), pitch=1e-6, rms_height=1e-7, hurst=0.8, q_high=2e5)
+    result = rc.solve(surface, modulus=1e9, load=1e-2, options={"accuracy": 0.2})
+    assert result.status == rc.Status.WITHIN_GOAL and not result.certified
+    assert result.model_nx < 512 and result.error_estimate <= 0.2 and result.pressure.shape == (512, 512)
+
+
+def directly(system, gap, control, target, pressure):
+    """rc_solve from the bare shared library: memory offsets by hand."""
+    library = ctypes.CDLL(rc.library_file())
+    step, result = bytearray(48), bytearray(ctypes.sizeof(rc.raw.rc_result))
+
+    def put(buffer, offset, kind, value):
+        kind.from_buffer(buffer, offset).value = value
+
+    put(step, 0, ctypes.c_size_t, 48)
+    put(step, 8, ctypes.c_int32, control)
+    put(step, 12, ctypes.c_int32, 1)
+    put(step, 16, ctypes.c_double, target)
+    put(step, 24, ctypes.c_size_t, gap.ctypes.data)
+    put(result, 0, ctypes.c_size_t, len(result))
+    put(result, 8, ctypes.c_size_t, pressure.ctypes.data)
+    buffers = [(ctypes.c_char * len(each)).from_buffer(each) for each in (system, step, result)]
+    return library.rc_solve(buffers[0], buffers[1], None, buffers[2])
+
+
+@pytest.mark.parametrize("control, name, target", [(1, "displacement", 3e-7), (2, "load", 0.5)])
+@pytest.mark.parametrize("boundary", ["free", "periodic"])
+def test_same_bits_as_the_c_function(control, name, target, boundary):
+    surface = rc.surface.spectral((40, 56), pitch=PITCH, rms_height=2e-7, hurst=0.7)
+    gap = surface.gap()
+    system = bytearray(88)
+    for offset, kind, value in ((0, ctypes.c_size_t, 88), (8, ctypes.c_int32, 1), (12, ctypes.c_int32, 1 if boundary == "free" else 2),
+                                (16, ctypes.c_int64, 56), (24, ctypes.c_int64, 40), (32, ctypes.c_double, PITCH),
+                                (40, ctypes.c_double, PITCH), (48, ctypes.c_double, MODULUS)):
+        kind.from_buffer(system, offset).value = value
+    expected = np.zeros_like(gap)
+    assert directly(system, gap, control, target, expected) == 0
+    result = rc.solve(surface, modulus=MODULUS, boundary=boundary, **{name: target})
+    assert result.contacts > 10
+    assert np.array_equal(result.pressure, expected)
