@@ -25,11 +25,13 @@ def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> D
         array = np.asarray(values)
     except ValueError as error:
         raise ShapeError(f"{name} is not an array of numbers: {error}") from None
-    if array.dtype.kind not in "fiub":
+    if array.dtype.kind == "O" and not any(value is None for value in array.flat):
         try:
-            array = array.astype(np.float64, casting="safe") if array.dtype.kind != "O" else array.astype(np.float64)
+            array = array.astype(np.float64)
         except (TypeError, ValueError):
-            raise TypeError(f"{name} holds {array.dtype}; real numbers are needed") from None
+            pass
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name} holds {array.dtype}; real numbers are needed")
     array = np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
     if shape is not None and array.shape != shape:
         raise ShapeError(f"{name} has shape {array.shape}, the grid {shape}")

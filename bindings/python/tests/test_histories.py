@@ -90,8 +90,9 @@ def test_batch_shares_surfaces_histories_and_masks():
     shared = rc.batch(gap=gaps, load=1e-3, mask=mask, keep_pressure=True, **how)
     own = rc.batch(gap=gaps, load=1e-3, mask=np.stack([mask] * 3), keep_pressure=True, **how)
     assert shared.pressure[..., 16:].max() == 0 and np.array_equal(shared.pressure, own.pressure)
-    starts = rc.batch(gap=gaps, load=1e-3, mask=mask, start=shared.pressure, **how)
-    assert starts.iterations.sum() < shared.iterations.sum()
+    how.update(gap=gaps, displacement=1e-7, options={"solver": "gp"})
+    cold = rc.batch(keep_pressure=True, **how)
+    assert rc.batch(start=cold.pressure, **how).iterations.sum() < cold.iterations.sum() / 2
 
 
 def test_batch_goes_on_after_a_failure():
@@ -107,7 +108,7 @@ def test_batch_goes_on_after_a_failure():
 
 def test_batch_that_is_refused():
     with pytest.raises(rc.ArgumentError) as caught:
-        rc.batch(surfaces(2), modulus=1e9, displacement=[np.nan])
+        rc.batch(surfaces(2), modulus=-1.0, displacement=1e-8)
     assert caught.value.result is None
     with pytest.raises(rc.ShapeError, match="numbers of contacts differ"):
         rc.batch(surfaces(2), modulus=1e9, displacement=[[1e-8], [1e-8], [1e-8]])

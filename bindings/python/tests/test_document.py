@@ -1,0 +1,46 @@
+"""The first example of docs/python.md works when copied into an empty folder; so does every other one, after it."""
+import pathlib
+import re
+import subprocess
+import sys
+
+import pytest
+
+import roughcontact as rc
+
+DOCUMENT = pathlib.Path(__file__).resolve().parents[3] / "docs" / "python.md"
+
+
+def blocks():
+    if not DOCUMENT.exists():
+        pytest.skip("docs/python.md is not beside the tests")
+    return re.findall(r"^```python\n(.*?)^```", DOCUMENT.read_text(), re.M | re.S)
+
+
+def test_first_example_runs_in_an_empty_folder(tmp_path):
+    (tmp_path / "first.py").write_text(blocks()[0])
+    ran = subprocess.run([sys.executable, "first.py"], cwd=tmp_path, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    printed = re.search(r"^```python\n.*?^```\n+prints\n+```\n(.*?)^```", DOCUMENT.read_text(), re.M | re.S)[1]
+    assert ran.stdout == printed
+
+
+def test_other_examples_run_one_after_another(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in blocks():
+        if "matplotlib" in block:
+            pytest.importorskip("matplotlib").use("agg")
+        exec(compile(block, str(DOCUMENT), "exec"), names)
+
+
+def test_everything_public_is_documented():
+    text = DOCUMENT.read_text()
+    modules = {"surface": rc.surface, "analysis": rc.analysis, "direct": rc.direct, "plot": rc.plot}
+    for name in rc.__all__:
+        assert re.search(rf"\b{name}\b", text), f"{name} is not in {DOCUMENT.name}"
+        assert name == "raw" or name in modules or getattr(rc, name).__doc__, f"{name} has no docstring"
+    for module, found in modules.items():
+        for name, thing in vars(found).items():
+            if callable(thing) and getattr(thing, "__module__", "") == found.__name__ and not name.startswith("_"):
+                assert thing.__doc__ and re.search(rf"\b{name}\b", text), f"{module}.{name} is not in {DOCUMENT.name}"

@@ -1,0 +1,55 @@
+"""Which library is loaded, and what is said where there is none. Each in a Python of its own."""
+import os
+import shutil
+import subprocess
+import sys
+
+import roughcontact as rc
+
+
+def python(code, folder, **environment):
+    inherited = {name: value for name, value in os.environ.items() if name not in ("ROUGHCONTACT_LIBRARY", "RC_PLUGIN_PATH")}
+    return subprocess.run([sys.executable, "-c", code], cwd=folder, env={**inherited, **environment}, capture_output=True, text=True)
+
+
+SHOW = "import roughcontact as rc; print(rc.library_file())"
+
+
+def test_the_variable_comes_first(tmp_path):
+    copy = tmp_path / "libroughcontact.so.0"
+    shutil.copy(rc.library_file(), copy)
+    ran = python(SHOW, tmp_path, ROUGHCONTACT_LIBRARY=str(copy))
+    assert ran.stdout.strip() == str(copy), ran.stderr
+    assert python(SHOW, tmp_path, ROUGHCONTACT_LIBRARY=copy.name).stdout.strip() == str(copy)  # here, not on the loader's path
+
+
+def test_the_loader_finds_the_systems_by_its_name(tmp_path):
+    inside = os.path.join(os.path.dirname(rc.__file__), "lib")
+    shutil.copy(rc.library_file(), tmp_path / "libroughcontact.so.0")
+    ran = python(SHOW, tmp_path, LD_LIBRARY_PATH=str(tmp_path))
+    expected = inside if os.path.isdir(inside) else str(tmp_path)  # a wheel's own library comes before the system's
+    assert os.path.dirname(ran.stdout.strip()) == expected, ran.stderr
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    ran = python("import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(type(e).__name__, e)", tmp_path,
+                 ROUGHCONTACT_LIBRARY="/nowhere/lib.so")
+    assert "LibraryNotFoundError" in ran.stdout and "/nowhere/lib.so" in ran.stdout and "ROUGHCONTACT_LIBRARY" in ran.stdout
+
+
+def test_a_library_of_another_kind(tmp_path):
+    ran = python("import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(e)", tmp_path,
+                 ROUGHCONTACT_LIBRARY=_libc())
+    assert "has no function rc_version" in ran.stdout and "install both from one source" in ran.stdout
+
+
+def _libc():
+    with open("/proc/self/maps") as maps:
+        return next(line.split()[-1] for line in maps if "/libc.so" in line or "/libc-" in line)
+
+
+def test_solving_loads_neither_the_surface_library_nor_matplotlib(tmp_path):
+    code = ("import roughcontact as rc, sys; rc.solve(gap=[[0.0, 1.0]], pitch=1, modulus=1, displacement=0.5); "
+            "print('surface' in open('/proc/self/maps').read(), 'matplotlib' in sys.modules)")
+    ran = python(code, tmp_path, ROUGHCONTACT_LIBRARY=rc.library_file())
+    assert ran.stdout.split() == ["False", "False"], ran.stderr

@@ -1,0 +1,49 @@
+"""Nothing is kept by solving again and again."""
+import gc
+import os
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+
+
+def resident():
+    gc.collect()
+    with open("/proc/self/statm") as numbers:
+        return int(numbers.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def grows(call, times):
+    for _ in range(times // 10):
+        call()
+    before = resident()
+    for _ in range(times):
+        call()
+    return resident() - before
+
+
+def calls():
+    gap = rc.surface.noise((24, 24)).gap()
+    how = {"pitch": 1.0, "modulus": 1.0, "displacement": 1.0}
+
+    def refused():
+        with pytest.raises(rc.OptionError):
+            rc.solve(gap=gap, **how, options={"unknown": 1})
+
+    contact = rc.Contact(rc.HalfSpace((24, 24), pitch=1.0, modulus=1.0), progress=lambda p: None)
+    H = np.eye(30)
+    return {"solve": lambda: rc.solve(gap=gap, **how, want_gap=True), "step": lambda: contact.solve(gap=gap, displacement=1.0),
+            "refused": refused, "product": lambda: rc.solve(gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30)),
+            "path": lambda: rc.path(gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None)}
+
+
+@pytest.mark.parametrize("name", ["solve", "step", "refused", "product", "path"])
+def test_memory_is_flat_over_some(name):
+    assert grows(calls()[name], 100) < 2 << 20  # twenty times that leaks show in the test of 10000
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["solve", "step"])
+def test_memory_is_flat_over_10000_solves(name):
+    assert grows(calls()[name], 10000) < 2 << 20  # 210 bytes a call

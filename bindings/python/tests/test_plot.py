@@ -1,0 +1,34 @@
+"""Pictures are drawn."""
+import numpy as np
+import pytest
+
+import roughcontact as rc
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("agg")
+
+
+def test_every_picture(rough, tmp_path):
+    from matplotlib import pyplot
+
+    result = rc.solve(rough, modulus=1e9, displacement=8e-8)
+    history = rc.path(rough, modulus=1e9, displacement=[4e-8, 8e-8])
+    figure, axes = pyplot.subplots(2, 3)
+    drawn = [rc.plot.heights(rough, ax=axes[0, 0]), rc.plot.pressure(result, ax=axes[0, 1], length="um"),
+             rc.plot.patches(result, ax=axes[0, 2]), rc.plot.history(history, ax=axes[1, 0]),
+             rc.plot.histogram(result.histogram(20), ax=axes[1, 1]),
+             rc.plot.spectrum(rc.surface.psd(rough), rc.surface.power_law(rough), ax=axes[1, 2])]
+    assert drawn == list(axes.ravel())
+    figure.savefig(tmp_path / "all.png")
+    assert (tmp_path / "all.png").stat().st_size > 10000
+    assert drawn[1].get_xlabel() == "x (um)"
+    assert np.array_equal(drawn[3].lines[0].get_xdata(), history.displacement)
+    pyplot.close(figure)
+
+
+def test_axes_are_made_where_none_are_given(rough):
+    from matplotlib import pyplot
+
+    ax = rc.plot.heights(rough.heights, pitch=1.0)
+    assert len(ax.images) == 1
+    pyplot.close(ax.figure)

@@ -1,0 +1,64 @@
+"""Backends, solvers, kernels, options and versions."""
+import numpy as np
+import pytest
+
+import roughcontact as rc
+
+
+def test_components_are_listed():
+    names = {kind: [each.name for each in kind()] for kind in (rc.backends, rc.solvers, rc.kernels)}
+    assert {"callback", "dense", "fft", "split"} <= set(names[rc.backends])
+    assert {"greedy", "polonsky-keer", "nnls", "gp", "admm", "cmr", "haar-cg"} <= set(names[rc.solvers])
+    assert {"love", "galerkin", "disc", "punch", "spectral"} <= set(names[rc.kernels])
+    for kind, found in names.items():
+        assert found == sorted(found) and all(each.summary for each in kind())
+    fft = next(each for each in rc.backends() if each.name == "fft")
+    assert "GPL" in fft.license and fft.origin.endswith("rcb_fft.so")
+
+
+def test_options_are_described():
+    specs = {spec.key: spec for spec in rc.options()}
+    tol, kernel = specs["tol"], specs["kernel"]
+    assert (tol.kind, tol.default, tol.fixed) == (float, 1e-8, False) and tol.minimum < tol.default < tol.maximum
+    assert (kernel.kind, kernel.default, kernel.fixed, kernel.minimum) == (str, "auto", True, None)
+    assert specs["max_iter"].kind is int and specs["accuracy.of"].choices == ("load", "area")
+    assert "fft.precision" in specs and all(spec.help for spec in specs.values())
+    assert set(rc.effective_options()) == set(specs)
+    values = rc.effective_options({"tol": "1e-6", "threads": np.int64(3), "bounds": False, "solver": "gp", "time_limit": 2})
+    assert (values["tol"], values["threads"], values["bounds"], values["solver"], values["time_limit"]) == (1e-6, 3, 0, "gp", 2.0)
+
+
+def test_contexts_of_ones_own(sphere_gap, half_space):
+    bare = rc.Context(plugins=False)
+    assert [each.name for each in rc.backends(bare)] == ["callback", "dense"]
+    with pytest.raises(rc.NoBackendError):
+        rc.Contact(half_space, options={"backend": "fft"}, context=bare)
+    with rc.Contact(half_space, options={"backend": "dense"}, context=bare) as contact:
+        del bare  # the contact keeps it
+        assert contact.solve(gap=sphere_gap, displacement=1e-7).backend == "dense"
+    said = []
+    rc.backends(rc.Context("relative", log=lambda level, message: said.append((level, message))))
+    assert said and said[0][0] == "warning" and "relative" in said[0][1]
+
+
+def test_pairs_are_judged_without_solving():
+    system = rc.HalfSpace((64, 64), pitch=1.0, modulus=1.0, boundary="periodic")
+    assert rc.supported("polonsky-keer", "fft", system, load=True) == (rc.Status.OK, "")
+    status, reason = rc.supported("nnls", "split", system)
+    assert status < 0 and reason
+    assert rc.supported("nonesuch", "fft", system)[0] == rc.Status.ERR_NO_SOLVER
+    matrix = rc.Matrix(np.eye(4))
+    assert rc.supported("nnls", "dense", matrix)[0] == rc.Status.OK
+
+
+def test_kernel_coefficients():
+    found = rc.kernel_coefficients("love", (3, 4), (2.0, 1.0))
+    assert found.shape == (3, 4) and found[0, 0] == found.max()
+    assert found[0, 3] == pytest.approx(2.0 / (np.pi * 6.0), rel=0.02)  # far away: the cell's area over pi r
+    with pytest.raises(rc.OptionError):
+        rc.kernel_coefficients("nonesuch", (3, 4), 1.0)
+
+
+def test_versions():
+    assert rc.version() == (0, 1, 0) == tuple(int(part) for part in rc.__version__.split("."))
+    assert "libroughcontact" in rc.library_file()

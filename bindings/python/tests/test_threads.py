@@ -1,0 +1,65 @@
+"""Several Python threads: contacts of their own run side by side, one contact refuses a second user."""
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+
+LONG = {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}
+
+
+def test_same_bits_from_every_thread():
+    surfaces = [rc.surface.spectral((48, 48), seed=k) for k in range(8)]
+    expected = [rc.solve(s, modulus=1.0, displacement=1.0).pressure for s in surfaces]
+    with ThreadPoolExecutor(4) as pool:
+        for _ in range(3):
+            found = list(pool.map(lambda s: rc.solve(s, modulus=1.0, displacement=1.0).pressure, surfaces))
+            assert all(np.array_equal(a, b) for a, b in zip(found, expected))
+
+
+def test_errors_belong_to_their_threads():
+    def fail(k):
+        with pytest.raises(rc.OptionError, match=f"unknown_{k}"):
+            rc.solve(gap=np.zeros((4, 4)), pitch=1, modulus=1, displacement=1, options={f"unknown_{k}": 1})
+        return True
+
+    with ThreadPoolExecutor(4) as pool:
+        assert all(pool.map(fail, range(40)))
+
+
+def test_other_threads_run_during_a_solve():
+    """The interpreter's lock is not held."""
+    large = rc.surface.spectral((256, 256))
+    ticks, stop = [], threading.Event()
+
+    def tick():
+        while not stop.wait(0.005):
+            ticks.append(time.monotonic())
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    rc.solve(large, modulus=1.0, displacement=2.0, check=False, options={**LONG, "time_limit": 0.5})
+    stop.set()
+    thread.join()
+    assert len(ticks) > 10
+
+
+def test_a_second_thread_is_told():
+    large = rc.surface.spectral((256, 256))
+    with rc.Contact(rc.HalfSpace.under(large, modulus=1.0), options=LONG) as contact:
+        answer = []
+        worker = threading.Thread(target=lambda: answer.append(contact.solve(large, displacement=2.0, check=False)))
+        worker.start()
+        while not contact._in_use.locked():
+            time.sleep(0.001)
+        for call in (lambda: contact.solve(displacement=1.0), contact.points, contact.close):
+            with pytest.raises(rc.BusyError):
+                call()
+        deadline = time.monotonic() + 30
+        while not answer and time.monotonic() < deadline:  # set before the step began, it would end the step there and then
+            contact.cancel()
+            worker.join(0.05)
+        assert answer[0].status == rc.Status.STOP_CANCELLED
