@@ -16,7 +16,8 @@ import roughcontact as rc
 
 folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 modulus = 70e9  # E*, Pa
-surface = rc.surface.spectral((256, 256), pitch=0.5e-6, rms_height=0.1e-6, hurst=0.8, q_rolloff=2 * np.pi / 32e-6, seed=4)
+surface = rc.surface.spectral((256, 256), pitch=0.5e-6, rms_height=0.1e-6, hurst=0.8, q_rolloff=2 * np.pi / 32e-6,
+                              q_high=2 * np.pi / 4e-6, seed=4)
 
 
 def save(figure, name):
@@ -57,7 +58,7 @@ rc.plot.histogram(result.histogram(60), ax=ax)
 save(figure, "histogram")
 
 # %% Load it and let go again: elastic contact comes back the way it went
-loads = load * np.array([0.1, 0.3, 0.6, 1.0, 0.6, 0.3, 0.1])
+loads = load * np.array([0.01, 0.05, 0.1, 0.2, 0.4, 0.7, 1.0, 0.7, 0.4, 0.2, 0.1])
 history = rc.path(surface, modulus=modulus, load=loads, stiffness=True)
 print(f"{history.applications.sum()} products with H for {history.completed} steps")
 figure, ax = plt.subplots(figsize=(4.6, 3.4))

@@ -1,4 +1,7 @@
-"""Pictures with matplotlib, which is imported when one is made. Every function returns the axes it drew on."""
+"""Pictures with matplotlib, which is imported when one is made. Every function returns the axes it drew on.
+
+si: whether lengths are in m, forces in N and pressures in Pa, as the axes then say with a prefix ("20 um"); else they have plain numbers.
+"""
 
 from typing import Any, Optional, Sequence, Tuple, Union
 
@@ -10,6 +13,8 @@ from .analysis import Histogram, Patches
 from .result import Grid, PathResult, Result
 from .surface import PowerLaw, Spectrum
 
+UNITS = {"displacement": "m", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
+
 
 def _axes(ax: Any) -> Any:
     if ax is not None:
@@ -19,67 +24,82 @@ def _axes(ax: Any) -> Any:
     return pyplot.figure().add_subplot()
 
 
+def _with_prefix(axis: Any, unit: Optional[str]) -> None:
+    """Ticks such as "20 um". Areas have none: a prefix would be squared with them."""
+    from matplotlib.ticker import EngFormatter, MaxNLocator  # type: ignore[import-not-found,unused-ignore]
+
+    axis.set_major_locator(MaxNLocator(5))
+    if unit and not unit.endswith("\u00b2"):
+        axis.set_major_formatter(EngFormatter(unit=unit))
+
+
 def _extent(shape: Tuple[int, ...], pitch: Tuple[float, float]) -> Sequence[float]:
     return 0, shape[-1] * pitch[0], 0, shape[0] * pitch[1]
 
 
-def _map(values: Any, grid: Union[Grid, Surface], ax: Any, label: str, length: str, **how: Any) -> Any:
+def _map(
+    values: Any, grid: Union[Grid, Surface], ax: Any, label: str, length: Optional[str], unit: Optional[str], **how: Any
+) -> Any:
     ax = _axes(ax)
     image = ax.imshow(values, origin="lower", extent=_extent(values.shape, grid.pitch), **{"interpolation": "nearest", **how})
     if label:
-        ax.figure.colorbar(image, ax=ax, label=label)
-    ax.set_xlabel(f"x ({length})")
-    ax.set_ylabel(f"y ({length})")
+        _with_prefix(ax.figure.colorbar(image, ax=ax, label=label).ax.yaxis, unit)
+    _with_prefix(ax.xaxis, length)
+    _with_prefix(ax.yaxis, length)
     return ax
 
 
-def heights(surface: Any, *, pitch: Optional[Pitch] = None, ax: Any = None, length: str = "m", **how: Any) -> Any:
-    """A map of heights. length: unit for the labels where the surface does not say its own; how: for imshow."""
+def heights(surface: Any, *, pitch: Optional[Pitch] = None, ax: Any = None, si: bool = True, **how: Any) -> Any:
+    """A map of heights; missing points are white. A surface's own unit comes before si. how: for imshow."""
     found = as_surface(surface, pitch, missing="exclude")
     shown = found.heights if found.mask is None else np.ma.array(found.heights, mask=found.mask == 0)
-    unit = found.unit or length
-    return _map(shown, found, ax, f"height ({unit})", unit, **how)
+    plain = found.unit not in (None, "m")
+    unit = "m" if si and not plain else None
+    return _map(shown, found, ax, f"height ({found.unit})" if plain else "height", unit, unit, **how)
 
 
-def pressure(result: Result, *, ax: Any = None, length: str = "m", label: str = "pressure (Pa)", **how: Any) -> Any:
-    """A map of pressures; white where there is no contact."""
+def pressure(result: Result, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
+    """A map of pressures; white where there is no contact. how: for imshow."""
     p = result._needed()
-    return _map(np.ma.array(p, mask=~(p > 0)), result.grid, ax, label, length, **how)
+    return _map(np.ma.array(p, mask=~(p > 0)), result.grid, ax, "pressure", "m" if si else None, "Pa" if si else None, **how)
 
 
-def patches(result: Result, found: Optional[Patches] = None, *, ax: Any = None, length: str = "m", **how: Any) -> Any:
-    """A map of the contact, neighbouring patches in different colours."""
+def patches(result: Result, found: Optional[Patches] = None, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
+    """A map of the contact in 20 colours, by the patches' numbers. how: for imshow."""
     label = (result.patches() if found is None else found).label
-    return _map(np.ma.array(label % 20, mask=label < 0), result.grid, ax, "", length, **{"cmap": "tab20", **how})
+    shown = np.ma.array(label % 20, mask=label < 0)
+    return _map(shown, result.grid, ax, "", "m" if si else None, None, **{"cmap": "tab20", **how})
 
 
-def history(path: PathResult, *, ax: Any = None, x: str = "displacement", y: str = "load", **how: Any) -> Any:
-    """One array of a loading history over another."""
+def history(path: PathResult, *, ax: Any = None, x: str = "displacement", y: str = "load", si: bool = True, **how: Any) -> Any:
+    """One array of a loading history over another. how: for plot."""
     ax = _axes(ax)
     ax.plot(getattr(path, x), getattr(path, y), **{"marker": "o", "markersize": 3, **how})
-    ax.set_xlabel(x.replace("_", " "))
-    ax.set_ylabel(y.replace("_", " "))
+    for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
+        axis.set_label_text(name.replace("_", " "))
+        _with_prefix(axis, UNITS.get(name) if si else None)
     return ax
 
 
-def histogram(found: Histogram, *, ax: Any = None, label: str = "pressure (Pa)", **how: Any) -> Any:
-    """Distribution of pressure over the contact."""
+def histogram(found: Histogram, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
+    """Distribution of pressure over the contact. how: for stairs."""
     ax = _axes(ax)
     ax.stairs(found.density, found.edges, **{"fill": True, **how})
-    ax.set_xlabel(label)
-    ax.set_ylabel("share of the contact per pressure")
+    _with_prefix(ax.xaxis, "Pa" if si else None)
+    ax.set_xlabel("pressure")
+    ax.set_ylabel("share of the contact per pressure" + (" (1/Pa)" if si else ""))
     return ax
 
 
-def spectrum(found: Spectrum, law: Optional[PowerLaw] = None, *, ax: Any = None, length: str = "m", **how: Any) -> Any:
-    """The radial PSD, and the power law in its range."""
+def spectrum(found: Spectrum, law: Optional[PowerLaw] = None, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
+    """The radial PSD, without what is round-off of its largest value, and the power law in its range. how: for loglog."""
     ax = _axes(ax)
-    seen = found.psd > 0
+    seen = found.psd > 1e-20 * found.psd.max(initial=0)
     ax.loglog(found.q[seen], found.psd[seen], **{"marker": ".", "linestyle": "none", **how})
     if law is not None and np.isfinite(law.slope):
         q = np.array([law.q_min, law.q_max])
         ax.loglog(q, law.prefactor * q**law.slope, color="black", label=f"H = {law.hurst:.2f}")
         ax.legend()
-    ax.set_xlabel(f"wave number (1/{length})")
-    ax.set_ylabel(f"PSD ({length}$^4$)")
+    ax.set_xlabel("wave number" + (" (1/m)" if si else ""))
+    ax.set_ylabel("PSD" + (" (m$^4$)" if si else ""))
     return ax
