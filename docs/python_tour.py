@@ -2,6 +2,7 @@
 
 Runs from the top to the bottom (python3 docs/python_tour.py [FOLDER] writes the pictures) or cell by cell in an editor.
 """
+
 # %% Make a surface: periodic, self-affine, 256 x 256 points of 0.5 um
 import pathlib
 import sys
@@ -16,8 +17,9 @@ import roughcontact as rc
 
 folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 modulus = 70e9  # E*, Pa
-surface = rc.surface.spectral((256, 256), pitch=0.5e-6, rms_height=0.1e-6, hurst=0.8, q_rolloff=2 * np.pi / 32e-6,
-                              q_high=2 * np.pi / 4e-6, seed=4)
+surface = rc.surface.spectral(
+    (256, 256), pitch=0.5e-6, rms_height=0.1e-6, hurst=0.8, q_rolloff=2 * np.pi / 32e-6, q_high=2 * np.pi / 4e-6, seed=4
+)
 
 
 def save(figure, name):
@@ -28,7 +30,10 @@ def save(figure, name):
 
 # %% What is it like?
 statistics, law = rc.surface.analyze(surface), rc.surface.power_law(surface)
-print(f"rms height {statistics.rms_height * 1e6:.3f} um, rms slope {statistics.rms_slope:.3f}, H = {law.hurst:.2f} +- {law.hurst_error:.2f}")
+print(
+    f"rms height {statistics.rms_height * 1e6:.3f} um, rms slope {statistics.rms_slope:.3f}, "
+    f"H = {law.hurst:.2f} +- {law.hurst_error:.2f}"
+)
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.8))
 rc.plot.heights(surface, ax=left)
 rc.plot.spectrum(rc.surface.psd(surface), law, ax=right)
@@ -39,15 +44,20 @@ area = surface.heights.size * 0.5e-6**2
 load = 0.1 * modulus * statistics.rms_slope * area
 result = rc.solve(surface, modulus=modulus, load=load)
 print(result)
-print(f"{result.contact_area / area:.1%} of the area touches, proven: between {result.area_lower / area:.1%} and "
-      f"{result.area_upper / area:.1%}; corrected for the grid {result.area().corrected_area / area:.1%}")
+print(
+    f"{result.contact_area / area:.1%} of the area touches, proven: between {result.area_lower / area:.1%} and "
+    f"{result.area_upper / area:.1%}; corrected for the grid {result.area().corrected_area / area:.1%}"
+)
 figure, ax = plt.subplots(figsize=(4.6, 3.8))
 rc.plot.pressure(result, ax=ax)
 save(figure, "pressure")
 
 # %% The patches it touches on
 patches = result.patches()
-print(f"{len(patches)} patches, half of the load on {np.searchsorted(np.cumsum(np.sort(patches.load)[::-1]), load / 2) + 1} of them")
+print(
+    f"{len(patches)} patches, half of the load on "
+    f"{np.searchsorted(np.cumsum(np.sort(patches.load)[::-1]), load / 2) + 1} of them"
+)
 figure, ax = plt.subplots(figsize=(4.2, 3.8))
 rc.plot.patches(result, patches, ax=ax)
 save(figure, "patches")
@@ -66,8 +76,10 @@ rc.plot.history(history, ax=ax)
 save(figure, "history")
 
 # %% Ten surfaces of the same kind, two at a time
-same_kind = [rc.surface.spectral((128, 128), pitch=1e-6, rms_height=0.1e-6, hurst=0.8, q_rolloff=2 * np.pi / 32e-6, seed=k)
-             for k in range(10)]
+same_kind = [
+    rc.surface.spectral((128, 128), pitch=1e-6, rms_height=0.1e-6, hurst=0.8, q_rolloff=2 * np.pi / 32e-6, seed=k)
+    for k in range(10)
+]
 study = rc.batch(same_kind, modulus=modulus, load=[load / 4, load], options={"threads": 2})
 share = study.contact_area / area
 print(f"contact area {share[:, 1].mean():.1%} +- {share[:, 1].std():.1%} at the full load")

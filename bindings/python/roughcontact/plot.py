@@ -1,6 +1,7 @@
 """Pictures with matplotlib, which is imported when one is made. Every function returns the axes it drew on.
 
-si: whether lengths are in m, forces in N and pressures in Pa, as the axes then say with a prefix ("20 um"); else they have plain numbers.
+si: whether lengths are in m, forces in N and pressures in Pa, as the axes then say with a prefix ("20 um"); else they have
+    plain numbers.
 """
 
 from typing import Any, Optional, Sequence, Tuple, Union

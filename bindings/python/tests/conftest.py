@@ -1,4 +1,5 @@
 """What several tests press."""
+
 import numpy as np
 import pytest
 

@@ -1,4 +1,5 @@
 """What the C headers declare, in the words of the Python package, and how a C compiler lays it out."""
+
 import re
 import subprocess
 
@@ -12,16 +13,22 @@ class Header:
 
     def __init__(self, text):
         text = without_comments(text)
-        self.constants = {k: int(v) for k, v in re.findall(r"^#define (RC_(?:VERSION_\w+|ABI|SURFACE_PEAKS)) (\d+)", text, re.M)}
+        self.constants = {
+            k: int(v) for k, v in re.findall(r"^#define (RC_(?:VERSION_\w+|ABI|SURFACE_PEAKS)) (\d+)", text, re.M)
+        }
         self.constants.update(re.findall(r'^#define (RC_OPT_\w+) "(.*)"', text, re.M))
         text = re.sub(r"^#(.*\\\n)*.*$", "", text, flags=re.M)
         for body in re.findall(r"enum \{(.*?)\}", text, re.S):
             self.constants.update((k, int(v)) for k, v in re.findall(r"(\w+)\s*=\s*(-?\d+)", body))
-        self.callbacks = {name: " ".join(f"{result} ({arguments})".split())
-                          for result, name, arguments in re.findall(r"typedef ([^;()]*)\(\*(\w+)\)\(([^;]*)\);", text)}
+        self.callbacks = {
+            name: " ".join(f"{result} ({arguments})".split())
+            for result, name, arguments in re.findall(r"typedef ([^;()]*)\(\*(\w+)\)\(([^;]*)\);", text)
+        }
         self.structs = {name: list(self.members(body)) for name, body in re.findall(r"struct (rc_\w+) \{(.*?)\n\}", text, re.S)}
-        self.functions = {name: " ".join(declaration.split())
-                          for declaration, name in re.findall(r"RC_API ([^;]*?(\brc_\w+)\([^;]*\));", text)}
+        self.functions = {
+            name: " ".join(declaration.split())
+            for declaration, name in re.findall(r"RC_API ([^;]*?(\brc_\w+)\([^;]*\));", text)
+        }
 
     @staticmethod
     def members(body):
@@ -42,10 +49,14 @@ def c_layout(folder, compiler, headers, structs):
     lines = []
     for name, members in structs.items():
         lines.append(f'printf("{name} . 0 %zu\\n", sizeof(struct {name}));')
-        lines += [f'printf("{name} {m} %zu %zu\\n", offsetof(struct {name}, {m}), sizeof(((struct {name} *)0)->{m}));'
-                  for m, _ in members]
+        lines += [
+            f'printf("{name} {m} %zu %zu\\n", offsetof(struct {name}, {m}), sizeof(((struct {name} *)0)->{m}));'
+            for m, _ in members
+        ]
     includes = "".join(f'#include "{header}"\n' for header in headers)
-    (folder / "probe.c").write_text(f"#include <stdio.h>\n{includes}int main(void) {{\n" + "\n".join(lines) + "\nreturn 0;\n}\n")
+    (folder / "probe.c").write_text(
+        f"#include <stdio.h>\n{includes}int main(void) {{\n" + "\n".join(lines) + "\nreturn 0;\n}\n"
+    )
     subprocess.run([compiler, str(folder / "probe.c"), "-o", str(folder / "probe")], check=True, cwd=folder)
     found = {}
     for line in subprocess.check_output([str(folder / "probe")], text=True).splitlines():

@@ -1,4 +1,5 @@
 """Area, patches and histogram of pressures."""
+
 import numpy as np
 import pytest
 
@@ -17,8 +18,9 @@ def test_area():
         rc.analysis.area(-P, pitch=1.0)
 
 
-@pytest.mark.parametrize("how, count", [({}, 4), ({"corners": True}, 2), ({"periodic": True}, 2),
-                                        ({"periodic": True, "corners": True}, 1)])
+@pytest.mark.parametrize(
+    "how, count", [({}, 4), ({"corners": True}, 2), ({"periodic": True}, 2), ({"periodic": True, "corners": True}, 1)]
+)
 def test_patches(how, count):
     found = rc.analysis.patches(P, pitch=(2.0, 1.0), **how)
     assert len(found) == count == len(found.area) and found.cells.sum() == 5

@@ -1,4 +1,5 @@
-"""What is accepted for an array: every order and type, copied only where it must be; surfaces of other packages; missing points."""
+"""What is accepted for an array: every order and type, copied only where it must be; topographies; missing points."""
+
 import numpy as np
 import pytest
 from conftest import MODULUS, PITCH
@@ -55,11 +56,19 @@ def test_inputs_are_left_alone(sphere_gap):
     assert np.array_equal(before, sphere_gap) and np.all(start == 1)
 
 
-@pytest.mark.parametrize("gap, error, words", [
-    ([[1, 2], [3]], ValueError, "gap"), ("flat", TypeError, "real numbers"), ([[1j]], TypeError, "complex"),
-    ([["a", "b"]], TypeError, "real numbers"), (np.zeros((2, 3, 4)), rc.ShapeError, "3 axes"), (np.zeros((0, 3)), rc.ShapeError, "ny"),
-    ([[0.0, np.nan]], rc.ArgumentError, "not finite"), (np.zeros((2, 2), "M8[s]"), TypeError, "datetime64"),
-])
+@pytest.mark.parametrize(
+    "gap, error, words",
+    [
+        ([[1, 2], [3]], ValueError, "gap"),
+        ("flat", TypeError, "real numbers"),
+        ([[1j]], TypeError, "complex"),
+        ([["a", "b"]], TypeError, "real numbers"),
+        (np.zeros((2, 3, 4)), rc.ShapeError, "3 axes"),
+        (np.zeros((0, 3)), rc.ShapeError, "ny"),
+        ([[0.0, np.nan]], rc.ArgumentError, "not finite"),
+        (np.zeros((2, 2), "M8[s]"), TypeError, "datetime64"),
+    ],
+)
 def test_what_is_no_array_is_refused(gap, error, words):
     with pytest.raises(error, match=words):
         rc.solve(gap=gap, pitch=1.0, modulus=1.0, displacement=1.0)

@@ -1,4 +1,5 @@
 """Contacts that are kept: warm starts, control, options, systems of the caller's, and what their callbacks do."""
+
 import gc
 import weakref
 
@@ -162,9 +163,14 @@ def test_own_matrix_in_every_layout(small_matrix):
     assert np.abs(product[expected.pressure > 0]).max() < 1e-7 and product.min() > -1e-7
     wide = np.zeros((12, 20))
     wide[:, :12] = small_matrix
-    forms = {"Fortran": np.asfortranarray(small_matrix), "rows of a wider one": wide[:, :12], "its columns": wide[:, :12].T,
-             "single": small_matrix.astype(np.float32).astype(float), "lists": small_matrix.tolist(), "every second": np.repeat(
-                 np.repeat(small_matrix, 2, 0), 2, 1)[::2, ::2]}
+    forms = {
+        "Fortran": np.asfortranarray(small_matrix),
+        "rows of a wider one": wide[:, :12],
+        "its columns": wide[:, :12].T,
+        "single": small_matrix.astype(np.float32).astype(float),
+        "lists": small_matrix.tolist(),
+        "every second": np.repeat(np.repeat(small_matrix, 2, 0), 2, 1)[::2, ::2],
+    }
     for name, H in forms.items():
         system = rc.Matrix(H)
         if name in ("Fortran", "rows of a wider one", "its columns"):

@@ -1,4 +1,5 @@
 """Direct routines."""
+
 import numpy as np
 import pytest
 

@@ -1,4 +1,5 @@
 """The first example of docs/python.md works when copied into an empty folder; so does every other one, after it."""
+
 import pathlib
 import re
 import subprocess
@@ -44,3 +45,15 @@ def test_everything_public_is_documented():
         for name, thing in vars(found).items():
             if callable(thing) and getattr(thing, "__module__", "") == found.__name__ and not name.startswith("_"):
                 assert thing.__doc__ and re.search(rf"\b{name}\b", text), f"{module}.{name} is not in {DOCUMENT.name}"
+
+
+@pytest.mark.slow
+def test_the_tour_makes_its_pictures(tmp_path):
+    pytest.importorskip("matplotlib")
+    ran = subprocess.run(
+        [sys.executable, str(DOCUMENT.with_name("python_tour.py")), str(tmp_path)], capture_output=True, text=True
+    )
+    assert ran.returncode == 0, ran.stderr
+    assert {each.name for each in tmp_path.iterdir()} == {
+        each.name for each in (DOCUMENT.parent / "images").glob("python-*.png")
+    }

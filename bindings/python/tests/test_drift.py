@@ -1,4 +1,5 @@
 """The package says what the headers say: functions, constants, callbacks, and structs as a C compiler lays them out."""
+
 import ctypes
 import os
 import pathlib
@@ -39,9 +40,18 @@ def ctype_of(declaration):
         assert declaration == APPLY
         return raw.rc_apply_fn
     base, stars, _, size = re.fullmatch(r"(?:const )?(\w+) (\**)(\w+)(?:\[(\w+)\])?", declaration).groups()
-    plain = {"double": ctypes.c_double, "int32_t": ctypes.c_int32, "int64_t": ctypes.c_int64, "uint32_t": ctypes.c_uint32,
-             "uint64_t": ctypes.c_uint64, "uint8_t": ctypes.c_uint8, "size_t": ctypes.c_size_t, "rc_status": ctypes.c_int32,
-             "char": ctypes.c_char, **{name: getattr(raw, name) for name in CALLBACKS}}
+    plain = {
+        "double": ctypes.c_double,
+        "int32_t": ctypes.c_int32,
+        "int64_t": ctypes.c_int64,
+        "uint32_t": ctypes.c_uint32,
+        "uint64_t": ctypes.c_uint64,
+        "uint8_t": ctypes.c_uint8,
+        "size_t": ctypes.c_size_t,
+        "rc_status": ctypes.c_int32,
+        "char": ctypes.c_char,
+        **{name: getattr(raw, name) for name in CALLBACKS},
+    }
     if stars:
         return {"void": ctypes.c_void_p, "char": ctypes.c_char_p}.get(base) or ctypes.POINTER(plain[base])
     return plain[base] * (getattr(raw, size) if size.startswith("RC_") else int(size)) if size else plain[base]
@@ -75,7 +85,9 @@ def differences(headers, compiled=None):
             found.append(f"struct {name}")
         elif compiled:
             layout = {"": (0, ctypes.sizeof(mine[name]))}
-            layout.update((member, (getattr(mine[name], member).offset, getattr(mine[name], member).size)) for member, _ in expected)
+            layout.update(
+                (member, (getattr(mine[name], member).offset, getattr(mine[name], member).size)) for member, _ in expected
+            )
             found += [f"layout {name}.{member}" for member, where in layout.items() if compiled[name, member] != where]
     return sorted(found)
 
@@ -100,8 +112,10 @@ def test_structs_are_laid_out_as_the_c_compiler_does(tmp_path):
 
 def test_prototypes_translate():
     found = {name: (result, arguments) for name, result, arguments in prototypes(CONTACT_FUNCTIONS + SURFACE_FUNCTIONS)}
-    assert found["rc_contact_create"] == (ctypes.c_int32, [ctypes.POINTER(raw.rc_system), ctypes.c_void_p,
-                                                           ctypes.POINTER(ctypes.c_void_p)])
+    assert found["rc_contact_create"] == (
+        ctypes.c_int32,
+        [ctypes.POINTER(raw.rc_system), ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p)],
+    )
     assert found["rc_last_error"] == (ctypes.c_char_p, [])
     assert found["rc_contact_cancel"] == (None, [ctypes.c_void_p])
     assert found["rc_options_get_text"][1][2] == ctypes.POINTER(ctypes.c_char_p)
@@ -109,7 +123,11 @@ def test_prototypes_translate():
 
 
 CHANGES = {
-    "function added": (0, "RC_API void rc_contact_destroy(", "RC_API void rc_new(rc_context *context);\nRC_API void rc_contact_destroy("),
+    "function added": (
+        0,
+        "RC_API void rc_contact_destroy(",
+        "RC_API void rc_new(rc_context *context);\nRC_API void rc_contact_destroy(",
+    ),
     "function renamed": (0, "rc_contact_reset(", "rc_contact_clear("),
     "argument added": (0, "rc_contact_reset(rc_contact *contact)", "rc_contact_reset(rc_contact *contact, int32_t deep)"),
     "argument widened": (0, "int32_t control, const rc_options", "int64_t control, const rc_options"),
@@ -144,8 +162,9 @@ def test_a_changed_header_is_noticed(name):
     assert differences([Header(text) for text in changed])
 
 
-@pytest.mark.parametrize("old, new", [("double load;         /*", "float load;  float more;       /*"),
-                                      ("int32_t borrow;", "int64_t borrow;")])
+@pytest.mark.parametrize(
+    "old, new", [("double load;         /*", "float load;  float more;       /*"), ("int32_t borrow;", "int64_t borrow;")]
+)
 def test_a_changed_layout_is_noticed(tmp_path, old, new):
     """By the compiler alone: the names are what they were."""
     compiler = shutil.which(os.environ.get("CC", "cc"))

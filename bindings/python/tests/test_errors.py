@@ -1,4 +1,5 @@
 """Every failure is an exception with the library's message and status."""
+
 import numpy as np
 import pytest
 from conftest import MODULUS, PITCH
@@ -17,8 +18,12 @@ CASES = {
     "solver": (rc.NoSolverError, rc.Status.ERR_NO_SOLVER, "nonesuch", {"options": {"solver": "nonesuch"}}),
     "incompatible": (rc.IncompatibleError, rc.Status.ERR_INCOMPATIBLE, "kernel", {"options": {"kernel": "spectral"}}),
     "infeasible": (rc.InfeasibleError, rc.Status.ERR_INFEASIBLE, "load", {"displacement": None, "load": -1.0}),
-    "stopped": (rc.NotCertifiedError, rc.Status.STOP_MAX_ITER, "after 2 iterations",
-                {"options": {"max_iter": 2, "solver": "gp"}}),
+    "stopped": (
+        rc.NotCertifiedError,
+        rc.Status.STOP_MAX_ITER,
+        "after 2 iterations",
+        {"options": {"max_iter": 2, "solver": "gp"}},
+    ),
     "time": (rc.NotCertifiedError, rc.Status.STOP_TIME, "time_limit", {"options": {"time_limit": 1e-9, "solver": "gp"}}),
 }
 
@@ -55,9 +60,16 @@ def test_plugin_that_is_refused(tmp_path, sphere_gap, half_space):
 
 
 def test_exceptions_are_also_those_of_python():
-    for kind, python in ((rc.ArgumentError, ValueError), (rc.ShapeError, ValueError), (rc.OptionError, ValueError),
-                         (rc.NoBackendError, LookupError), (rc.OutOfMemoryError, MemoryError), (rc.LibraryNotFoundError, ImportError),
-                         (rc.Interrupted, KeyboardInterrupt), (rc.InfeasibleError, ValueError)):
+    for kind, python in (
+        (rc.ArgumentError, ValueError),
+        (rc.ShapeError, ValueError),
+        (rc.OptionError, ValueError),
+        (rc.NoBackendError, LookupError),
+        (rc.OutOfMemoryError, MemoryError),
+        (rc.LibraryNotFoundError, ImportError),
+        (rc.Interrupted, KeyboardInterrupt),
+        (rc.InfeasibleError, ValueError),
+    ):
         assert issubclass(kind, python)
 
 

@@ -1,4 +1,5 @@
 """Paths and batches: against single steps, what they keep, how they end."""
+
 import threading
 
 import numpy as np

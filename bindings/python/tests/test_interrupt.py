@@ -1,4 +1,5 @@
 """Ctrl-C during a call: it ends soon, what was done stays, and nothing is left running."""
+
 import os
 import signal
 import threading
@@ -59,7 +60,7 @@ def test_path_keeps_its_steps(large, ctrl_c):
         rc.path(large, modulus=1.0, load=np.tile([1e3, 2e3], 5000))
     done = caught.value.result
     assert done.status == rc.Status.STOP_CANCELLED and 0 < done.completed < 10000
-    assert np.all(np.isfinite(done.load)) and np.allclose(done.load, done.targets[:done.completed], rtol=1e-6)
+    assert np.all(np.isfinite(done.load)) and np.allclose(done.load, done.targets[: done.completed], rtol=1e-6)
 
 
 def test_batch_keeps_its_contacts(ctrl_c):

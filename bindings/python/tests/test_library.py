@@ -1,4 +1,5 @@
 """Which library is loaded, and what is said where there is none. Each in a Python of its own."""
+
 import os
 import shutil
 import subprocess
@@ -9,7 +10,9 @@ import roughcontact as rc
 
 def python(code, folder, **environment):
     inherited = {name: value for name, value in os.environ.items() if name not in ("ROUGHCONTACT_LIBRARY", "RC_PLUGIN_PATH")}
-    return subprocess.run([sys.executable, "-c", code], cwd=folder, env={**inherited, **environment}, capture_output=True, text=True)
+    return subprocess.run(
+        [sys.executable, "-c", code], cwd=folder, env={**inherited, **environment}, capture_output=True, text=True
+    )
 
 
 SHOW = "import roughcontact as rc; print(rc.library_file())"
@@ -32,14 +35,20 @@ def test_the_loader_finds_the_systems_by_its_name(tmp_path):
 
 
 def test_a_file_that_is_not_there(tmp_path):
-    ran = python("import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(type(e).__name__, e)", tmp_path,
-                 ROUGHCONTACT_LIBRARY="/nowhere/lib.so")
+    ran = python(
+        "import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(type(e).__name__, e)",
+        tmp_path,
+        ROUGHCONTACT_LIBRARY="/nowhere/lib.so",
+    )
     assert "LibraryNotFoundError" in ran.stdout and "/nowhere/lib.so" in ran.stdout and "ROUGHCONTACT_LIBRARY" in ran.stdout
 
 
 def test_a_library_of_another_kind(tmp_path):
-    ran = python("import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(e)", tmp_path,
-                 ROUGHCONTACT_LIBRARY=_libc())
+    ran = python(
+        "import roughcontact as rc\ntry: rc.version()\nexcept ImportError as e: print(e)",
+        tmp_path,
+        ROUGHCONTACT_LIBRARY=_libc(),
+    )
     assert "has no function rc_version" in ran.stdout and "install both from one source" in ran.stdout
 
 
@@ -49,7 +58,9 @@ def _libc():
 
 
 def test_solving_loads_neither_the_surface_library_nor_matplotlib(tmp_path):
-    code = ("import roughcontact as rc, sys; rc.solve(gap=[[0.0, 1.0]], pitch=1, modulus=1, displacement=0.5); "
-            "print('surface' in open('/proc/self/maps').read(), 'matplotlib' in sys.modules)")
+    code = (
+        "import roughcontact as rc, sys; rc.solve(gap=[[0.0, 1.0]], pitch=1, modulus=1, displacement=0.5); "
+        "print('surface' in open('/proc/self/maps').read(), 'matplotlib' in sys.modules)"
+    )
     ran = python(code, tmp_path, ROUGHCONTACT_LIBRARY=rc.library_file())
     assert ran.stdout.split() == ["False", "False"], ran.stderr

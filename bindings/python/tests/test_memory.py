@@ -1,4 +1,5 @@
 """Nothing is kept by solving again and again."""
+
 import gc
 import os
 
@@ -33,9 +34,13 @@ def calls():
 
     contact = rc.Contact(rc.HalfSpace((24, 24), pitch=1.0, modulus=1.0), progress=lambda p: None)
     H = np.eye(30)
-    return {"solve": lambda: rc.solve(gap=gap, **how, want_gap=True), "step": lambda: contact.solve(gap=gap, displacement=1.0),
-            "refused": refused, "product": lambda: rc.solve(gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30)),
-            "path": lambda: rc.path(gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None)}
+    return {
+        "solve": lambda: rc.solve(gap=gap, **how, want_gap=True),
+        "step": lambda: contact.solve(gap=gap, displacement=1.0),
+        "refused": refused,
+        "product": lambda: rc.solve(gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30)),
+        "path": lambda: rc.path(gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None),
+    }
 
 
 @pytest.mark.parametrize("name", ["solve", "step", "refused", "product", "path"])

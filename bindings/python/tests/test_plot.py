@@ -1,4 +1,5 @@
 """Pictures are drawn."""
+
 import numpy as np
 import pytest
 
@@ -14,10 +15,14 @@ def test_every_picture(rough, tmp_path):
     result = rc.solve(rough, modulus=1e9, displacement=8e-8)
     history = rc.path(rough, modulus=1e9, displacement=[4e-8, 8e-8])
     figure, axes = pyplot.subplots(2, 3)
-    drawn = [rc.plot.heights(rough, ax=axes[0, 0]), rc.plot.pressure(result, ax=axes[0, 1], si=False),
-             rc.plot.patches(result, ax=axes[0, 2]), rc.plot.history(history, ax=axes[1, 0]),
-             rc.plot.histogram(result.histogram(20), ax=axes[1, 1]),
-             rc.plot.spectrum(rc.surface.psd(rough), rc.surface.power_law(rough), ax=axes[1, 2])]
+    drawn = [
+        rc.plot.heights(rough, ax=axes[0, 0]),
+        rc.plot.pressure(result, ax=axes[0, 1], si=False),
+        rc.plot.patches(result, ax=axes[0, 2]),
+        rc.plot.history(history, ax=axes[1, 0]),
+        rc.plot.histogram(result.histogram(20), ax=axes[1, 1]),
+        rc.plot.spectrum(rc.surface.psd(rough), rc.surface.power_law(rough), ax=axes[1, 2]),
+    ]
     assert drawn == list(axes.ravel())
     figure.savefig(tmp_path / "all.png")
     assert (tmp_path / "all.png").stat().st_size > 10000

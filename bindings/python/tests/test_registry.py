@@ -1,4 +1,5 @@
 """Backends, solvers, kernels, options and versions."""
+
 import numpy as np
 import pytest
 
@@ -25,7 +26,13 @@ def test_options_are_described():
     assert "fft.precision" in specs and all(spec.help for spec in specs.values())
     assert set(rc.effective_options()) == set(specs)
     values = rc.effective_options({"tol": "1e-6", "threads": np.int64(3), "bounds": False, "solver": "gp", "time_limit": 2})
-    assert (values["tol"], values["threads"], values["bounds"], values["solver"], values["time_limit"]) == (1e-6, 3, 0, "gp", 2.0)
+    assert (values["tol"], values["threads"], values["bounds"], values["solver"], values["time_limit"]) == (
+        1e-6,
+        3,
+        0,
+        "gp",
+        2.0,
+    )
 
 
 def test_contexts_of_ones_own(sphere_gap, half_space):

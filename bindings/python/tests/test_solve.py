@@ -1,4 +1,5 @@
 """Answers: against theory, and bit by bit against the C functions called with nothing of this package in between."""
+
 import ctypes
 
 import numpy as np
@@ -65,7 +66,9 @@ def test_surface_brings_pitch_and_boundary(rough):
 
 def test_options_reach_the_library(sphere_gap, half_space):
     how = {"system": half_space, "displacement": 3e-7}
-    result = rc.solve(gap=sphere_gap, **how, options={"solver": "polonsky-keer", "backend": "fft", "tol": 1e-5, "stiffness": True})
+    result = rc.solve(
+        gap=sphere_gap, **how, options={"solver": "polonsky-keer", "backend": "fft", "tol": 1e-5, "stiffness": True}
+    )
     assert (result.solver, result.backend, result.tolerance) == ("polonsky-keer", "fft", 1e-5)
     assert result.stiffness == pytest.approx(2 * MODULUS * np.sqrt(RADIUS * 3e-7), rel=0.02)
 
@@ -102,9 +105,16 @@ def test_same_bits_as_the_c_function(control, name, target, boundary):
     surface = rc.surface.spectral((40, 56), pitch=PITCH, rms_height=2e-7, hurst=0.7)
     gap = surface.gap()
     system = bytearray(88)
-    for offset, kind, value in ((0, ctypes.c_size_t, 88), (8, ctypes.c_int32, 1), (12, ctypes.c_int32, 1 if boundary == "free" else 2),
-                                (16, ctypes.c_int64, 56), (24, ctypes.c_int64, 40), (32, ctypes.c_double, PITCH),
-                                (40, ctypes.c_double, PITCH), (48, ctypes.c_double, MODULUS)):
+    for offset, kind, value in (
+        (0, ctypes.c_size_t, 88),
+        (8, ctypes.c_int32, 1),
+        (12, ctypes.c_int32, 1 if boundary == "free" else 2),
+        (16, ctypes.c_int64, 56),
+        (24, ctypes.c_int64, 40),
+        (32, ctypes.c_double, PITCH),
+        (40, ctypes.c_double, PITCH),
+        (48, ctypes.c_double, MODULUS),
+    ):
         kind.from_buffer(system, offset).value = value
     expected = np.zeros_like(gap)
     assert directly(system, gap, control, target, expected) == 0

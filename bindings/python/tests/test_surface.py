@@ -1,4 +1,5 @@
 """Generators and judgement of surfaces."""
+
 import numpy as np
 import pytest
 
@@ -66,8 +67,10 @@ def test_spectrum_sums_to_the_variance():
 def test_power_law_finds_the_exponent():
     law = rc.surface.power_law(rc.surface.spectral((256, 256), hurst=0.6, seed=2))
     assert law.hurst == pytest.approx(0.6, abs=0.05) and law.slope == pytest.approx(-2 - 2 * law.hurst)
-    waves = rc.surface.spectral((128, 128), rms_height=1.0).heights + rc.surface.waves((128, 128), amplitude=1.0,
-                                                                                       period=(8.0, 0.0)).heights
+    waves = (
+        rc.surface.spectral((128, 128), rms_height=1.0).heights
+        + rc.surface.waves((128, 128), amplitude=1.0, period=(8.0, 0.0)).heights
+    )
     peaks = rc.surface.power_law(waves, pitch=1.0, periodic=True)
     assert len(peaks.peak_q) == len(peaks.peak_share) >= 1
     assert np.abs(peaks.peak_q[0]) == pytest.approx([2 * np.pi / 8, 0], abs=1e-3)
@@ -80,7 +83,9 @@ def test_advice_on_cascades():
     assert noisy.reason.startswith("not trustworthy with 2 halvings")
 
 
-@pytest.mark.parametrize("name, expected", [("subsample", [[0, 2], [6, 8]]), ("mean", [[2, 3.5], [6.5, 8]]), ("max", [[4, 5], [7, 8]])])
+@pytest.mark.parametrize(
+    "name, expected", [("subsample", [[0, 2], [6, 8]]), ("mean", [[2, 3.5], [6.5, 8]]), ("max", [[4, 5], [7, 8]])]
+)
 def test_downsampling(name, expected):
     heights = np.arange(9.0).reshape(3, 3)
     coarse = rc.surface.downsample(heights, name, pitch=(1.0, 2.0))

@@ -1,4 +1,5 @@
 """Several Python threads: contacts of their own run side by side, one contact refuses a second user."""
+
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
