@@ -48,19 +48,27 @@ def test_other_threads_run_during_a_solve():
     assert len(ticks) > 10
 
 
-def test_a_second_thread_is_told():
-    large = rc.surface.spectral((256, 256))
-    with rc.Contact(rc.HalfSpace.under(large, modulus=1.0), options=LONG) as contact:
+def test_a_second_thread_is_told(small_matrix):
+    inside, leave = threading.Event(), threading.Event()
+
+    def product(x):
+        if armed:
+            inside.set()
+            leave.wait(60)
+        return small_matrix @ x
+
+    armed = []  # the product is tried when the contact is made
+    with rc.Contact(rc.Product(product, 12)) as contact:
+        armed.append(True)
         answer = []
-        worker = threading.Thread(target=lambda: answer.append(contact.solve(large, displacement=2.0, check=False)))
+        gap = np.linspace(0, 2, 12)
+        worker = threading.Thread(target=lambda: answer.append(contact.solve(gap=gap, displacement=1.5, check=False)))
         worker.start()
-        while not contact._in_use.locked():
-            time.sleep(0.001)
+        assert inside.wait(60)
         for call in (lambda: contact.solve(displacement=1.0), contact.points, contact.close):
             with pytest.raises(rc.BusyError):
                 call()
-        deadline = time.monotonic() + 30
-        while not answer and time.monotonic() < deadline:  # set before the step began, it would end the step there and then
-            contact.cancel()
-            worker.join(0.05)
+        contact.cancel()
+        leave.set()
+        worker.join()
         assert answer[0].status == rc.Status.STOP_CANCELLED

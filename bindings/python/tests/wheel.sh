@@ -29,7 +29,8 @@ else
 fi | tar --null -T - -c --ignore-failed-read 2>/dev/null | tar -x -C "$scratch/source"
 
 start=$SECONDS
-CC=$cc CXX=$cxx "$scratch/build/bin/pip" wheel -q --no-deps --no-build-isolation -w "$scratch" --config-settings=build-dir=build \
+export CC=$cc CXX=$cxx CMAKE_GENERATOR="Unix Makefiles"
+"$scratch/build/bin/pip" wheel -q --no-deps --no-build-isolation -w "$scratch" --config-settings=build-dir=build \
   --config-settings=cmake.define.RC_WERROR="$werror" "$scratch/source" || fail "pip wheel"
 wheel=$(echo "$scratch"/roughcontact-*.whl)
 echo "built $(basename "$wheel") in $((SECONDS - start)) s, $(stat -c %s "$wheel") bytes"
