@@ -40,7 +40,7 @@ run_tests() {
 check() { local status=0; "$@" || status=$?; count $status; }
 
 stage "packages"
-if [ "$quick" = --quick ]; then scripts/bootstrap.sh; else scripts/bootstrap.sh --bindings; fi
+scripts/bootstrap.sh --tests
 
 stage "gcc, warnings are errors"
 if build gcc; then run_tests gcc; fi

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# bootstrap.sh [--bindings]: installs the Debian packages of scripts/packages.txt that are not there yet; with --bindings also
-# those of packages-bindings.txt, for the tests of Octave and flang.
+# bootstrap.sh [--tests]: installs the Debian packages of scripts/packages.txt that are not there yet; with --tests also those of
+# packages-tests.txt, without which some tests skip.
 set -euo pipefail
 lists=("$(dirname "$0")/packages.txt")
-[ "${1:-}" != --bindings ] || lists+=("$(dirname "$0")/packages-bindings.txt")
+[ "${1:-}" != --tests ] || lists+=("$(dirname "$0")/packages-tests.txt")
 if ! command -v dpkg-query >/dev/null; then
   echo "not a Debian system: install by hand what corresponds to $(cat "${lists[@]}" | tr "\n" " ")"
   exit 0
