@@ -25,6 +25,7 @@ class Callbacks:
 
     def __init__(self) -> None:
         self._raised: List[BaseException] = []
+        self.kept: Any = None  # what C calls, as long as this lives
 
     def guarded(self, function: Callable[..., Any]) -> Callable[..., int]:
         """function, returning 1 where it raised and 0 where what it returned is false."""

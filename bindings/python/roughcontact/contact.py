@@ -13,12 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _constants
 from ._arrays import Doubles, Mask, as_doubles, as_mask, pointer
 from ._calls import Callbacks, check, interruptible
-from ._errors import ArgumentError, BusyError, Interrupted, ShapeError, Status, error_for
+from ._errors import ArgumentError, BusyError, InfeasibleError, Interrupted, ShapeError, Status, error_for
 from ._library import contact_library
 from ._maps import as_surface
 from ._structs import rc_level, rc_progress_fn, rc_result, rc_step
 from .context import Context, Options, OptionSet
-from .result import Grid, Level, Result, level_from, result_from
+from .result import Grid, Level, PathResult, Result, level_from, result_from
 from .system import System
 
 
@@ -172,8 +172,8 @@ class Contact:
         with self._holding():
             if borrow:
                 self._borrowed.append((gap_array, mask_array))
-            self._pressed(gap_array, mask_array)
-            answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check)
+            with self._pressing(gap_array, mask_array):
+                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check)
             if gap_array is not None:
                 self._borrowed = self._borrowed[-1:] if borrow else []
         return answer
@@ -196,8 +196,7 @@ class Contact:
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
         given = as_doubles(pressure, "pressure", self.system.shape).copy()
         deformed = np.zeros(self.system.shape) if want_gap else None
-        with self._holding():
-            self._pressed(gap_array, mask_array)
+        with self._holding(), self._pressing(gap_array, mask_array):
             return self._run_step(
                 contact_library().rc_contact_certify, self._step(control, target, gap_array, mask_array), given, deformed, check
             )
@@ -209,9 +208,18 @@ class Contact:
         step.gap, step.mask = pointer(gap), pointer(mask)
         return step
 
-    def _pressed(self, gap: Optional[Doubles], mask: Optional[Mask]) -> None:
+    @contextmanager
+    def _pressing(self, gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:
+        """Follows which mask the library has: a step that it refuses changes nothing."""
+        before = self._mask
         if gap is not None or mask is not None:
             self._mask = mask
+        try:
+            yield
+        except (ArgumentError, ShapeError, InfeasibleError) as error:
+            if error.result is None or error.result.completed == 0:
+                self._mask = before
+            raise
 
     def _run_step(
         self, function: Any, step: rc_step, pressure: Optional[Doubles], deformed: Optional[Doubles], must_be_certified: bool
@@ -236,7 +244,8 @@ class Contact:
         if status == Status.STOP_CANCELLED and self._late_cancel and not asked:
             self._late_cancel = False  # it was meant for the call before, which had just ended
             return self._run(call)
-        self._late_cancel = bool(asked) and status != Status.STOP_CANCELLED
+        refused = status < 0  # then what was meant for an earlier call still waits
+        self._late_cancel = (bool(asked) or self._late_cancel and refused) and status != Status.STOP_CANCELLED
         return status, message, interrupt
 
     def _conclude(
@@ -252,11 +261,27 @@ class Contact:
         if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
             raise error_for(status, message, answer)
 
-    def path(self, heights: Any = None, **arguments: Any) -> Any:
-        """Solves a loading history; see `roughcontact.path`, whose arguments from `displacement` on this takes."""
+    def path(
+        self,
+        heights: Any = None,
+        *,
+        displacement: Optional[ArrayLike] = None,
+        load: Optional[ArrayLike] = None,
+        gap: Optional[ArrayLike] = None,
+        mask: Optional[ArrayLike] = None,
+        missing: str = "reject",
+        warm_start: bool = True,
+        stiffness: bool = False,
+        keep_pressure: bool = False,
+        each: Optional[Callable[[int, Result], object]] = None,
+        check: bool = True,
+    ) -> PathResult:
+        """Solves a loading history; see `roughcontact.path`. Without heights and gap, on the surface of the last step."""
         from ._path import path_on
 
-        return path_on(self, heights, **arguments)
+        gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
+        control, targets = control_and_target(displacement, load)
+        return path_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

@@ -125,8 +125,6 @@ class Product(System):
 
     def __init__(self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Pitch = 1.0) -> None:
         self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
-        self._callbacks = Callbacks()
-        self._function = rc_apply_fn(self._callbacks.guarded(self._call))
 
     def _call(self, x: Any, y: Any, n: int, _: Any) -> int:
         given = np.ctypeslib.as_array(x, (n,)).reshape(self.shape)
@@ -135,8 +133,10 @@ class Product(System):
         return 0
 
     def fill(self, system: rc_system) -> Callbacks:
-        system.op, system.apply = _constants.RC_OPERATOR_CALLBACK, self._function
-        return self._callbacks
+        callbacks = Callbacks()
+        callbacks.kept = rc_apply_fn(callbacks.guarded(self._call))
+        system.op, system.apply = _constants.RC_OPERATOR_CALLBACK, callbacks.kept
+        return callbacks
 
 
 def supported(

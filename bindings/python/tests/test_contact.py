@@ -234,3 +234,26 @@ def test_contacts_are_freed(half_space, sphere_gap):
 def test_modulus_scales_the_load(sphere_gap):
     loads = [rc.solve(gap=sphere_gap, pitch=PITCH, modulus=m, displacement=2e-7).load for m in (MODULUS, 2 * MODULUS)]
     assert loads[1] == pytest.approx(2 * loads[0], rel=1e-7)
+
+
+def test_a_refused_step_keeps_the_mask(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        mask = rough.heights < 1e-7
+        contact.solve(rough, mask=mask, displacement=5e-8)
+        with pytest.raises(rc.ArgumentError):
+            contact.solve(rough, displacement=np.nan)
+        with pytest.raises(rc.InfeasibleError):
+            contact.path(rough, displacement=[1.0, 2.0])
+        assert np.array_equal(contact.solve(displacement=5e-8).grid.mask, mask)
+
+
+def test_contacts_that_share_a_product_fail_apart(small_matrix):
+    fail = []
+    product = rc.Product(lambda x: 1 / 0 if fail else small_matrix @ x, 12)
+    gap = np.linspace(0, 2, 12)
+    with rc.Contact(product) as first, rc.Contact(product) as second:
+        fail.append(True)
+        with pytest.raises(ZeroDivisionError):
+            first.solve(gap=gap, displacement=1.5)
+        fail.clear()
+        assert second.solve(gap=gap, displacement=1.5).certified and first.solve(displacement=1.5).certified
