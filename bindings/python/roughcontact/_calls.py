@@ -53,11 +53,9 @@ def _takes_ctrl_c() -> bool:
 def interruptible(call: Callable[[], int], cancel: Callable[[], None]) -> Tuple[int, str, Optional[BaseException]]:
     """(status, message, interrupt) of call().
 
-    On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here.
-    What a
-    signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended: the call's arrays
-        and
-    handles are in use until then.
+    On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here. What
+    a signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended: the call's arrays
+    and handles are in use until then.
     """
     found: List[Any] = []
 
@@ -90,18 +88,17 @@ def interruptible(call: Callable[[], int], cancel: Callable[[], None]) -> Tuple[
         if ticket.acquire(False):
             raise
         interrupt = error
-        _wait(done, cancel)
+        _wait(found, done, cancel)
     if isinstance(found[0], BaseException):
         raise found[0]
     return (*found[0], interrupt)
 
 
-def _wait(done: Any, cancel: Callable[[], None]) -> None:
-    """However often Ctrl-C is pressed."""
-    while True:
+def _wait(found: List[Any], done: Any, cancel: Callable[[], None]) -> None:
+    """However often Ctrl-C is pressed. A handler may also raise just after `done` was taken, which nobody gives back."""
+    while not found:
         try:
             cancel()
             done.acquire()
-            return
         except BaseException:
             continue
