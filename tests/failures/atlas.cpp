@@ -2,15 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 
 namespace failures {
-
-bool full() {
-  const char* value = std::getenv("RC_TEST_FULL");
-  return value && *value && std::strcmp(value, "0") != 0;
-}
 
 Problem problem_of(const bench::Scene& scene) {
   Problem problem;

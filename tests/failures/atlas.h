@@ -12,9 +12,6 @@ namespace failures {
 
 using namespace pairs;
 
-// RC_TEST_FULL=1: everything; else what runs in seconds.
-bool full();
-
 Problem problem_of(const bench::Scene& scene);
 // By nnls on the dense backend, to 1e-12.
 Answer truth_of(const Problem& problem);

@@ -13,6 +13,11 @@ namespace pairs {
 
 namespace {
 
+bool asked_for(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value && *value && std::strcmp(value, "0") != 0;
+}
+
 enum class Outcome { passed, failed, skipped };
 char message[2048];
 
@@ -51,10 +56,8 @@ int run_group(const char* group, const std::vector<Test>& tests, int argc, char*
   return _cmocka_run_group_tests(group, list.data(), list.size(), nullptr, nullptr);
 }
 
-bool quick() {
-  const char* value = std::getenv("RC_TEST_QUICK");
-  return value && *value && std::strcmp(value, "0") != 0;
-}
+bool quick() { return asked_for("RC_TEST_QUICK"); }
+bool full() { return asked_for("RC_TEST_FULL"); }
 
 std::string text(double value) {
   char buffer[32];

@@ -28,6 +28,8 @@ int run_group(const char* group, const std::vector<Test>& tests, int argc, char*
 
 /** RC_TEST_QUICK=1 asks for the reduced set, for slow builds. */
 bool quick();
+/** RC_TEST_FULL=1 asks for what takes many minutes too. */
+bool full();
 
 std::string text(double value);
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import roughcontact as rc
+from roughcontact._calls import _wait
 
 LONG = {"modulus": 1.0, "options": {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}}
 
@@ -131,3 +132,9 @@ def test_pressing_it_often_does_no_harm(large):
             interrupted += 1
     assert interrupted >= 1
     assert rc.solve(large, displacement=1.0, modulus=1.0).certified
+
+
+def test_a_handler_that_raises_when_the_call_has_ended_is_not_waited_for():
+    done = threading.Lock()
+    done.acquire()
+    _wait([0], done, lambda: pytest.fail("cancelled what had ended"))
