@@ -6,4 +6,6 @@ target_compile_options(rc_compile INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 if(RC_SANITIZE)
   target_compile_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE})
+  # Programs in C need the part of the runtime that the library in C++ calls.
+  set(CMAKE_C_LINK_EXECUTABLE "${CMAKE_CXX_LINK_EXECUTABLE}")
 endif()
