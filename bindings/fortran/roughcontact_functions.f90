@@ -1,7 +1,8 @@
 ! The functions of <roughcontact/roughcontact.h>, name for name; units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed as
-! rc_to_c('fft'). Points and components are numbered from 0, as in C.
+! rc_to_c('fft'). Points and components are numbered from 0, as in C. Scalars that a
+! call which fails leaves alone are intent(inout).
 module roughcontact_functions
   use roughcontact_structs
   implicit none
@@ -65,7 +66,7 @@ module roughcontact_functions
 
     integer(rc_status) function rc_context_create(config, out) bind(c); import
       type(rc_context_config), intent(in), optional :: config
-      type(c_ptr), intent(out) :: out
+      type(c_ptr), intent(inout) :: out
     end function
     subroutine rc_context_destroy(context) bind(c); import
       type(c_ptr), value :: context
@@ -109,7 +110,7 @@ module roughcontact_functions
 
     integer(rc_status) function rc_options_create(context, out) bind(c); import
       type(c_ptr), value :: context
-      type(c_ptr), intent(out) :: out
+      type(c_ptr), intent(inout) :: out
     end function
     subroutine rc_options_destroy(options) bind(c); import
       type(c_ptr), value :: options
@@ -135,17 +136,17 @@ module roughcontact_functions
     integer(rc_status) function rc_options_get_int(options, key, out) bind(c); import
       type(c_ptr), value :: options
       character(kind=c_char), intent(in) :: key(*)
-      integer(c_int64_t), intent(out) :: out
+      integer(c_int64_t), intent(inout) :: out
     end function
     integer(rc_status) function rc_options_get_real(options, key, out) bind(c); import
       type(c_ptr), value :: options
       character(kind=c_char), intent(in) :: key(*)
-      real(c_double), intent(out) :: out
+      real(c_double), intent(inout) :: out
     end function
     integer(rc_status) function rc_options_get_text(options, key, out) bind(c); import
       type(c_ptr), value :: options
       character(kind=c_char), intent(in) :: key(*)
-      type(c_ptr), intent(out) :: out
+      type(c_ptr), intent(inout) :: out
     end function
     integer(c_int64_t) function rc_options_count(context) bind(c); import
       type(c_ptr), value :: context
@@ -159,7 +160,7 @@ module roughcontact_functions
     integer(rc_status) function rc_contact_create(system, options, out) bind(c); import
       type(rc_system), intent(in) :: system
       type(c_ptr), value :: options
-      type(c_ptr), intent(out) :: out
+      type(c_ptr), intent(inout) :: out
     end function
     integer(rc_status) function rc_contact_set_options(contact, options) bind(c); import
       type(c_ptr), value :: contact, options
@@ -193,7 +194,7 @@ module roughcontact_functions
       integer(c_int64_t), value :: room
       integer(c_int64_t), intent(out), optional :: index(*)  ! point numbers from 0
       real(c_double), intent(out), optional :: p(*)
-      integer(c_int64_t), intent(out) :: n
+      integer(c_int64_t), intent(inout) :: n
     end function
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact

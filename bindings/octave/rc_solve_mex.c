@@ -118,11 +118,14 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     mexErrMsgIdAndTxt("roughcontact:RC_STOP_CANCELLED", "rc_solve: interrupted");
   }
   check(&request, status);
+  /* A warning may be an error to the user, and not return: everything is given back before. */
+  if (gap) plhs[1] = info_of(&result, request.message, gap);
+  char message[sizeof request.message];
+  snprintf(message, sizeof message, "%s", request.message);
+  rc_request_close(&request);
   if (status != RC_OK && status != RC_WITHIN_GOAL) {
     char id[64];
     snprintf(id, sizeof id, "roughcontact:%s", rc_status_name(status));
-    mexWarnMsgIdAndTxt(id, "rc_solve: %s", request.message);
+    mexWarnMsgIdAndTxt(id, "rc_solve: %s", message);
   }
-  if (gap) plhs[1] = info_of(&result, request.message, gap);
-  rc_request_close(&request);
 }

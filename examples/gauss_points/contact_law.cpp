@@ -1,6 +1,7 @@
 #include "contact_law.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -82,8 +83,9 @@ std::vector<ContactLaw::Answer> evaluate_all(std::vector<ContactLaw>& laws, cons
                                              int threads) {
   std::vector<ContactLaw::Answer> answers(laws.size());
   std::vector<std::exception_ptr> failures(laws.size());
-  const auto work = [&](std::size_t first, std::size_t stride) {
-    for (std::size_t i = first; i < laws.size(); i += stride) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < laws.size(); i = next++) {
       try {
         answers[i] = laws[i].evaluate(displacements.at(i));
       } catch (...) {
@@ -91,10 +93,15 @@ std::vector<ContactLaw::Answer> evaluate_all(std::vector<ContactLaw>& laws, cons
       }
     }
   };
-  const auto count = static_cast<std::size_t>(std::max(threads, 1));
+  const std::size_t count = std::min<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), laws.size());
   std::vector<std::thread> others;
-  for (std::size_t k = 1; k < count; ++k) others.emplace_back(work, k, count);
-  work(0, count);
+  try {
+    others.reserve(count);
+    while (others.size() + 1 < count) others.emplace_back(work);
+  } catch (const std::exception&) {
+    // The system gives no more threads: those that are there do the work.
+  }
+  work();
   for (std::thread& other : others) other.join();
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);

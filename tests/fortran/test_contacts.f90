@@ -87,6 +87,9 @@ contains
     call rcf_options_set_real(options, 'tolerance', 1.0_c_double, stat, message)
     call check('unknown option: '//trim(message), stat == RC_ERR_OPTION .and. index(message, 'tol') > 0)
 
+    call rcf_contact_create(contact, rc_system(nx=nx, ny=ny, hx=-1.0_c_double), stat=stat)
+    call rcf_contact_points(contact, points, values, stat)
+    call check('a contact that was not made has no points', stat == RC_ERR_ARGUMENT .and. size(points) == 0)
     call rcf_contact_create(contact, system, options, stat)
     call check('a contact', stat == RC_OK .and. contact%nx == nx)
     call rcf_contact_solve(contact, displacement=0.3_c_double, gap=gap, result=result)
