@@ -49,7 +49,7 @@ std::optional<long long> parse_int(std::string_view text) { return parse<long lo
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
   const std::string* nearest = nullptr;
-  size_t least = std::max<size_t>(2, word.size() / 2) + 1;
+  size_t least = std::max<size_t>(1, word.size() / 2) + 1;
   for (const std::string& candidate : candidates) {
     const bool abbreviated = word.size() >= 3 && std::string_view(candidate).starts_with(word);
     const size_t distance = abbreviated ? 1 : edit_distance(word, candidate);
