@@ -107,4 +107,8 @@ rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
   SUMMARY "certified normal contact of rough surfaces - Python module"
   DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")
 
+# Byte code is made when the package is configured, and goes with it.
+set(CPACK_DEBIAN_PYTHON3-ROUGHCONTACT_PACKAGE_CONTROL_EXTRA
+  "${CMAKE_CURRENT_LIST_DIR}/python/postinst;${CMAKE_CURRENT_LIST_DIR}/python/prerm")
+
 include(CPack)
