@@ -142,6 +142,13 @@ class Damaged(ReaderTest):
         nx = ny = 20000
         xml = writers.x3p_xml(nx, ny, HX, HY, data="<DataLink><PointDataLink>d.bin</PointDataLink></DataLink>")
         self.assert_refused("a.x3p", writers.zip_of({"main.xml": xml, "d.bin": bytes(1 << 20)}), "truncated")
+        link = "<DataLink><PointDataLink>d.bin</PointDataLink>%s</DataLink>"
+        small = writers.x3p_xml(2, 2, HX, HY, data=link % "")
+        self.assert_refused("a.x3p", writers.zip_of({"main.xml": small, "d.bin": bytes(1 << 26)}), ['"d.bin" unpacks to 67108864 bytes', "more than the 32 "])
+        bits = writers.x3p_xml(2, 2, HX, HY, data=link % "<ValidPointsLink>v.bin</ValidPointsLink>")
+        self.assert_refused("a.x3p", writers.zip_of({"main.xml": bits, "d.bin": bytes(32), "v.bin": bytes(1 << 20)}), '"v.bin" unpacks to 1048576 bytes, more than the 1024 ')
+        self.assert_refused("a.x3p", writers.zip_of({"main.xml": b"<r>" + b"<a/>" * (1 << 22) + b"</r>"}), '"main.xml" unpacks to 16777223 bytes')
+        self.assert_refused("a.zip", writers.zip_of({"a.nc": bytes((1 << 27) + (1 << 24))}), '"a.nc" unpacks to 150994944 bytes')
         sur = bytearray(writers.sur(bumps(), HX, HY, 1e-9, streams=1))
         sur[108:120] = struct.pack("<3i", nx, ny, nx * ny)
         sur[516:520] = struct.pack("<I", nx * ny * 4)

@@ -12,7 +12,7 @@ Surface read_container(std::string_view file, double unit) {
   if (maps.empty()) throw Error("the zip archive holds no file *.nc; unpack it and give one of its files");
   const std::string& name = archive.names()[maps.front()];
   try {
-    const std::string map = archive.contents(maps.front());
+    const std::string map = archive.contents(maps.front(), most_unpacked(file.size()));
     Surface surface = read_netcdf(map, unit);
     std::string which = "note: " + in_quotes(name) + " of the archive is read";
     if (maps.size() > 1) {

@@ -35,6 +35,13 @@ std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_nu
 // The same where nothing may follow the data.
 void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
 
+// How many bytes are unpacked from a file of that size: a sixty-fourth is taken as the most to which measured heights shrink
+// (deflate shrinks zeros to a thousandth), while the smallest file may hold any map up to 4096 x 4096.
+constexpr std::uint64_t most_unpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 27) + 64 * file_size; }
+
+// Throws unless nx, ny >= 1 and a packed file of that size may hold nx*ny numbers; returns their size in bytes.
+std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size);
+
 // Metres per unit named in a file under `key`; `unit` where the name is empty. Throws if it is not a length.
 double file_unit(std::string_view key, std::string_view name, double unit);
 

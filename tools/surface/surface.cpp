@@ -76,6 +76,16 @@ void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_num
               std::to_string(available - size) + " bytes follow their data");
 }
 
+std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size) {
+  const std::uint64_t most = most_unpacked(file_size) / bytes_per_number;
+  if (nx >= 1 && ny >= 1 && static_cast<std::uint64_t>(ny) > most / static_cast<std::uint64_t>(nx)) {
+    throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, more than the " +
+                std::to_string(most) + " that are unpacked from a file of " + std::to_string(file_size) +
+                " bytes; it is truncated or damaged");
+  }
+  return data_size(nx, ny, bytes_per_number, most_unpacked(file_size));
+}
+
 double file_unit(std::string_view key, std::string_view name, double unit) {
   if (name.empty()) return unit;
   if (const auto metres = metres_per(name)) return *metres;

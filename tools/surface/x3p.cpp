@@ -1,6 +1,7 @@
 // X3P of ISO 25178-72 (ISO 5436-2): a zip archive with main.xml, which holds the axes, the size and the heights or the name of a
 // binary file with them. Maps on incremental axes x and y are read; z stands alone there, x fastest. Namespaces and folders
 // differ between writers, and so does what they call an integer: the length of the data decides how wide the numbers are.
+#include <algorithm>
 #include <cmath>
 #include <pugixml.hpp>
 #include <string>
@@ -16,6 +17,14 @@ namespace cli {
 namespace {
 
 using pugi::xml_node;
+
+// The parsed document takes 40 to 128 bytes for each tag and attribute: a gigabyte or two.
+constexpr std::uint64_t longest_xml = std::uint64_t{1} << 28, small_xml = std::uint64_t{1} << 22;
+constexpr std::uint64_t most_xml_ratio = 32;  // lists of heights shrink to a tenth
+constexpr std::ptrdiff_t most_marks = std::ptrdiff_t{1} << 24;
+
+constexpr std::size_t least_width = 2, largest_width = 8;  // bytes of a number
+constexpr std::uint64_t slack = 1024;                      // bytes after the bits of valid points
 
 std::string_view local_name(const xml_node& node) {
   const std::string_view name = node.name();
@@ -73,6 +82,14 @@ HeightAxis height_axis(const xml_node& axes) {
   return axis;
 }
 
+// Before the document is parsed, which takes many times its length.
+void check_marks(std::string_view xml) {
+  const auto marks = std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; });
+  if (marks <= most_marks) return;
+  throw Error("main.xml has " + std::to_string(marks) + " tags and attributes, at most " + std::to_string(most_marks) +
+              " can be read; store the heights in a binary file");
+}
+
 // Paths in main.xml are relative to it.
 std::size_t linked_entry(const std::vector<std::string>& names, const std::string& folder, std::string_view link) {
   while (link.starts_with("./") || link.starts_with('/')) link.remove_prefix(link.starts_with('/') ? 1 : 2);
@@ -94,7 +111,7 @@ void apply_valid_bits(std::string_view bits, std::vector<double>& heights) {
 void read_binary(std::string_view data, const HeightAxis& z, Surface& surface) {
   const std::size_t points = data_size(surface.nx, surface.ny, 1, data.size());
   const std::size_t width = data.size() / points;
-  if (width * points != data.size() || (width != 2 && width != 4 && width != 8)) {
+  if (width * points != data.size() || (width != least_width && width != 4 && width != largest_width)) {
     throw Error(
         format("the header says %lld x %lld points, but the data file has %zu bytes, not 2, 4 or 8 for each; it is truncated",
                static_cast<long long>(surface.nx), static_cast<long long>(surface.ny), data.size()));
@@ -131,9 +148,10 @@ Surface read_x3p(std::string_view file, double) {
   const std::string& path = archive.names()[main];
   const std::string folder = path.substr(0, path.size() - std::string_view("main.xml").size());
 
-  const std::string xml = archive.contents(main);
-  pugi::xml_document document;
-  if (const auto parsed = document.load_buffer(xml.data(), xml.size()); !parsed) {
+  std::string xml = archive.contents(main, std::min(longest_xml, small_xml + most_xml_ratio * file.size()));
+  check_marks(xml);
+  pugi::xml_document document;  // its text is that of `xml`
+  if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed) {
     throw Error(std::string("main.xml is not XML: ") + parsed.description() + " at byte " + std::to_string(parsed.offset));
   }
   const xml_node root = document.document_element();
@@ -153,7 +171,8 @@ Surface read_x3p(std::string_view file, double) {
   const HeightAxis z = height_axis(axes);
 
   if (const auto link = text_of(record, "DataLink/PointDataLink"); !link.empty()) {
-    read_binary(archive.contents(linked_entry(archive.names(), folder, link)), z, surface);
+    const std::size_t points = packed_data_size(surface.nx, surface.ny, least_width, file.size()) / least_width;
+    read_binary(archive.contents(linked_entry(archive.names(), folder, link), largest_width * points), z, surface);
   } else if (const xml_node list = below(record, "DataList")) {
     // A Datum takes more bytes than a number does.
     read_list(list, z, data_size(surface.nx, surface.ny, 1, xml.size()), surface);
@@ -161,7 +180,8 @@ Surface read_x3p(std::string_view file, double) {
     throw Error("main.xml has neither DataLink/PointDataLink nor DataList");
   }
   if (const auto link = text_of(record, "DataLink/ValidPointsLink"); !link.empty()) {
-    apply_valid_bits(archive.contents(linked_entry(archive.names(), folder, link)), surface.heights);
+    const std::uint64_t most = surface.heights.size() / 8 + slack;
+    apply_valid_bits(archive.contents(linked_entry(archive.names(), folder, link), most), surface.heights);
   }
   return surface;
 }

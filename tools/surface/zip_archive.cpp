@@ -53,7 +53,7 @@ ZipArchive::ZipArchive(std::string_view bytes) {
   }
 }
 
-std::string ZipArchive::contents(std::size_t entry) const {
+std::string ZipArchive::contents(std::size_t entry, std::uint64_t most) const {
   const std::string where = "entry " + in_quotes(names_[entry]);
   zip_stat_t stat;
   zip_stat_init(&stat);
@@ -67,6 +67,10 @@ std::string ZipArchive::contents(std::size_t entry) const {
   if (stat.comp_size > (std::uint64_t{1} << 60) || stat.size > largest_ratio * stat.comp_size + slack) {
     throw Error(where + " claims " + std::to_string(stat.size) + " bytes, more than " + std::to_string(stat.comp_size) +
                 " compressed ones can hold; the file is damaged");
+  }
+  if (stat.size > most) {
+    throw Error(where + " unpacks to " + std::to_string(stat.size) + " bytes, more than the " + std::to_string(most) +
+                " that are read of it; the file is damaged");
   }
 
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> stream{zip_fopen_index(archive_.get(), entry, 0), zip_fclose};

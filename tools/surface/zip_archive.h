@@ -1,5 +1,4 @@
-// Entries of a zip archive in memory, with libzip. Sizes are checked before memory is taken: deflate cannot shrink further than
-// to a thousandth.
+// Entries of a zip archive in memory, with libzip. Sizes are checked before memory is taken.
 #pragma once
 
 #include <zip.h>
@@ -19,8 +18,8 @@ class ZipArchive {
 
   const std::vector<std::string>& names() const { return names_; }
 
-  // The contents of the entry of that number, with the checksum checked.
-  std::string contents(std::size_t entry) const;
+  // The contents of the entry of that number, with the checksum checked. Throws where they are longer than `most` bytes.
+  std::string contents(std::size_t entry, std::uint64_t most) const;
 
  private:
   struct Close {
