@@ -153,6 +153,11 @@ class Damaged(ReaderTest):
         sur[108:120] = struct.pack("<3i", nx, ny, nx * ny)
         sur[516:520] = struct.pack("<I", nx * ny * 4)
         self.assert_refused("a.sur", bytes(sur), "more than")
+        nx = ny = 8192  # what the header says would be 2^28 bytes, and there are so many packed ones that it could be true
+        sur[108:120] = struct.pack("<3i", nx, ny, nx * ny)
+        sur[512:] = struct.pack("<3I", 1, nx * ny * 4, 3 << 20) + bytes(3 << 20)
+        (line,) = self.results([("b.sur", bytes(sur))])
+        self.assertIn("compressed stream 1 cannot be unpacked", line)
         nested = "<a>" * 200000 + "</a>" * 200000
         self.assert_refused("b.x3p", writers.zip_of({"main.xml": nested}), "main.xml has no")
 

@@ -1,9 +1,11 @@
 // Digital Surf's .sur, as written by Mountains and the instruments that embed it: a header of 512 bytes, a comment, private data,
 // then nx*ny integers of 16 or 32 bits, x fastest. With magic DSCOMPRESSED the integers are in zlib streams: their number, the
 // length of each unpacked and packed, then the streams. Heights are relative: the offset of z is not added.
+#define ZLIB_CONST  // input is not written to
 #include <zlib.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "error.h"
@@ -28,6 +30,31 @@ double step_length(std::string_view header, std::string_view name, std::uint64_t
   return metres * static_cast<double>(field<float>(header, number_at, name));
 }
 
+struct EndInflate {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+// Appends what the stream holds if that is `expected` bytes. In blocks: what a header claims takes no memory.
+bool inflate_stream(std::string_view packed, std::size_t expected, std::string& out) {
+  z_stream state{};
+  state.next_in = reinterpret_cast<const Bytef*>(packed.data());
+  state.avail_in = static_cast<uInt>(packed.size());
+  if (inflateInit(&state) != Z_OK) return false;
+  const std::unique_ptr<z_stream, EndInflate> end{&state};
+
+  const std::size_t before = out.size();
+  char block[1 << 16];
+  int status = Z_OK;
+  while (status == Z_OK) {
+    state.next_out = reinterpret_cast<Bytef*>(block);
+    state.avail_out = sizeof block;
+    status = inflate(&state, Z_NO_FLUSH);
+    out.append(block, sizeof block - state.avail_out);
+    if (out.size() - before > expected) return false;
+  }
+  return status == Z_STREAM_END && out.size() - before == expected;
+}
+
 std::string inflate_streams(std::string_view data, std::size_t expected) {
   const std::uint64_t count = field<std::uint32_t>(data, 0, "the number of compressed streams");
   piece(data, 4, 8 * count, "the table of compressed streams");
@@ -49,17 +76,13 @@ std::string inflate_streams(std::string_view data, std::size_t expected) {
                 std::to_string(expected) + "; the file is damaged");
   }
 
-  std::string out(expected, '\0');
-  std::uint64_t from = 4 + 8 * count, to = 0;
+  std::string out;
+  std::uint64_t from = 4 + 8 * count;
   for (std::uint64_t k = 0; k < count; ++k) {
     const auto raw = field<std::uint32_t>(data, 4 + 8 * k, ""), packed = field<std::uint32_t>(data, 8 + 8 * k, "");
-    uLongf length = raw;
-    const int status = uncompress(reinterpret_cast<Bytef*>(out.data() + to), &length,
-                                  reinterpret_cast<const Bytef*>(data.data() + from), packed);
-    if (status != Z_OK || length != raw)
+    if (!inflate_stream(data.substr(from, packed), raw, out))
       throw Error("compressed stream " + std::to_string(k + 1) + " cannot be unpacked; the file is damaged");
     from += packed;
-    to += raw;
   }
   return out;
 }
@@ -101,8 +124,8 @@ Surface read_sur(std::string_view file, double unit) {
                                 field<std::uint16_t>(header, 336, "the size of private data");
   piece(file, header_size, skipped, "the comment");
   const std::string_view rest = file.substr(header_size + skipped);
-  const std::size_t expected = static_cast<std::size_t>(points) * bytes;
-  const std::string unpacked = compressed ? inflate_streams(rest, expected) : "";
+  const std::string unpacked =
+      compressed ? inflate_streams(rest, packed_data_size(surface.nx, surface.ny, bytes, file.size())) : "";
   const std::string_view data =
       compressed ? std::string_view(unpacked) : rest.substr(0, data_size(surface.nx, surface.ny, bytes, rest.size()));
 
