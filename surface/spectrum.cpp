@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fourier.h"
 #include "structs.h"
@@ -82,20 +83,58 @@ Spectrum spectrum(const Heights& heights) {
 
 double lowest_wave(const Spectrum& s) { return s.nx == 1 ? s.dy : s.ny == 1 ? s.dx : std::min(s.dx, s.dy); }
 
-std::vector<Ring> rings(const Spectrum& s) {
-  const double width = lowest_wave(s);
-  std::vector<Ring> all(static_cast<std::size_t>(std::llround(s.q(s.nx / 2, s.ny / 2) / width)) + 1);
+namespace {
+
+// The number of the last ring.
+std::int64_t last_ring(const Spectrum& s, double width) {
+  const double last = s.q(s.nx / 2, s.ny / 2) / width;
+  if (last < 9e18) return std::llround(last);
+  fail(RC_ERR_ARGUMENT, "map.hx and map.hy make the wave numbers of one wave ", s.dx, " along x and ", s.dy,
+       " along y, of the shortest wave ", last, " times the least of them, limit 9e18; give pitches of similar size");
+}
+
+void add(Ring& ring, double q, double power) {
+  ring.q += q;
+  ring.power += power;
+  ++ring.modes;
+}
+
+// Sums over the modes of every ring, in an array with a place for every ring.
+std::vector<Ring> dense_sums(const Spectrum& s, double width, std::int64_t last) {
+  std::vector<Ring> all(static_cast<std::size_t>(last) + 1);
   for (std::int64_t ky = 0; ky < s.ny; ++ky) {
     for (std::int64_t kx = 0; kx < s.nx; ++kx) {
       if (kx == 0 && ky == 0) continue;
       const double q = s.q(kx, ky);
-      Ring& ring = all[static_cast<std::size_t>(std::llround(q / width))];
-      ring.q += q;
-      ring.power += s.at(kx, ky);
-      ++ring.modes;
+      add(all[static_cast<std::size_t>(std::llround(q / width))], q, s.at(kx, ky));
     }
   }
   std::erase_if(all, [](const Ring& ring) { return ring.modes == 0; });
+  return all;
+}
+
+// The same where pitches differ so much that most rings are empty.
+std::vector<Ring> sparse_sums(const Spectrum& s, double width) {
+  std::vector<std::pair<std::int64_t, std::int64_t>> modes;  // ring, ky*nx + kx
+  modes.reserve(s.power.size());
+  for (std::int64_t i = 1; i < s.nx * s.ny; ++i) modes.emplace_back(std::llround(s.q(i % s.nx, i / s.nx) / width), i);
+  std::ranges::sort(modes);
+  std::vector<Ring> all;
+  std::int64_t current = -1;
+  for (const auto& [number, i] : modes) {
+    if (number != current) all.emplace_back();
+    current = number;
+    add(all.back(), s.q(i % s.nx, i / s.nx), s.power[static_cast<std::size_t>(i)]);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Ring> rings(const Spectrum& s) {
+  const double width = lowest_wave(s);
+  const std::int64_t last = last_ring(s, width), modes = s.nx * s.ny;
+  std::vector<Ring> all = last <= 2 * modes ? dense_sums(s, width, last) : sparse_sums(s, width);
   for (Ring& ring : all) {
     ring.q /= static_cast<double>(ring.modes);
     ring.power /= static_cast<double>(ring.modes);

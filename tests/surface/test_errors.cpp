@@ -1,6 +1,7 @@
 // Bad input: a status and a message that names it, nothing written, and GSL never hears of it.
 #include <gsl/gsl_errno.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -181,6 +182,32 @@ void too_many_levels_and_small_arrays(void**) {
   require_error(rc_surface_downsample(0, 20, grid.z.data(), nullptr, 1, power, nullptr), RC_ERR_SHAPE, "nx = 0");
 }
 
+void pitches_of_different_size(void**) {
+  Grid grid = noise(1, 16);
+  grid.periodic = true;
+  const rc_surface_statistics moments = statistics(grid);
+  for (const double hy : {1.0, 1e-2, 1.3e-8, 1e-17}) {
+    grid.hy = hy;
+    const Psd rings = psd(grid);
+    assert_true(rings.q.size() < grid.z.size() && std::ranges::is_sorted(rings.q));
+    std::int64_t modes = 0;
+    double square = 0;
+    for (std::size_t i = 0; i < rings.q.size(); ++i) {
+      modes += rings.modes[i];
+      square += rings.power[i] * static_cast<double>(rings.modes[i]) / (256 * hy);
+    }
+    assert_int_equal(modes, 255);
+    assert_true(std::abs(square - moments.m0) < 1e-12 * moments.m0);
+  }
+  rc_surface_map map = map_of(grid);
+  std::int64_t count = 0;
+  map.hx = 1e300;
+  map.hy = 1e-300;
+  require_error(rc_surface_psd(&map, nullptr, nullptr, nullptr, &count), RC_ERR_ARGUMENT, "map.hx and map.hy");
+  map.hx = 5e-324;
+  require_error(rc_surface_psd(&map, nullptr, nullptr, nullptr, &count), RC_ERR_ARGUMENT, "limit 9e18");
+}
+
 void success_clears_the_message(void**) {
   assert_true(rc_surface_rmd(nullptr, 0, 0, nullptr) == RC_ERR_ARGUMENT);
   statistics(noise(1, 8));
@@ -237,6 +264,7 @@ int main() {
                               cmocka_unit_test(maps),
                               cmocka_unit_test(flat_maps_have_nothing_to_judge),
                               cmocka_unit_test(too_many_levels_and_small_arrays),
+                              cmocka_unit_test(pitches_of_different_size),
                               cmocka_unit_test(success_clears_the_message),
                               cmocka_unit_test(older_and_newer_callers_are_served),
                               cmocka_unit_test(gsl_never_reports_an_error)};
