@@ -67,6 +67,21 @@ class Grids(ReaderTest):
         np.testing.assert_allclose(heights, z, atol=1e-15)
         np.testing.assert_allclose(pitch, (HX, HY), rtol=1e-6)
 
+    def test_columns_that_would_be_read_as_a_matrix(self):
+        z = bumps(20, 30)
+        rows, chance = columns(z), np.random.default_rng(6)
+        says = "three columns that look like x, y, z: give --format xyz, or --format text for a map of 3 x "
+        for name, separator in (("a.txt", " "), ("a.csv", ","), ("a.dat", ";"), ("a.asc", "\t")):
+            self.assert_refused(name, text(chance.permutation(rows), separator), says + "600")
+        self.assert_refused("a.txt", text(chance.permutation(rows)[:500]), says + "500")  # some nodes without a point
+        self.assert_refused("a.txt", text(columns(bumps(2, 2))), says + "4")
+        self.assert_reads("a.txt", text(rows), z, (HX, HY), "--format", "xyz")
+        self.assert_reads("a.txt", text(rows), rows, (None, None), "--format", "text", rtol=1e-9)
+        diagonal = np.stack([np.arange(40.0)] * 3, axis=1)
+        levels = chance.integers(-9, 10, size=(50, 3)) * 1.0  # whole numbers, as of a converter
+        for matrix in (bumps(40, 3), diagonal, levels, np.ones((9, 3)), rows[[0, 1, 2, 30, 31, 30]], np.where(rows == rows[7, 0], np.nan, rows), rows[:3]):
+            self.assert_reads("a.txt", text(matrix), matrix, (None, None), format="text", rtol=1e-9)
+
     def test_what_is_no_grid(self):
         rows = columns(bumps())
         scattered = np.random.default_rng(4).uniform(size=(300, 3))

@@ -29,6 +29,10 @@ Surface read_text(std::string_view file, double unit);
 Surface read_x3p(std::string_view file, double unit);
 Surface read_xyz(std::string_view file, double unit);
 
+// Whether a matrix of three columns is rather a list of points x, y, z: x and y lie on a regular grid, no two at the same node,
+// and at least half of its nodes have a point.
+bool looks_like_points(const Surface& matrix);
+
 // Throws unless nx, ny >= 1 and `available` bytes hold nx*ny numbers; returns their size in bytes.
 std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
 

@@ -105,6 +105,10 @@ Surface read_surface(const fs::path& path, double unit, const std::optional<std:
     const Format& chosen = named ? *named : recognised_format(file, lower_case_extension(path));
     Surface surface = chosen.read(file, unit);
     surface.format = chosen.name;
+    if (!named && surface.format == "text" && looks_like_points(surface)) {
+      throw Error("three columns that look like x, y, z: give --format xyz, or --format text for a map of 3 x " +
+                  std::to_string(surface.ny));
+    }
     for (double& z : surface.heights) {
       if (!std::isfinite(z)) z = missing_height;
     }

@@ -1,6 +1,7 @@
 // Three columns x, y, z, separated by white space, commas or semicolons, on a regular grid in any order. Nodes without a point
 // and points without a height ("nan", "bad", "no data", "***") are missing. Lines before the first number, and those that begin
 // with '#', are comments. Rows go upwards with y.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -52,7 +53,37 @@ Points parse_points(std::string_view file) {
   return points;
 }
 
+// Whether every coordinate is a number.
+bool all_finite(const std::vector<double>& coordinates) {
+  return std::ranges::all_of(coordinates, [](double value) { return std::isfinite(value); });
+}
+
 }  // namespace
+
+bool looks_like_points(const Surface& matrix) {
+  constexpr std::int64_t fewest = 4;  // of a grid of 2 x 2
+  if (matrix.nx != 3 || matrix.ny < fewest) return false;
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < matrix.heights.size(); i += 3) {
+    x.push_back(matrix.heights[i]);
+    y.push_back(matrix.heights[i + 1]);
+  }
+  if (!all_finite(x) || !all_finite(y)) return false;
+  const std::int64_t most_nodes = 2 * matrix.ny;
+  try {
+    const GridAxis along_x = find_grid_axis(x, most_nodes, "x"), along_y = find_grid_axis(y, most_nodes, "y");
+    if (along_y.count > most_nodes / along_x.count) return false;
+    std::vector<bool> taken(static_cast<std::size_t>(along_x.count * along_y.count));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const auto node = static_cast<std::size_t>(along_y.index[i] * along_x.count + along_x.index[i]);
+      if (taken[node]) return false;
+      taken[node] = true;
+    }
+    return true;
+  } catch (const Error&) {
+    return false;  // no grid
+  }
+}
 
 Surface read_xyz(std::string_view file, double unit) {
   const Points points = parse_points(file);
