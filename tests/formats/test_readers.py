@@ -136,6 +136,14 @@ class Formats(ReaderTest):
 
 
 class WrongHeaders(ReaderTest):
+    def test_text(self):
+        for name, contents, says in (("a.csv", "1,2,3\n4,,6\n", "row 2, column 2: the field is empty"), ("a.txt", "1;2\n; 4\n", "row 2, column 1: the field is empty"),
+                                     ("a.csv", "left,middle,right\n1,2,3\n", ['"left" is not a number', "delete it or put '#' before it"]),
+                                     ("a.csv", '"x 1","x 2"\n1,2\n', "delete it or put '#' before it"),
+                                     ("a.txt", "1,5 2,5\n", "the decimal mark is a point"), ("a.txt", "1 2\nabc 4\n", 'row 2, column 1: "abc" is not a number (')):
+            with self.subTest(contents):
+                self.assert_refused(name, contents, says)
+
     def test_sizes_that_lie(self):
         z = bumps()
         at = lambda data, offset, form, *values: data[:offset] + struct.pack(form, *values) + data[offset + struct.calcsize(form):]

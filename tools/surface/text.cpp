@@ -50,14 +50,22 @@ bool read_header_line(std::string_view line, double unit, Comments& comments) {
   return key == "h" || key == "pixel size" || key == "data unit" || key == "height conversion factor (-> m)";
 }
 
+std::string not_a_number(std::string_view field, std::int64_t row) {
+  field = trimmed(field);
+  if (field.empty()) return "the field is empty; write nan where a point is missing";
+  const bool word = (field[0] >= 'A' && field[0] <= 'Z') || (field[0] >= 'a' && field[0] <= 'z') || field[0] == '"';
+  const bool header = row == 1 && word;
+  return in_quotes(field) + " is not a number" +
+         (header ? "; if the line names columns, delete it or put '#' before it" : " (the decimal mark is a point)");
+}
+
 std::size_t append_row(std::string_view line, std::int64_t row, std::vector<double>& heights) {
   std::size_t column = 0;
   for (const auto field : row_fields(line)) {
     ++column;
     const auto value = is_missing_mark(field) ? missing_height : to_number(field);
     if (!value) {
-      throw Error("row " + std::to_string(row) + ", column " + std::to_string(column) + ": " + in_quotes(trimmed(field)) +
-                  " is not a number (the decimal mark is a point)");
+      throw Error("row " + std::to_string(row) + ", column " + std::to_string(column) + ": " + not_a_number(field, row));
     }
     heights.push_back(*value);
   }
