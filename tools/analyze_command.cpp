@@ -43,6 +43,15 @@ Rings radial_spectrum(const rc_surface_map& map, const std::string& file) {
   return rings;
 }
 
+// The fit refuses it too, but cannot tell a level map from a tilted one.
+void refuse_flat(const Analysis& a) {
+  if (a.statistics.m0 > 0) return;
+  const std::vector<double>& z = a.input.surface.heights;
+  const bool level = std::ranges::all_of(z, [&z](double height) { return height == z.front(); });
+  const char* const after = level ? "" : a.periodic ? " after its mean is removed" : " after its plane is removed";
+  throw Error(a.input.file + ": the map is flat" + after + ": it has no roughness to judge");
+}
+
 Analysis make_analysis(const AnalyzeArguments& arguments) {
   Analysis a{};
   const double approach =
@@ -59,6 +68,7 @@ Analysis make_analysis(const AnalyzeArguments& arguments) {
   map.periodic = a.periodic ? 1 : 0;
   a.statistics.struct_size = sizeof a.statistics;
   check_surface(rc_surface_analyze(&map, &a.statistics), a.input.file);
+  refuse_flat(a);
   a.law.struct_size = sizeof a.law;
   check_surface(rc_surface_fit(&map, &a.law), a.input.file);
   a.rings = radial_spectrum(map, a.input.file);
