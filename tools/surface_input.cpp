@@ -16,8 +16,11 @@ namespace {
 void settle_missing(MissingRule rule, bool can_exclude, SurfaceInput& input) {
   Surface& surface = input.surface;
   if (input.missing == 0) return;
+  if (input.missing == std::ssize(surface.heights)) {
+    throw Error(input.missing == 1 ? "the only point is missing"
+                                   : "all " + std::to_string(input.missing) + " points are missing");
+  }
   if (rule == MissingRule::reject) reject_missing(surface, input.missing, can_exclude);
-  if (input.missing == std::ssize(surface.heights)) throw Error("all " + std::to_string(input.missing) + " points are missing");
   if (rule == MissingRule::fill) fill_missing(surface);
   if (rule == MissingRule::exclude) {
     input.mask.reserve(surface.heights.size());
@@ -47,7 +50,8 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   input.missing_rule = arguments.missing.value_or("reject");
   const Form form = parse_form(input.removed);
   const MissingRule rule = parse_missing_rule(input.missing_rule);
-  if (rule == MissingRule::exclude && !can_exclude) throw Error("--missing: points cannot be excluded here, give reject or fill");
+  if (rule == MissingRule::exclude && !can_exclude)
+    throw Error("--missing: points cannot be excluded here, spectra need all of them; give reject or fill");
 
   input.file = arguments.file;
   input.surface = read_surface(input.file, unit, arguments.format);

@@ -95,11 +95,11 @@ class Rules(ReaderTest):
             self.assert_fails("solve", self.npy(z), "--pitch", H, *PRESS, *extra,
                               says=["2 missing values of 2240, first at ix=30, iy=0", "--missing fill", "--missing exclude"])
         self.assert_fails("analyze", self.npy(z), "--pitch", H, says=["2 missing values", "--missing fill"])
-        self.assert_fails("analyze", self.npy(z), "--pitch", H, "--missing", "exclude", says=["cannot be excluded"])
+        self.assert_fails("analyze", self.npy(z), "--pitch", H, "--missing", "exclude", says=["cannot be excluded", "spectra need all"])
         self.assert_fails("solve", self.npy(z), "--pitch", H, *PRESS, "--missing", "ignore", says=["--missing", '"ignore"'])
         self.assert_fails("solve", self.npy(z), "--pitch", H, *PRESS, "--remove", "cubic", says=["--remove", '"cubic"'])
-        for rule in ("fill", "exclude"):
-            self.assert_fails("solve", self.npy(z * np.nan), "--pitch", H, *PRESS, "--missing", rule, says=["all 2240 points are missing"])
+        for rule in ("reject", "fill", "exclude"):
+            self.assert_fails("solve", self.npy(z * np.nan), "--pitch", H, *PRESS, "--missing", rule, says=[": all 2240 points are missing\n"])
 
     def test_excluded_points_carry_nothing_and_the_others_are_certified(self):
         z = rough()
@@ -134,6 +134,11 @@ class Rules(ReaderTest):
         self.assertEqual((summary["input"]["missing"], summary["input"]["missing_rule"]), (2, "fill"))
         _, again, _, _ = self.answer(self.npy(filled), "--pitch", H)
         np.testing.assert_allclose(p, again, rtol=1e-9, atol=1e-9 * p.max())
+
+    def test_flat_maps_are_told_from_tilted_ones(self):
+        tilted = np.arange(400.0).reshape(20, 20)
+        for z, says in ((np.ones((20, 20)), ": the map is flat: "), (tilted, "the map is flat after its plane is removed")):
+            self.assert_fails("analyze", self.npy(z), "--pitch", 1, says=says)
 
     def test_removed_form_is_stated(self):
         z = rough()
