@@ -1,5 +1,6 @@
 """Arrays of any order, type and kind as the library wants them, copied only where they differ from that."""
 
+import operator
 from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -12,6 +13,29 @@ Doubles = NDArray[np.float64]
 Mask = NDArray[np.uint8]
 Shape = Tuple[int, ...]
 Pitch = Union[float, Sequence[float]]
+
+
+def as_int(value: Any, name: str, bits: int = 64) -> int:
+    """value as a signed whole number of that size (bits: 32 or 64). ctypes would drop the bits that are too many."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ArgumentError(f"{name} is {value!r}; a whole number is needed") from None
+    limit = 2 ** (bits - 1)
+    if not -limit <= number < limit:
+        raise ArgumentError(f"{name} is {number}; the library takes {-limit} .. {limit - 1}")
+    return number
+
+
+def as_seed(value: Any) -> int:
+    """A whole number of 64 bits without a sign."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ArgumentError(f"seed is {value!r}; a whole number is needed") from None
+    if not 0 <= number < 2**64:
+        raise ArgumentError(f"seed is {number}; the library takes 0 .. {2**64 - 1}")
+    return number
 
 
 def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> Doubles:
@@ -61,7 +85,8 @@ def as_pitch(pitch: Pitch) -> Tuple[float, float]:
 
 def as_shape(shape: Union[int, Sequence[int]]) -> Shape:
     """(ny, nx) or (nx,)"""
-    sides = tuple(int(n) for n in np.atleast_1d(np.asarray(shape)).tolist())
+    each = tuple(shape) if isinstance(shape, (Sequence, np.ndarray)) and np.ndim(shape) else (shape,)
+    sides = tuple(as_int(n, "a side of the shape") for n in each)
     if len(sides) not in (1, 2):
         raise ShapeError(f"shape {sides} has {len(sides)} axes: one, or (ny, nx)")
     return sides

@@ -88,7 +88,7 @@ def batch(
 
     struct = rc_batch()
     contact_library().rc_batch_init(struct, ctypes.sizeof(struct))
-    struct.control, struct.warm_start, struct.n, struct.steps = control, int(warm_start), n, steps
+    struct.control, struct.warm_start, struct.n, struct.steps = control, int(bool(warm_start)), n, steps
     struct.targets, struct.target_stride = pointer(targets), _constants.RC_BATCH_SHARED if targets.ndim == 1 else 0
     struct.gap, struct.gap_stride = pointer(gaps), _constants.RC_BATCH_SHARED if gaps.ndim == axes else 0
     struct.mask = pointer(masks)

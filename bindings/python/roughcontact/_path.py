@@ -81,7 +81,7 @@ def path_on(
 
     struct = rc_path()
     contact_library().rc_path_init(struct, ctypes.sizeof(struct))
-    struct.control, struct.warm_start, struct.n, struct.targets = control, int(warm_start), n, pointer(targets)
+    struct.control, struct.warm_start, struct.n, struct.targets = control, int(bool(warm_start)), n, pointer(targets)
     struct.gap, struct.mask = pointer(gap), pointer(mask)
     for name, array in out.items():
         setattr(struct, name, pointer(array))

@@ -11,7 +11,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, pointer
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, pointer
 from ._calls import check
 from ._errors import ShapeError
 from ._library import contact_library
@@ -119,6 +119,7 @@ def histogram(
 ) -> Histogram:
     """Histogram of the pressures; upper: end of the last bin [force/length^2], 0: the largest pressure. Others as in `area`."""
     system, p, m = _grid(pressure, pitch, periodic, mask)
+    bins = as_int(bins, "bins")
     library = contact_library()
     struct = rc_histogram()
     library.rc_histogram_init(struct, ctypes.sizeof(struct))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, as_doubles, as_mask, pointer
+from ._arrays import Doubles, Mask, as_doubles, as_int, as_mask, pointer
 from ._calls import Callbacks, check, interruptible
 from ._errors import ArgumentError, BusyError, InfeasibleError, Interrupted, ShapeError, Status, error_for
 from ._library import contact_library
@@ -78,6 +78,7 @@ class Contact:
         context: Optional[Context] = None,
     ) -> None:
         library = contact_library()
+        interval = as_int(every, "every")
         self.system = system
         self._context = context
         self._options: Dict[str, Any] = {}
@@ -98,7 +99,7 @@ class Contact:
         self._callbacks = Callbacks()
         if progress is not None:
             self._progress = rc_progress_fn(self._callbacks.guarded(_progress_caller(progress)))
-            check(library.rc_contact_on_progress(self._handle, self._progress, None, every))
+            check(library.rc_contact_on_progress(self._handle, self._progress, None, interval))
 
     def close(self) -> None:
         """Frees what the contact holds; it cannot be used afterwards. Again: nothing happens."""
@@ -166,7 +167,7 @@ class Contact:
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         step = self._step(control, target, gap_array, mask_array)
-        step.p0, step.warm_start, step.borrow = pointer(first), int(warm_start), int(borrow)
+        step.p0, step.warm_start, step.borrow = pointer(first), int(bool(warm_start)), int(bool(borrow))
         pressure = np.zeros(self.system.shape) if want_pressure else None
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding():

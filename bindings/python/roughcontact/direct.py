@@ -10,7 +10,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Pitch, as_doubles, as_pitch, columns_and_rows, pointer
+from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, columns_and_rows, pointer
 from ._calls import interruptible
 from ._errors import Interrupted, ShapeError, Status, as_status, error_for
 from ._library import contact_library
@@ -81,13 +81,13 @@ def _on_matrix(
     name: str, H: ArrayLike, u: ArrayLike, start: Optional[ArrayLike], tol: float, max_iter: int, check: bool
 ) -> DirectResult:
     matrix = square(H)
-    n = matrix.shape[0]
+    n, steps = matrix.shape[0], as_int(max_iter, "max_iter")
     right = as_doubles(u, "u", (n,))
     p = np.zeros(n) if start is None else as_doubles(start, "start", (n,)).copy()
     w = np.zeros(n)
     return _call(
         f"rc_{name}",
-        (n, pointer(matrix), row_stride(matrix), pointer(right), pointer(p), pointer(w), tol, max_iter),
+        (n, pointer(matrix), row_stride(matrix), pointer(right), pointer(p), pointer(w), tol, steps),
         p,
         w,
         check,
@@ -184,11 +184,11 @@ def cmr(
     z = as_doubles(heights, "heights")
     if z.ndim not in (1, 2):
         raise ShapeError(f"heights have {z.ndim} axes: [ny, nx] is needed")
-    (hx, hy), (nx, ny) = as_pitch(pitch), columns_and_rows(z.shape)
+    (hx, hy), (nx, ny), grids = as_pitch(pitch), columns_and_rows(z.shape), as_int(levels, "levels")
     p = np.zeros(z.shape)
     return _call(
         "rc_cmr",
-        (nx, ny, hx, hy, modulus, pointer(z), delta, levels, h, None if inner is None else inner.encode(), pointer(p)),
+        (nx, ny, hx, hy, modulus, pointer(z), delta, grids, h, None if inner is None else inner.encode(), pointer(p)),
         p,
         None,
         check,

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_pitch, as_shape, columns_and_rows, pointer
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_pitch, as_seed, as_shape, columns_and_rows, pointer
 from ._calls import check_surface
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
@@ -55,17 +55,17 @@ def rmd(
     """
     spec = rc_surface_rmd_spec()
     spec.seed, spec.levels, spec.additions, spec.hurst, spec.sigma, spec.rms_height = (
-        seed,
-        levels,
-        int(additions),
+        as_seed(seed),
+        as_int(levels, "levels", 32),
+        int(bool(additions)),
         hurst,
         sigma,
         rms_height,
     )
-    at = levels if stage is None else stage
-    side = 2**at + (0 if crop else 1) if 0 <= at <= levels <= 14 else 1  # what is refused is not written to
+    at = spec.levels if stage is None else as_int(stage, "stage", 32)
+    side = 2**at + (0 if crop else 1) if 0 <= at <= spec.levels <= 14 else 1  # what is refused is not written to
     heights = np.empty((side, side))
-    check_surface(surface_library().rc_surface_rmd(spec, at, int(crop), pointer(heights)))
+    check_surface(surface_library().rc_surface_rmd(spec, at, int(bool(crop)), pointer(heights)))
     return Surface(heights, as_pitch(pitch))
 
 
@@ -91,10 +91,10 @@ def spectral(
     """
     sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
     spec = rc_surface_spectral_spec()
-    spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy, spec.hurst = seed, columns_and_rows(sides), hx, hy, hurst
+    spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy, spec.hurst = as_seed(seed), columns_and_rows(sides), hx, hy, hurst
     spec.q_low, spec.q_rolloff, spec.q_high = q_low, q_rolloff, q_high
     spec.rms_height = (1.0 if rms_slope is None else 0.0) if rms_height is None else rms_height
-    spec.rms_slope, spec.fixed_amplitudes = rms_slope or 0.0, int(fixed_amplitudes)
+    spec.rms_slope, spec.fixed_amplitudes = rms_slope or 0.0, int(bool(fixed_amplitudes))
     heights = np.empty(_not_negative(sides))
     check_surface(surface_library().rc_surface_spectral(spec, pointer(heights)))
     return Surface(heights, (hx, hy), periodic=True)
@@ -116,7 +116,7 @@ def _shape(
 ) -> Surface:
     sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
     spec = rc_surface_shape_spec()
-    spec.shape, spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy = kind, seed, columns_and_rows(sides), hx, hy
+    spec.shape, spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy = kind, as_seed(seed), columns_and_rows(sides), hx, hy
     spec.radius, spec.height, (spec.period_x, spec.period_y) = radius, height, period
     heights = np.empty(_not_negative(sides))
     check_surface(surface_library().rc_surface_shape(spec, pointer(heights)))
@@ -242,7 +242,7 @@ def _map(surface: Any, pitch: Optional[Pitch], periodic: Optional[bool], trend: 
     struct = rc_surface_map()
     struct.nx, struct.ny = columns_and_rows(found.shape)
     struct.hx, struct.hy = found.pitch
-    struct.heights, struct.periodic, struct.trend = pointer(found.heights), int(found.periodic), TRENDS[trend]
+    struct.heights, struct.periodic, struct.trend = pointer(found.heights), int(bool(found.periodic)), TRENDS[trend]
     return struct, found  # the heights live as long as the surface
 
 
@@ -305,7 +305,7 @@ def cmr_advice(
     """
     struct, _kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_cmr()
-    check_surface(surface_library().rc_surface_cmr_advice(struct, levels, approach, out))
+    check_surface(surface_library().rc_surface_cmr_advice(struct, as_int(levels, "levels", 32), approach, out))
     numbers = {name: getattr(out, name) for name in CmrAdvice.__dataclass_fields__ if name not in ("trustworthy", "reason")}
     return CmrAdvice(trustworthy=bool(out.trustworthy), reason=out.reason.decode(errors="replace"), **numbers)
 
