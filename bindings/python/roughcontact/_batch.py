@@ -111,10 +111,13 @@ def batch(
     description, product = system.struct()
     # Without `each` the function is there for Ctrl-C alone: bounds, which only it would see, are not computed.
     chosen = dict(options or {}) if each is not None else {**dict(options or {}), _constants.RC_OPT_BOUNDS: 0}
-    with OptionSet(chosen, context) as handle:
-        status, message, interrupt = interruptible(
-            lambda: int(contact_library().rc_batch_solve(description, handle, struct)), lambda: stop.append(True)
-        )
+
+    def call() -> int:
+        with OptionSet(chosen, context) as handle:
+            return int(contact_library().rc_batch_solve(description, handle, struct))
+
+    keep = (system, product, callbacks, targets, gaps, masks, starts, out, whole, statuses, pressures)
+    status, message, interrupt = interruptible(call, lambda: stop.append(True), keep=keep)
     answer = None
     if struct.written == n:
         answer = BatchResult(

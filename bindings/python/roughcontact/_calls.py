@@ -2,10 +2,11 @@
 
 import signal
 import threading
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
-from ._errors import error_for
+from ._errors import BusyError, error_for
 from ._library import contact_library, surface_library
+from ._use import Use
 
 
 def check(status: int) -> None:
@@ -50,55 +51,80 @@ def _takes_ctrl_c() -> bool:
     return threading.current_thread() is threading.main_thread() and callable(signal.getsignal(signal.SIGINT))
 
 
-def interruptible(call: Callable[[], int], cancel: Callable[[], None]) -> Tuple[int, str, Optional[BaseException]]:
+def interruptible(
+    call: Callable[[], int], cancel: Callable[[], None], use: Optional[Use] = None, keep: Any = None
+) -> Tuple[int, str, Optional[BaseException]]:
     """(status, message, interrupt) of call().
 
     On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here. What
-    a signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended: the call's arrays
-    and handles are in use until then.
+    a signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended.
+
+    A handler may raise at any place, so it can get out of this function before the call has ended. The thread therefore holds
+    all that the call uses: call itself, keep (what call knows by its address alone), and the use of a handle.
     """
     found: List[Any] = []
 
-    def with_message() -> None:
+    def with_message() -> Tuple[int, str]:
         status = call()
-        found.append((status, contact_library().rc_last_error().decode(errors="replace") if status else ""))
+        return status, contact_library().rc_last_error().decode(errors="replace") if status else ""
 
     if not _takes_ctrl_c():
-        with_message()
-        return (*found[0], None)
+        return (*with_message(), None)
 
-    ticket, done = threading.Lock(), threading.Lock()  # the ticket is for whoever decides first whether the call takes place
+    ticket: Dict[str, str] = {}  # who decided first whether the call takes place
+    done = threading.Lock()
     done.acquire()
 
-    def body() -> None:
-        if not ticket.acquire(False):
-            return
+    def body(_: Any = keep) -> None:
+        working = use is None or use.begin_work()
+        answer: Any = None
         try:
-            with_message()
+            if ticket.setdefault("by", "worker") == "worker":
+                answer = with_message() if working else BusyError("the contact is in use by a call that was interrupted")
         except BaseException as error:
-            found.append(error)
+            answer = error
         finally:
-            done.release()
+            if use is not None and working:
+                use.end_work()
+            if answer is not None:
+                found.append(answer)
+                done.release()
 
     interrupt: Optional[BaseException] = None
+
+    def stop() -> None:
+        if ticket.setdefault("by", "caller") == "caller":
+            found.append(interrupt)
+        else:
+            cancel()
+
     try:
         threading.Thread(target=body, name="roughcontact", daemon=True).start()
         done.acquire()
     except BaseException as error:  # from a signal handler, or the system refused a thread
-        if ticket.acquire(False):
-            raise
         interrupt = error
-        _wait(found, done, cancel)
+        try:  # a second handler raises where the next function begins
+            _wait(found, done, stop)
+        except BaseException:
+            _wait(found, done, stop)
+        while type(interrupt) is RuntimeError and interrupt.__cause__ is None and interrupt.__context__ is not None:
+            interrupt = interrupt.__context__  # where two handlers raise, Thread.start() complains about its own lock
     if isinstance(found[0], BaseException):
         raise found[0]
     return (*found[0], interrupt)
 
 
-def _wait(found: List[Any], done: Any, cancel: Callable[[], None]) -> None:
-    """However often Ctrl-C is pressed. A handler may also raise just after `done` was taken, which nobody gives back."""
+def _wait(found: List[Any], done: Any, stop: Callable[[], None]) -> None:
+    """However often Ctrl-C is pressed. A handler may also raise just after `done` was taken, which nobody gives back, or between
+    two turns of a loop: hence the outer one."""
     while not found:
         try:
-            cancel()
-            done.acquire()
+            while not found:
+                try:
+                    stop()
+                    if not found:
+                        done.acquire()
+                except BaseException:
+                    continue
         except BaseException:
             continue

@@ -96,8 +96,9 @@ def path_on(
     callbacks = Callbacks()
     if pressures is not None or each is not None:
         struct.fn = rc_path_fn(callbacks.guarded(after))
+    keep = (targets, gap, mask, out, applications, tangents, callbacks)
     with contact._holding() as handle, contact._pressing(gap, mask):
-        status, message, interrupt = contact._run(lambda: int(contact_library().rc_contact_solve_path(handle, struct)))
+        status, message, interrupt = contact._run(lambda: int(contact_library().rc_contact_solve_path(handle, struct)), keep)
         done = struct.completed
         answer = PathResult(
             as_status(status),

@@ -1,7 +1,6 @@
 """One system, many steps."""
 
 import ctypes
-import threading
 import weakref
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -13,13 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 from . import _constants
 from ._arrays import Doubles, Mask, as_doubles, as_int, as_mask, pointer
 from ._calls import Callbacks, check, interruptible
-from ._errors import ArgumentError, BusyError, InfeasibleError, Interrupted, ShapeError, Status, error_for
+from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, Status, error_for
 from ._library import contact_library
 from ._maps import as_surface
 from ._structs import rc_level, rc_progress_fn, rc_result, rc_step
 from .context import Context, Options, OptionSet
 from .result import Grid, Level, PathResult, Result, level_from, result_from
 from .system import System
+from ._use import Use
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,6 @@ class Contact:
         self.system = system
         self._context = context
         self._options: Dict[str, Any] = {}
-        self._in_use, self._handle_lock = threading.Lock(), threading.Lock()
         self._borrowed: List[Any] = []  # arrays that the library may still look at
         self._mask: Optional[Mask] = None
         self._late_cancel = False
@@ -95,6 +94,7 @@ class Contact:
             check(status)
         self._close = weakref.finalize(self, library.rc_contact_destroy, self._handle)
         self._close.atexit = False  # another thread might be solving then
+        self._use = Use(self._close)
         self._options.update(options or {})
         self._callbacks = Callbacks()
         if progress is not None:
@@ -103,29 +103,23 @@ class Contact:
 
     def close(self) -> None:
         """Frees what the contact holds; it cannot be used afterwards. Again: nothing happens."""
-        if self._close.alive:
-            with self._holding(), self._handle_lock:
-                self._close()
+        if not self._use.closed():
+            with self._holding():
+                self._use.close()
 
     def __enter__(self) -> "Contact":
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self.close()
+    def __exit__(self, kind: Any, *_: object) -> None:
+        if kind is None:
+            self.close()
+        else:
+            self._use.close()  # a call that a signal handler's exceptions got out of closes it when it ends
 
     @contextmanager
     def _holding(self) -> Iterator[ctypes.c_void_p]:
-        if not self._in_use.acquire(False):
-            raise BusyError(
-                "the contact is in use by another thread, or by the call that this callback belongs to; make one contact "
-                "per thread"
-            )
-        try:
-            if not self._close.alive:
-                raise ArgumentError("the contact is closed")
+        with self._use.by_caller():
             yield self._handle
-        finally:
-            self._in_use.release()
 
     def grid(self) -> Grid:
         """Shape, pitch and mask of the surface that was pressed last."""
@@ -174,7 +168,7 @@ class Contact:
             if borrow:
                 self._borrowed.append((gap_array, mask_array))
             with self._pressing(gap_array, mask_array):
-                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check)
+                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, gap_array, mask_array, first)
             if gap_array is not None:
                 self._borrowed = self._borrowed[-1:] if borrow else []
         return answer
@@ -199,7 +193,13 @@ class Contact:
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding(), self._pressing(gap_array, mask_array):
             return self._run_step(
-                contact_library().rc_contact_certify, self._step(control, target, gap_array, mask_array), given, deformed, check
+                contact_library().rc_contact_certify,
+                self._step(control, target, gap_array, mask_array),
+                given,
+                deformed,
+                check,
+                gap_array,
+                mask_array,
             )
 
     def _step(self, control: int, target: Any, gap: Optional[Doubles], mask: Optional[Mask]) -> rc_step:
@@ -223,17 +223,18 @@ class Contact:
             raise
 
     def _run_step(
-        self, function: Any, step: rc_step, pressure: Optional[Doubles], deformed: Optional[Doubles], must_be_certified: bool
+        self, function: Any, step: rc_step, pressure: Optional[Doubles], deformed: Optional[Doubles], must_be_certified: bool, *inputs: Any
     ) -> Result:
         struct = rc_result()
         struct.p, struct.gap = pointer(pressure), pointer(deformed)
-        status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)))
+        keep = (pressure, deformed, inputs)
+        status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep)
         answer = result_from(struct, message, self.grid(), pressure, deformed) if status >= 0 else None
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer
 
-    def _run(self, call: Callable[[], int]) -> Tuple[int, str, Optional[BaseException]]:
+    def _run(self, call: Callable[[], int], keep: Any) -> Tuple[int, str, Optional[BaseException]]:
         """(status, message, interrupt) of a call that this contact's `cancel` ends."""
         asked = []
 
@@ -241,10 +242,10 @@ class Contact:
             asked.append(True)
             self.cancel()
 
-        status, message, interrupt = interruptible(call, cancel)
+        status, message, interrupt = interruptible(call, cancel, self._use, (self, keep))
         if status == Status.STOP_CANCELLED and self._late_cancel and not asked:
             self._late_cancel = False  # it was meant for the call before, which had just ended
-            return self._run(call)
+            return self._run(call, keep)
         refused = status < 0  # then what was meant for an earlier call still waits
         self._late_cancel = (bool(asked) or self._late_cancel and refused) and status != Status.STOP_CANCELLED
         return status, message, interrupt
@@ -325,9 +326,7 @@ class Contact:
 
     def cancel(self) -> None:
         """Stops the running step soon, or the next one if none runs. Any thread."""
-        with self._handle_lock:
-            if self._close.alive:
-                contact_library().rc_contact_cancel(self._handle)
+        self._use.while_alive(lambda: contact_library().rc_contact_cancel(self._handle))
 
 
 def _progress_caller(progress: Callable[[Progress], object]) -> Callable[[Any, Any], object]:

@@ -50,7 +50,7 @@ def _call(function: str, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Dou
     library = contact_library()
     # These routines cannot be cancelled: Ctrl-C arrives when they return.
     status, message, interrupt = interruptible(
-        lambda: int(getattr(library, function)(*arguments, ctypes.byref(struct))), lambda: None
+        lambda: int(getattr(library, function)(*arguments, ctypes.byref(struct))), lambda: None, keep=(p, w)
     )
     answer = None
     if status >= 0:

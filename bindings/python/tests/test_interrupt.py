@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -138,3 +140,108 @@ def test_a_handler_that_raises_when_the_call_has_ended_is_not_waited_for():
     done = threading.Lock()
     done.acquire()
     _wait([0], done, lambda: pytest.fail("cancelled what had ended"))
+
+
+def escape(monkeypatch):
+    """Handlers raise at a place where nothing can hold the exception: the call is left while its thread still works."""
+
+    def leave(found, done, stop):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("roughcontact._calls._wait", leave)
+
+
+def workers():
+    return [thread for thread in threading.enumerate() if thread.name == "roughcontact"]
+
+
+def test_a_call_that_is_left_too_early_keeps_what_it_uses(large, monkeypatch):
+    begun, leave = threading.Event(), threading.Event()
+
+    def progress(at):
+        if at.iteration == 2:
+            press()
+            begun.set()
+            leave.wait(60)
+
+    contact = rc.Contact(rc.HalfSpace.under(large, modulus=1.0), options={**LONG["options"], "max_iter": 20}, progress=progress)
+    escape(monkeypatch)
+    with pytest.raises(KeyboardInterrupt):
+        contact.solve(large, displacement=2.0)
+    assert begun.wait(60) and len(workers()) == 1
+    for call in (lambda: contact.solve(displacement=1.0), contact.points, contact.close):
+        with pytest.raises(rc.BusyError):
+            call()
+    with pytest.raises(ZeroDivisionError):
+        with contact:
+            raise ZeroDivisionError
+    assert contact._close.alive  # not destroyed below the thread that works
+    leave.set()
+    for thread in workers():
+        thread.join()
+    assert not contact._close.alive
+    with pytest.raises(rc.ArgumentError, match="closed"):
+        contact.points()
+
+
+@pytest.mark.parametrize("kind", ["solve", "path", "batch", "certify"])
+def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kind):
+    inside = []
+
+    def product(x):
+        inside.append(1)
+        if len(inside) == 4:
+            press()
+            time.sleep(0.05)
+        return 2.0 * x
+
+    escape(monkeypatch)
+    gap, how = np.linspace(0, 1, 1000), {"displacement": 0.9, "system": rc.Product(product, 1000)}
+    calls = {
+        "solve": lambda: rc.solve(gap=gap.copy(), options=LONG["options"], **how),
+        "path": lambda: rc.path(gap=gap.copy(), **{**how, "displacement": [0.5, 0.7, 0.9] * 9}),
+        "batch": lambda: rc.batch(gap=np.tile(gap, (9, 1)), **how),
+        "certify": lambda: [rc.Contact(how["system"]).certify(gap, gap=gap, displacement=0.9, check=False) for _ in range(9)],
+    }
+    with pytest.raises(KeyboardInterrupt):
+        calls[kind]()
+    monkeypatch.undo()
+    for thread in workers():
+        thread.join()
+    assert rc.solve(large, displacement=1.0, modulus=1.0).certified
+
+
+def test_two_signals_at_the_same_time():
+    """In a Python of its own: what handlers raise may arrive anywhere."""
+    code = """
+import os, signal, threading, roughcontact as rc
+def term(*_):
+    raise SystemExit(3)
+signal.signal(signal.SIGTERM, term)
+large, left = rc.surface.spectral((128, 128)), 0
+for _ in range(10):
+    hit = []
+    def both(progress):
+        if progress.iteration > 3 and not hit:
+            hit.append(1)
+            os.kill(os.getpid(), signal.SIGINT)
+            os.kill(os.getpid(), signal.SIGTERM)
+    try:
+        rc.solve(large, displacement=2.0, modulus=1.0, progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
+    except BaseException as error:
+        kept = error
+    for thread in threading.enumerate():
+        if thread.name == "roughcontact":
+            thread.join()
+assert rc.solve(large, displacement=1.0, modulus=1.0).certified
+print("sound")
+"""
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert ran.stdout == "sound\n" and ran.returncode == 0, ran.stderr
+
+
+def test_a_handler_may_cancel_while_its_thread_closes(half_space, sphere_gap):
+    contact = rc.Contact(half_space)
+    with contact._use._alive:  # as in close()
+        contact.cancel()
+    contact.close()

@@ -1,0 +1,71 @@
+"""Who uses a handle of the library, and when it may be destroyed."""
+
+import threading
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator
+
+from ._errors import ArgumentError, BusyError
+
+
+class Use:
+    """A handle is in use by the call that was made, and by the thread that works for it (`interruptible`), which may outlive the
+    call where a signal handler raises again and again. It is destroyed when neither uses it.
+
+    destroy: a weakref.finalize
+    """
+
+    def __init__(self, destroy: Any) -> None:
+        self._caller, self._worker = threading.Lock(), threading.Lock()
+        self._alive = threading.RLock()  # a signal handler may ask while its own thread destroys
+        self._destroy, self._closing = destroy, False
+
+    def closed(self) -> bool:
+        return self._closing or not self._destroy.alive
+
+    @contextmanager
+    def by_caller(self) -> Iterator[None]:
+        if not self._caller.acquire(False):
+            raise BusyError(
+                "the contact is in use by another thread, or by the call that this callback belongs to; make one contact "
+                "per thread"
+            )
+        try:
+            if self._worker.locked():
+                raise BusyError("a call that was interrupted has not ended yet; wait a moment, or make another contact")
+            if self.closed():
+                raise ArgumentError("the contact is closed")
+            yield
+        finally:
+            self._caller.release()
+            self._close_if_free()
+
+    def begin_work(self) -> bool:
+        """Whether a thread may work with the handle; it then calls `end_work`."""
+        return not self.closed() and self._worker.acquire(False)
+
+    def end_work(self) -> None:
+        self._worker.release()
+        self._close_if_free()
+
+    def close(self) -> None:
+        """Destroys the handle, now or when its last user has ended."""
+        self._closing = True
+        self._close_if_free()
+
+    def _close_if_free(self) -> None:
+        """Where two try at the same time, both may fail: then it is destroyed with its object."""
+        if self._closing and self._caller.acquire(False):
+            try:
+                if self._worker.acquire(False):
+                    try:
+                        with self._alive:
+                            self._destroy()
+                    finally:
+                        self._worker.release()
+            finally:
+                self._caller.release()
+
+    def while_alive(self, function: Callable[[], object]) -> None:
+        with self._alive:
+            if self._destroy.alive:
+                function()
