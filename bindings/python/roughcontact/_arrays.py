@@ -56,7 +56,7 @@ def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> D
             pass
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} holds {array.dtype}; real numbers are needed")
-    array = np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+    array = np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
     if shape is not None and array.shape != shape:
         raise ShapeError(f"{name} has shape {array.shape}, the grid {shape}")
     return array

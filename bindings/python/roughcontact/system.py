@@ -96,13 +96,13 @@ class Matrix(System):
 
 def square(H: ArrayLike) -> Doubles:
     """H with contiguous rows. Being symmetric, its transpose does as well."""
-    if isinstance(H, np.ndarray) and H.dtype == np.float64 and H.ndim == 2 and H.dtype.isnative:
+    if isinstance(H, np.ndarray) and H.dtype == np.float64 and H.ndim == 2 and H.dtype.isnative and H.flags.aligned:
         for each in (H, H.T):
             if each.strides[1] == 8 and each.strides[0] % 8 == 0 and each.strides[0] >= 8 * each.shape[1]:
                 array = each
                 break
         else:
-            array = np.ascontiguousarray(H)
+            array = np.require(H, np.float64, ["C", "A"])
     else:
         array = as_doubles(H, "H")
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
@@ -127,7 +127,7 @@ class Product(System):
         self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
 
     def _call(self, x: Any, y: Any, n: int, _: Any) -> int:
-        given = np.ctypeslib.as_array(x, (n,)).reshape(self.shape)
+        given = np.ctypeslib.as_array(x, (n,)).reshape(self.shape).copy()  # apply may keep it
         given.flags.writeable = False
         np.ctypeslib.as_array(y, (n,)).reshape(self.shape)[...] = as_doubles(self.apply(given), "the product", self.shape)
         return 0
