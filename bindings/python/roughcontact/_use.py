@@ -7,6 +7,13 @@ from typing import Any, Callable, Iterator
 from ._errors import ArgumentError, BusyError
 
 
+class OwnsHandle:
+    """A copy would have the same handle, and both would destroy it."""
+
+    def __reduce_ex__(self, _: Any) -> Any:
+        raise TypeError(f"a {type(self).__name__} of roughcontact cannot be copied or pickled; make another one")
+
+
 class Use:
     """A handle is in use by the call that was made, and by the thread that works for it (`interruptible`), which may outlive the
     call where a signal handler raises again and again. It is destroyed when neither uses it.

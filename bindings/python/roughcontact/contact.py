@@ -19,7 +19,7 @@ from ._structs import rc_level, rc_progress_fn, rc_result, rc_step
 from .context import Context, Options, OptionSet
 from .result import Grid, Level, PathResult, Result, level_from, result_from
 from .system import System
-from ._use import Use
+from ._use import OwnsHandle, Use
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def gap_and_mask(
     return surface.gap(), surface.mask
 
 
-class Contact:
+class Contact(OwnsHandle):
     """A contact kept over a loading sequence: operators, factors and the last pressures stay from step to step.
 
     system: `HalfSpace`, `Matrix` or `Product`
@@ -227,15 +227,15 @@ class Contact:
     ) -> Result:
         struct = rc_result()
         struct.p, struct.gap = pointer(pressure), pointer(deformed)
-        keep = (pressure, deformed, inputs)
-        status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep)
+        keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
+        status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
         answer = result_from(struct, message, self.grid(), pressure, deformed) if status >= 0 else None
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer
 
-    def _run(self, call: Callable[[], int], keep: Any) -> Tuple[int, str, Optional[BaseException]]:
-        """(status, message, interrupt) of a call that this contact's `cancel` ends."""
+    def _run(self, call: Callable[[], int], keep: Any, clears: bool = True) -> Tuple[int, str, Optional[BaseException]]:
+        """(status, message, interrupt) of a call that this contact's `cancel` ends; clears: whether C then forgets that it was asked to."""
         asked = []
 
         def cancel() -> None:
@@ -245,9 +245,9 @@ class Contact:
         status, message, interrupt = interruptible(call, cancel, self._use, (self, keep))
         if status == Status.STOP_CANCELLED and self._late_cancel and not asked:
             self._late_cancel = False  # it was meant for the call before, which had just ended
-            return self._run(call, keep)
-        refused = status < 0  # then what was meant for an earlier call still waits
-        self._late_cancel = (bool(asked) or self._late_cancel and refused) and status != Status.STOP_CANCELLED
+            return self._run(call, keep, clears)
+        waits = status < 0 or not clears  # what was meant for an earlier call
+        self._late_cancel = (bool(asked) or self._late_cancel and waits) and status != Status.STOP_CANCELLED
         return status, message, interrupt
 
     def _conclude(

@@ -12,6 +12,7 @@ from . import _constants
 from ._arrays import Doubles, Pitch, as_pitch, as_shape, columns_and_rows, pointer
 from ._calls import check
 from ._library import contact_library
+from ._use import OwnsHandle
 from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
 
 OptionValue = Union[int, float, str]
@@ -43,7 +44,7 @@ class OptionSpec:
     maximum: Optional[float]
 
 
-class Context:
+class Context(OwnsHandle):
     """A registry of its own. `Contact` and the functions below use the default one where none is given.
 
     plugin_path: absolute directories that are searched first for plugins
@@ -89,7 +90,7 @@ def context_handle(context: Optional[Context]) -> Optional[ctypes.c_void_p]:
     return None if context is None else context.handle
 
 
-class OptionSet:
+class OptionSet(OwnsHandle):
     """Options in C's form, for the time of a with statement."""
 
     def __init__(self, options: Options, context: Optional[Context]) -> None:
