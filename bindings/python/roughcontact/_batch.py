@@ -140,7 +140,7 @@ def batch(
         raised.raise_first()
     if interrupt is not None:
         raise Interrupted(answer) if isinstance(interrupt, KeyboardInterrupt) else interrupt
-    if answer is None or check and status not in (Status.OK, Status.WITHIN_GOAL):
+    if answer is None or status < 0 and n == 0 or check and status not in (Status.OK, Status.WITHIN_GOAL):
         raise error_for(status, message, answer)
     return answer
 
