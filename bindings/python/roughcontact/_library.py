@@ -3,7 +3,8 @@
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
   2. the one inside this package, where it was installed from a wheel
-  3. the system's, by its SONAME, as the dynamic loader finds it
+  3. the one of the same prefix: PREFIX/lib/python3/dist-packages/roughcontact belongs to PREFIX/lib
+  4. the system's, by its SONAME, as the dynamic loader finds it
 libroughcontact-surface is looked for beside libroughcontact, then by its SONAME, when a function of it is first called:
 programs that only solve contacts do not load the GNU Scientific Library.
 """
@@ -22,7 +23,7 @@ VARIABLE = "ROUGHCONTACT_LIBRARY"
 SONAME = f"libroughcontact.so.{RC_ABI}"
 SURFACE_SONAME = f"libroughcontact-surface.so.{RC_ABI}"
 
-_lock = threading.Lock()
+_lock = threading.RLock()  # a signal handler may ask while its own thread loads
 _loaded: Dict[str, Any] = {}
 
 
@@ -31,8 +32,10 @@ def _candidates() -> List[Tuple[str, str]]:
     named = os.environ.get(VARIABLE)
     if named:
         return [(os.path.abspath(named), f"the environment variable {VARIABLE}")]
-    own = pathlib.Path(__file__).parent / "lib" / SONAME
-    return ([(str(own), "this package")] if own.exists() else []) + [(SONAME, "the system")]
+    here = pathlib.Path(__file__).resolve()
+    own, beside = here.parent / "lib" / SONAME, here.parents[3] / SONAME if len(here.parents) > 3 else here
+    found = [(str(file), origin) for file, origin in ((own, "this package"), (beside, "the same prefix")) if file.name == SONAME]
+    return [each for each in found if os.path.exists(each[0])] + [(SONAME, "the system")]
 
 
 def _open(candidates: List[Tuple[str, str]], functions: str) -> Tuple[Any, str]:
@@ -75,6 +78,8 @@ def _file_of(library: Any, fallback: str) -> str:
 
 def contact_library() -> Any:
     """libroughcontact with the prototypes of all its functions."""
+    if "contact" in _loaded:
+        return _loaded["contact"]
     with _lock:
         if "contact" not in _loaded:
             library, file = _open(_candidates(), CONTACT_FUNCTIONS)
@@ -84,7 +89,8 @@ def contact_library() -> Any:
                 raise LibraryNotFoundError(
                     f"{file} has ABI {abi.value}, this package needs {RC_ABI}; install both from one source"
                 )
-            _loaded["contact"], _loaded["file"] = library, _file_of(library, file)
+            _loaded["file"] = _file_of(library, file)
+            _loaded["contact"] = library
         return _loaded["contact"]
 
 
