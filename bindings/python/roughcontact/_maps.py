@@ -1,5 +1,6 @@
 """Height maps: what a grid of heights is, and what is accepted for one."""
 
+import os
 from dataclasses import dataclass, replace
 from typing import Any, Optional, Tuple
 
@@ -117,6 +118,8 @@ def as_surface(
     leading: int = 0,
 ) -> Surface:
     """A Surface from a Surface, an object with the methods of SurfaceTopography's, or an array and a pitch."""
+    if isinstance(thing, (str, bytes, os.PathLike)):
+        raise ArgumentError("heights is a file name; files are read by the command roughcontact, or pass an array")
     if isinstance(thing, Surface):
         heights, found_mask = _without_missing(thing.heights, thing.mask if mask is None else mask, missing)
         found = Surface(heights, thing.pitch, thing.periodic, found_mask, thing.unit)

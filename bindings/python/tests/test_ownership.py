@@ -1,0 +1,79 @@
+"""Who owns what: handles are not copied, arrays outlive calls, and what is asked of a contact is not forgotten."""
+
+import copy
+import pathlib
+import pickle
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+from roughcontact import _library
+from roughcontact._arrays import as_doubles
+
+
+def test_what_owns_a_handle_is_not_copied(half_space):
+    for owner in (rc.Contact(half_space), rc.Context(plugins=False)):
+        for call in (copy.copy, copy.deepcopy, pickle.dumps):
+            with pytest.raises(TypeError, match="cannot be copied or pickled"):
+                call(owner)
+
+
+def test_a_product_may_keep_what_it_is_given(small_matrix):
+    kept, sums = [], []
+
+    def apply(x):
+        kept.append(x)
+        sums.append(x.sum())
+        return small_matrix @ x
+
+    rc.solve(gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(apply, 12))
+    assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
+
+
+@pytest.mark.parametrize("between", ["certify", "empty path"])
+def test_a_late_cancel_is_not_forgotten(half_space, sphere_gap, between):
+    """One that came just after its call had ended must not stop the next solve, whatever is called between."""
+    with rc.Contact(half_space) as contact:
+        answer = contact.solve(gap=sphere_gap, displacement=3e-7)
+        contact.cancel()
+        contact._late_cancel = True
+        if between == "certify":
+            contact.certify(answer.pressure, gap=sphere_gap, displacement=3e-7)
+        else:
+            contact.path(displacement=[])
+        assert contact.solve(displacement=2e-7, warm_start=False).certified
+
+
+def unaligned(array):
+    memory = np.frombuffer(bytearray(array.nbytes + 1), np.float64, offset=1, count=array.size).reshape(array.shape)
+    memory[...] = array
+    return memory
+
+
+def test_arrays_are_aligned(sphere_gap, small_matrix):
+    assert as_doubles(unaligned(sphere_gap), "gap").flags.aligned
+    assert rc.Matrix(unaligned(small_matrix)).H.flags.aligned
+
+
+def test_a_batch_of_none_that_is_refused_raises():
+    with pytest.raises(rc.OptionError):
+        rc.batch(gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=1.0, options={"threads": -5}, check=False)
+    with pytest.raises(rc.ArgumentError):
+        rc.batch(gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=-1.0, check=False)
+
+
+@pytest.mark.parametrize("name", ["surface.txt", pathlib.Path("surface.txt")])
+def test_file_names_are_no_heights(name):
+    with pytest.raises(rc.ArgumentError, match="heights is a file name; files are read by the command"):
+        rc.solve(name, pitch=1.0, modulus=1.0, load=1.0)
+
+
+def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monkeypatch):
+    package = tmp_path / "lib" / "python3" / "dist-packages" / "roughcontact"
+    package.mkdir(parents=True)
+    library = tmp_path / "lib" / _library.SONAME
+    library.write_bytes(b"")
+    monkeypatch.delenv(_library.VARIABLE)
+    monkeypatch.setattr(_library, "__file__", str(package / "_library.py"))
+    assert [file for file, _ in _library._candidates()] == [str(library), _library.SONAME]
