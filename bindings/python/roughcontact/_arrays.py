@@ -1,12 +1,12 @@
 """Arrays of any order, type and kind as the library wants them, copied only where they differ from that."""
 
 import operator
-from typing import Any, Dict, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import ArgumentError, ShapeError
+from ._errors import ArgumentError, RoughContactError, ShapeError
 from ._structs import bytes_, doubles, integers, statuses
 
 Doubles = NDArray[np.float64]
@@ -25,6 +25,17 @@ def as_int(value: Any, name: str, bits: int = 64) -> int:
     if not -limit <= number < limit:
         raise ArgumentError(f"{name} is {number}; the library takes {-limit} .. {limit - 1}")
     return number
+
+
+def as_text(value: str, name: str, error: Type[RoughContactError] = ArgumentError) -> bytes:
+    """value as C reads it, which ends at the first NUL."""
+    try:
+        text = value.encode()
+    except UnicodeEncodeError:
+        raise error(f"{name} is {value!r}, which is not text: it has half of a surrogate pair") from None
+    if b"\0" in text:
+        raise error(f"{name} is {value!r}; text with a NUL character cannot be passed on")
+    return text
 
 
 def as_seed(value: Any) -> int:

@@ -171,6 +171,8 @@ class Contact(OwnsHandle):
                 answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, gap_array, mask_array, first)
             if gap_array is not None:
                 self._borrowed = self._borrowed[-1:] if borrow else []
+            elif borrow:  # the gap stays that of the step which brought one; of masks, the last one is looked at
+                self._borrowed = self._borrowed[:1] + self._borrowed[1:][-1:]
         return answer
 
     def certify(

@@ -9,8 +9,9 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _constants
-from ._arrays import Doubles, Pitch, as_pitch, as_shape, columns_and_rows, pointer
+from ._arrays import Doubles, Pitch, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._calls import check
+from ._errors import OptionError
 from ._library import contact_library
 from ._use import OwnsHandle
 from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
@@ -67,7 +68,9 @@ class Context(OwnsHandle):
         config.flags = (0 if plugins else _constants.RC_CONTEXT_NO_PLUGINS) | (
             0 if environment else _constants.RC_CONTEXT_NO_ENVIRONMENT
         )
-        config.plugin_path = (plugin_path if isinstance(plugin_path, str) else ":".join(plugin_path)).encode() or None
+        config.plugin_path = (
+            as_text(plugin_path if isinstance(plugin_path, str) else ":".join(plugin_path), "plugin_path") or None
+        )
         self._log = rc_log_fn() if log is None else rc_log_fn(_guarded_log(log))
         config.log = self._log
         handle = ctypes.c_void_p()
@@ -102,7 +105,7 @@ class OptionSet(OwnsHandle):
         check(library.rc_options_create(context_handle(self._context), self.handle))
         try:
             for key, value in self._given.items():
-                self._set(library, str(key).encode(), value)
+                self._set(library, as_text(str(key), "an option's name", OptionError), value)
         except BaseException:
             self.__exit__()
             raise
@@ -110,7 +113,7 @@ class OptionSet(OwnsHandle):
 
     def _set(self, library: Any, key: bytes, value: OptionValue) -> None:
         if isinstance(value, str):
-            check(library.rc_options_parse(self.handle, key, value.encode()))
+            check(library.rc_options_parse(self.handle, key, as_text(value, f"option {key.decode()}", OptionError)))
         elif isinstance(value, (bool, np.bool_, int, np.integer)):
             # The schema knows whether that is a whole number or a real one, and says so where it is neither.
             check(library.rc_options_parse(self.handle, key, str(int(value)).encode()))
@@ -212,5 +215,5 @@ def kernel_coefficients(kernel: str, shape: Union[int, Sequence[int]], pitch: Pi
     sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
     nx, ny = columns_and_rows(sides)
     out = np.empty(sides)
-    check(contact_library().rc_kernel_coefficients(kernel.encode(), hx, hy, nx, ny, pointer(out)))
+    check(contact_library().rc_kernel_coefficients(as_text(kernel, "kernel"), hx, hy, nx, ny, pointer(out)))
     return out

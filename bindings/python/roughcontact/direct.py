@@ -10,7 +10,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, columns_and_rows, pointer
+from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, as_text, columns_and_rows, pointer
 from ._calls import interruptible
 from ._errors import Interrupted, ShapeError, Status, as_status, error_for
 from ._library import contact_library
@@ -188,7 +188,7 @@ def cmr(
     p = np.zeros(z.shape)
     return _call(
         "rc_cmr",
-        (nx, ny, hx, hy, modulus, pointer(z), delta, grids, h, None if inner is None else inner.encode(), pointer(p)),
+        (nx, ny, hx, hy, modulus, pointer(z), delta, grids, h, None if inner is None else as_text(inner, "inner"), pointer(p)),
         p,
         None,
         check,

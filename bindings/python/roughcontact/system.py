@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
-from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, columns_and_rows, pointer
+from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._calls import Callbacks, check
 from ._errors import ArgumentError, ShapeError, Status
 from ._library import contact_library
@@ -151,7 +151,8 @@ def supported(
     struct, callbacks = system.struct()
     control = _constants.RC_CONTROL_LOAD if load else _constants.RC_CONTROL_DISPLACEMENT
     with OptionSet(options, context) as handle:
-        status = library.rc_pair_supported(context_handle(context), solver.encode(), backend.encode(), struct, control, handle)
+        names = as_text(solver, "solver"), as_text(backend, "backend")
+        status = library.rc_pair_supported(context_handle(context), *names, struct, control, handle)
         reason = library.rc_last_error().decode(errors="replace") if status else ""
     callbacks.raise_first()
     if status == Status.ERR_ARGUMENT:

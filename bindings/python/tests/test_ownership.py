@@ -77,3 +77,28 @@ def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monke
     monkeypatch.delenv(_library.VARIABLE)
     monkeypatch.setattr(_library, "__file__", str(package / "_library.py"))
     assert [file for file, _ in _library._candidates()] == [str(library), _library.SONAME]
+
+
+def test_borrowed_masks_are_let_go(half_space, sphere_gap):
+    with rc.Contact(half_space) as contact:
+        contact.solve(gap=sphere_gap, displacement=3e-7, borrow=True)
+        for _ in range(5):
+            contact.solve(mask=np.ones((64, 64), bool), displacement=3e-7, borrow=True)
+        assert len(contact._borrowed) <= 2 and np.shares_memory(contact._borrowed[0][0], sphere_gap)
+
+
+@pytest.mark.parametrize("text", ["gp\0x", "gp\ud800"])
+def test_text_that_c_would_cut_off_is_refused(text, half_space):
+    for options in ({"solver": text}, {text: 1}):
+        with pytest.raises(rc.OptionError, match="NUL|surrogate"):
+            rc.Contact(half_space, options=options)
+    calls = (
+        lambda: rc.kernel_coefficients(text, (2, 2), 1.0),
+        lambda: rc.supported(text, "fft", half_space),
+        lambda: rc.supported("gp", text, half_space),
+        lambda: rc.Context("/" + text),
+        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, delta=1.0, inner=text),
+    )
+    for call in calls:
+        with pytest.raises(rc.ArgumentError, match="NUL|surrogate"):
+            call()
