@@ -34,7 +34,8 @@ def _candidates() -> List[Tuple[str, str]]:
         return [(os.path.abspath(named), f"the environment variable {VARIABLE}")]
     here = pathlib.Path(__file__).resolve()
     own, beside = here.parent / "lib" / SONAME, here.parents[3] / SONAME if len(here.parents) > 3 else here
-    found = [(str(file), origin) for file, origin in ((own, "this package"), (beside, "the same prefix")) if file.name == SONAME]
+    places = ((own, "this package"), (beside, "the same prefix"))
+    found = [(str(file), origin) for file, origin in places if file.name == SONAME]
     return [each for each in found if os.path.exists(each[0])] + [(SONAME, "the system")]
 
 

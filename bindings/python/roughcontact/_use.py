@@ -15,8 +15,8 @@ class OwnsHandle:
 
 
 class Use:
-    """A handle is in use by the call that was made, and by the thread that works for it (`interruptible`), which may outlive the
-    call where a signal handler raises again and again. It is destroyed when neither uses it.
+    """A handle is in use by the call that was made, and by the thread that works for it (`interruptible`), which may
+    outlive the call where a signal handler raises again and again. It is destroyed when neither uses it.
 
     destroy: a weakref.finalize
     """

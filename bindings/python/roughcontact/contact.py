@@ -168,7 +168,8 @@ class Contact(OwnsHandle):
             if borrow:
                 self._borrowed.append((gap_array, mask_array))
             with self._pressing(gap_array, mask_array):
-                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, gap_array, mask_array, first)
+                inputs = (gap_array, mask_array, first)
+                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, *inputs)
             if gap_array is not None:
                 self._borrowed = self._borrowed[-1:] if borrow else []
             elif borrow:  # the gap stays that of the step which brought one; of masks, the last one is looked at
@@ -225,7 +226,13 @@ class Contact(OwnsHandle):
             raise
 
     def _run_step(
-        self, function: Any, step: rc_step, pressure: Optional[Doubles], deformed: Optional[Doubles], must_be_certified: bool, *inputs: Any
+        self,
+        function: Any,
+        step: rc_step,
+        pressure: Optional[Doubles],
+        deformed: Optional[Doubles],
+        must_be_certified: bool,
+        *inputs: Any,
     ) -> Result:
         struct = rc_result()
         struct.p, struct.gap = pointer(pressure), pointer(deformed)
@@ -237,7 +244,10 @@ class Contact(OwnsHandle):
         return answer
 
     def _run(self, call: Callable[[], int], keep: Any, clears: bool = True) -> Tuple[int, str, Optional[BaseException]]:
-        """(status, message, interrupt) of a call that this contact's `cancel` ends; clears: whether C then forgets that it was asked to."""
+        """(status, message, interrupt) of a call that this contact's `cancel` ends.
+
+        clears: whether C then forgets that it was asked to.
+        """
         asked = []
 
         def cancel() -> None:
