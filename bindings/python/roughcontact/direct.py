@@ -86,11 +86,7 @@ def _on_matrix(
     p = np.zeros(n) if start is None else as_doubles(start, "start", (n,)).copy()
     w = np.zeros(n)
     return _call(
-        f"rc_{name}",
-        (n, pointer(matrix), row_stride(matrix), pointer(right), pointer(p), pointer(w), tol, steps),
-        p,
-        w,
-        check,
+        f"rc_{name}", (n, pointer(matrix), row_stride(matrix), pointer(right), pointer(p), pointer(w), tol, steps), p, w, check
     )
 
 
