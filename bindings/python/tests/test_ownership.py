@@ -74,7 +74,7 @@ def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monke
     package.mkdir(parents=True)
     library = tmp_path / "lib" / _library.SONAME
     library.write_bytes(b"")
-    monkeypatch.delenv(_library.VARIABLE)
+    monkeypatch.delenv(_library.VARIABLE, raising=False)
     monkeypatch.setattr(_library, "__file__", str(package / "_library.py"))
     assert [file for file, _ in _library._candidates()] == [str(library), _library.SONAME]
 
