@@ -56,8 +56,8 @@ def interruptible(
 ) -> Tuple[int, str, Optional[BaseException]]:
     """(status, message, interrupt) of call().
 
-    On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here. What
-    a signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended.
+    On the main thread call() runs on a thread of its own: Python delivers signals to the main thread only, which waits here.
+    What a signal handler raises, KeyboardInterrupt as a rule, cancels the call and is returned when that has ended.
 
     A handler may raise at any place, so it can get out of this function before the call has ended. The thread therefore holds
     all that the call uses: call itself, keep (what call knows by its address alone), and the use of a handle.
@@ -115,8 +115,8 @@ def interruptible(
 
 
 def _wait(found: List[Any], done: Any, stop: Callable[[], None]) -> None:
-    """However often Ctrl-C is pressed. A handler may also raise just after `done` was taken, which nobody gives back, or between
-    two turns of a loop: hence the outer one."""
+    """However often Ctrl-C is pressed. A handler may also raise just after `done` was taken, which nobody gives back, or
+    between two turns of a loop: hence the outer one."""
     while not found:
         try:
             while not found:
