@@ -17,7 +17,10 @@ if [ $# -gt 0 ] && [[ $1 != -* ]]; then surface=$1; shift; fi
 options=("$@")
 if [ $# = 0 ]; then
   options=(--modulus 1e11 --pressure '5e7,5e8,2e9')
-  [[ $surface == *.gsf ]] || options+=(--unit um --pitch 1)
+  case $surface in
+    '' | *.npy | *.txt | *.csv | *.tsv | *.dat | *.asc) options+=(--unit um --pitch 1) ;;
+    *.xyz) options+=(--unit um) ;;
+  esac
 fi
 if [ -z "$surface" ]; then
   surface=$root/build/demo/surface.npy
