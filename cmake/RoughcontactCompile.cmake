@@ -9,3 +9,10 @@ if(RC_SANITIZE)
   # Programs in C need the part of the runtime that the library in C++ calls.
   set(CMAKE_C_LINK_EXECUTABLE "${CMAKE_CXX_LINK_EXECUTABLE}")
 endif()
+if(RC_BUILD_FUZZERS)
+  set(RC_FUZZING_ENGINE -fsanitize=fuzzer CACHE STRING "What links a fuzz target to its engine")
+  if(RC_FUZZING_ENGINE STREQUAL -fsanitize=fuzzer)
+    # What libFuzzer steers by; other engines bring their own through the flags.
+    target_compile_options(rc_compile INTERFACE -fsanitize=fuzzer-no-link)
+  endif()
+endif()
