@@ -44,6 +44,9 @@ void Cache::forget(std::unique_ptr<Transforms>& box, std::unique_ptr<Transforms>
   idle_.clear();
   put_away(std::move(grid));
   put_away(std::move(box));
+}
+
+void Cache::trim_forgotten() {
   std::size_t total = 0;
   for (const auto& each : forgotten_) total += each->bytes();
   while (total > most_forgotten) {

@@ -37,17 +37,20 @@ class Cache {
   // Keeps them for later, as long as there is room.
   void retire(std::unique_ptr<Transforms>& present);
 
-  // As if none had been made: lengths do not depend on those before. What was made waits to be recalled, within a limit.
+  // As if none had been made: lengths do not depend on those before. What was made waits to be recalled; within a limit, once
+  // others are.
   void forget(std::unique_ptr<Transforms>& box, std::unique_ptr<Transforms>& grid);
-  // The transform of just these lengths that was forgotten, or null.
+  // The transform of just these lengths that was forgotten, or null: then there is room for a new one.
   template <class Real> std::unique_ptr<Transform<Real>> recalled(Lengths lengths) {
     for (const auto& each : forgotten_)
-      if (each->lengths == lengths) return std::move(each->in<Real>());
+      if (each->lengths == lengths && each->in<Real>()) return std::move(each->in<Real>());
+    trim_forgotten();
     return nullptr;
   }
 
  private:
   void put_away(std::unique_ptr<Transforms> present);
+  void trim_forgotten();
 
   std::size_t limit_;
   std::vector<std::unique_ptr<Transforms>> idle_;       // in the order of their last use

@@ -9,7 +9,7 @@ module roughcontact_contacts
   private
   public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &
     rcf_contact_set_options, rcf_contact_on_progress, rcf_contact_solve, rcf_contact_certify, rcf_contact_level, &
-    rcf_contact_points, rcf_solve
+    rcf_contact_points, rcf_contact_restore, rcf_solve
 
   ! Not to be copied: one variable, destroyed once.
   type :: rcf_contact
@@ -152,6 +152,42 @@ contains
     if (status >= 0 .and. room > 0) status = rc_contact_points(contact%handle, room, index, p, n)
     index = index + 1
     call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Goes on after a certified step that this contact or another has solved: its surface, pressures, and approach and load as its
+  ! result has them; with p_before likewise of the step before it, on the same surface. See option resumable.
+  subroutine rcf_contact_restore(contact, gap, p, displacement, load, p_before, displacement_before, load_before, mask, stat, &
+    errmsg)
+    type(rcf_contact), intent(in) :: contact
+    real(c_double), intent(in), target, contiguous :: gap(:, :), p(:, :)
+    real(c_double), intent(in) :: displacement, load
+    real(c_double), intent(in), optional, target, contiguous :: p_before(:, :)
+    real(c_double), intent(in), optional :: displacement_before, load_before
+    logical, intent(in), optional :: mask(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(*), parameter :: where = 'rcf_contact_restore'
+    type(rc_state) :: state
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    if ((present(p_before) .neqv. present(displacement_before)) .or. (present(p_before) .neqv. present(load_before))) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, displacement_before and load_before, or none', stat, errmsg)
+      return
+    end if
+    if (.not. rcf_shaped(where, 'gap', shape(gap), contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'p', shape(p), contact%nx, contact%ny, stat, errmsg)) return
+    if (present(mask)) then
+      if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
+    end if
+    state = rc_state(gap=rcf_address(gap), p=rcf_address(p), displacement=displacement, load=load)
+    if (present(p_before)) then
+      if (.not. rcf_shaped(where, 'p_before', shape(p_before), contact%nx, contact%ny, stat, errmsg)) return
+      state%p_before = rcf_address(p_before)
+      state%displacement_before = displacement_before
+      state%load_before = load_before
+    end if
+    call rcf_mask_bytes(mask, bytes)
+    if (allocated(bytes)) state%mask = c_loc(bytes)
+    call rcf_check(rc_contact_restore(contact%handle, state), stat, errmsg)
   end subroutine
 
   ! Create, solve, destroy. nx and ny are those of gap, whatever the system says.

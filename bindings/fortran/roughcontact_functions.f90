@@ -43,6 +43,10 @@ module roughcontact_functions
       integer(c_size_t), value :: struct_size
       type(rc_batch), intent(out) :: batch
     end subroutine
+    subroutine rc_state_init(state, struct_size) bind(c); import
+      integer(c_size_t), value :: struct_size
+      type(rc_state), intent(out) :: state
+    end subroutine
     subroutine rc_level_init(level, struct_size) bind(c); import
       integer(c_size_t), value :: struct_size
       type(rc_level), intent(out) :: level
@@ -198,6 +202,10 @@ module roughcontact_functions
     end function
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact
+    end function
+    integer(rc_status) function rc_contact_restore(contact, state) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_state), intent(in) :: state
     end function
     subroutine rc_contact_cancel(contact) bind(c); import
       type(c_ptr), value :: contact

@@ -54,6 +54,16 @@ module roughcontact_structs
     integer(c_int64_t) :: candidates = 0, contacts = 0
   end type
 
+  type, bind(c) :: rc_state
+    integer(c_size_t) :: struct_size = 72
+    type(c_ptr) :: gap = c_null_ptr
+    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+    type(c_ptr) :: p = c_null_ptr
+    real(c_double) :: displacement = 0, load = 0
+    type(c_ptr) :: p_before = c_null_ptr
+    real(c_double) :: displacement_before = 0, load_before = 0
+  end type
+
   type, bind(c) :: rc_path
     integer(c_size_t) :: struct_size = 120
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1

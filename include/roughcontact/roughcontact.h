@@ -188,6 +188,21 @@ typedef struct rc_level {
   int64_t contacts;     /* points with p > 0                                                                   */
 } rc_level;
 
+/** Where a loading history stands, for rc_contact_restore: what rc_result gave for its last two steps with RC_OK or
+ *  RC_WITHIN_GOAL. All of it is copied. */
+typedef struct rc_state {
+  size_t struct_size;
+  const double *gap;    /* [n] undeformed gap of the last step [length]                                        */
+  const uint8_t *mask;  /* [n] its mask; NULL: all points                                                      */
+  const double *p;      /* [n] its pressures [force/length^2]; NULL: there was no such step                    */
+  double displacement;  /* its approach, rc_result.displacement [length]                                       */
+  double load;          /* rc_result.load [force]                                                              */
+  const double *p_before; /* [n] likewise of the step before it; NULL: none, or its gap or mask was another    */
+  double displacement_before, load_before;
+} rc_state;
+#define RC_STATE_INIT \
+  { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0 }
+
 /** Called after each completed step 0 .. n-1 of a path, on the solving thread, with pressures and gap that last until
  *  it returns. May call only rc_contact_cancel. Return nonzero to end the path. */
 typedef int32_t (*rc_path_fn)(int64_t step, const rc_result *result, void *user);
@@ -390,6 +405,7 @@ typedef struct rc_option_spec {
 #define RC_OPT_WARMUP_ITERATIONS "warmup.iterations"
 #define RC_OPT_BOUNDS "bounds"
 #define RC_OPT_DETERMINISTIC "deterministic"
+#define RC_OPT_RESUMABLE "resumable"
 #define RC_OPT_ACCURACY "accuracy"
 #define RC_OPT_ACCURACY_OF "accuracy.of"
 
@@ -411,6 +427,7 @@ RC_API void rc_result_init(rc_result *result, size_t struct_size);
 RC_API void rc_context_config_init(rc_context_config *config, size_t struct_size);
 RC_API void rc_path_init(rc_path *path, size_t struct_size);
 RC_API void rc_batch_init(rc_batch *batch, size_t struct_size);
+RC_API void rc_state_init(rc_state *state, size_t struct_size);
 RC_API void rc_level_init(rc_level *level, size_t struct_size);
 RC_API void rc_direct_init(rc_direct *result, size_t struct_size);
 RC_API void rc_area_init(rc_area *area, size_t struct_size);
@@ -422,6 +439,7 @@ RC_API void rc_histogram_init(rc_histogram *histogram, size_t struct_size);
 #define rc_context_config_init(config) rc_context_config_init((config), sizeof(rc_context_config))
 #define rc_path_init(path) rc_path_init((path), sizeof(rc_path))
 #define rc_batch_init(batch) rc_batch_init((batch), sizeof(rc_batch))
+#define rc_state_init(state) rc_state_init((state), sizeof(rc_state))
 #define rc_level_init(level) rc_level_init((level), sizeof(rc_level))
 #define rc_direct_init(result) rc_direct_init((result), sizeof(rc_direct))
 #define rc_area_init(area) rc_area_init((area), sizeof(rc_area))
@@ -501,6 +519,11 @@ RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out)
 RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
 /** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
+/** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a
+ *  certified step: the next steps start from the same pressures and approaches. With option resumable = 1, in the contact that
+ *  solved and in this one, they give the same bits, for every solver and backend; without it to round-off, since operators may
+ *  remember more. A call that fails changes nothing. Errors: ARGUMENT, MEMORY, BUSY. */
+RC_API rc_status rc_contact_restore(rc_contact *contact, const rc_state *state);
 /** Stops the running solve soon, or the next one if none runs. Any thread, or a signal handler. NULL ignored. */
 RC_API void rc_contact_cancel(rc_contact *contact);
 RC_API void rc_contact_destroy(rc_contact *contact);

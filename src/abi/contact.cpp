@@ -111,6 +111,13 @@ rc_status rc_contact_reset(rc_contact* contact) {
   });
 }
 
+rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
+  return exclusively("rc_contact_restore", contact, [&](Contact& c) {
+    c.restore(read<rc_state>(state, "rc_state", RC_STATE_INIT));
+    return RC_OK;
+  });
+}
+
 void rc_contact_cancel(rc_contact* contact) {
   if (contact) contact->contact.cancel();
 }

@@ -46,6 +46,7 @@ void(rc_context_config_init)(rc_context_config* config, size_t struct_size) {
 }
 void(rc_path_init)(rc_path* path, size_t struct_size) { begin<rc_path>(path, struct_size, RC_PATH_INIT); }
 void(rc_batch_init)(rc_batch* batch, size_t struct_size) { begin<rc_batch>(batch, struct_size, RC_BATCH_INIT); }
+void(rc_state_init)(rc_state* state, size_t struct_size) { begin<rc_state>(state, struct_size, RC_STATE_INIT); }
 void(rc_level_init)(rc_level* level, size_t struct_size) { begin<rc_level>(level, struct_size, {}); }
 void(rc_direct_init)(rc_direct* result, size_t struct_size) { begin<rc_direct>(result, struct_size, {}); }
 void(rc_area_init)(rc_area* area, size_t struct_size) { begin<rc_area>(area, struct_size, {}); }

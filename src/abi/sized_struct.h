@@ -14,6 +14,7 @@ template <> inline constexpr std::size_t first_size<rc_system> = 88;
 template <> inline constexpr std::size_t first_size<rc_step> = 48;
 template <> inline constexpr std::size_t first_size<rc_result> = 432;
 template <> inline constexpr std::size_t first_size<rc_level> = 88;
+template <> inline constexpr std::size_t first_size<rc_state> = 72;
 template <> inline constexpr std::size_t first_size<rc_path> = 120;
 template <> inline constexpr std::size_t first_size<rc_batch> = 200;
 template <> inline constexpr std::size_t first_size<rc_direct> = 248;

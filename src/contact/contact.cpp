@@ -53,16 +53,61 @@ void Contact::reset() {
   std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
 }
 
-void Contact::forget() {
-  surface_.clear();
-  last_ = before_ = {};
+void Contact::forget_operators() {
   std::erase_if(operators_, [](const auto& entry) { return !entry.second->forget(); });
   for (auto& [points, level] : levels_) {
     if (level.contact) level.contact->forget();
     level.current = false;
   }
-  for (Model& model : models_) model.contact->forget();
+  for (Model& model : models_) {
+    model.contact->last_ = model.contact->before_ = {};
+    model.contact->forget_operators();
+  }
+}
+
+void Contact::forget() {
+  forget_operators();
+  surface_.clear();
+  last_ = before_ = {};
   models_current_ = false;
+}
+
+// suffix: of the names of rc_state's members.
+Contact::Last Contact::certified(const double* p, double displacement, double load, const SurfaceState& surface,
+                                 const char* suffix) const {
+  if (!p) return {};
+  Last step{{}, displacement, load, true};
+  for (const auto& [value, name] : {std::pair{displacement, "displacement"}, {load, "load"}})
+    if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, "rc_state.", name, suffix, " = ", value, " is not finite");
+  Pressures& pressures = step.pressures;
+  for (std::int64_t i = 0; i < system_.points(); ++i) {
+    if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "rc_state.p", suffix, "[", i, "] = ", p[i], " is not finite");
+    if (p[i] == 0) continue;
+    if (!surface.included(static_cast<std::size_t>(i)))
+      fail(RC_ERR_ARGUMENT, "rc_state.p", suffix, "[", i, "] = ", p[i], " but this point is excluded by the mask");
+    pressures.on.index.push_back(i);
+    pressures.p.push_back(p[i]);
+  }
+  if (pressures.empty()) {  // a step without contact is a step
+    pressures.on.index = {0};
+    pressures.p = {0};
+  }
+  pressures.on.n = static_cast<std::int64_t>(pressures.p.size());
+  if (pressures.on.n == system_.points()) pressures.on.index.clear();
+  return step;
+}
+
+void Contact::restore(const rc_state& state) {
+  const auto n = static_cast<std::size_t>(system_.points());
+  if (!state.gap) fail(RC_ERR_ARGUMENT, "rc_state.gap is null");
+  if (!state.p && state.p_before) fail(RC_ERR_ARGUMENT, "rc_state.p is null but rc_state.p_before is not");
+  SurfaceState surface({system_.given.nx, system_.given.ny, {state.gap, n}, {state.mask, state.mask ? n : 0}, false}, *team_);
+  Last last = certified(state.p, state.displacement, state.load, surface, ""),
+       before = certified(state.p_before, state.displacement_before, state.load_before, surface, "_before");
+  forget();
+  surface_ = std::move(surface);
+  last_ = std::move(last);
+  before_ = std::move(before);
 }
 
 // The surface as this step describes it; nothing where it is that of the step before.
@@ -103,6 +148,7 @@ void Contact::begin(const rc_step& step) {
   std::optional<SurfaceState> given = given_surface(step);
   check_target(step, given ? *given : surface_);
   if (given) adopt(std::move(*given));
+  if (options_.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
   warm_ = step.warm_start != 0;
   remarks_.clear();
   for (auto& [points, level] : levels_) level.current = false;

@@ -65,6 +65,8 @@ class Contact {
   // As new: operators, too, forget what they served (the lengths of transforms that a larger set called for), since answers would
   // differ by round-off. What is the same for all contacts of the system stays.
   void forget();
+  // As after the steps described, which this contact or another has solved.
+  void restore(const rc_state& state);
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
   // True for the one thread that may use the contact now.
@@ -111,6 +113,8 @@ class Contact {
   };
 
   void begin(const rc_step& step);
+  void forget_operators();
+  Last certified(const double* p, double displacement, double load, const SurfaceState& surface, const char* suffix) const;
   void adopt(SurfaceState&& given);
   void adopt(const rc_options& options);
   // nearer: what a coarser grid tells.

@@ -51,6 +51,9 @@ const std::vector<OptionSpec>& core_options() {
              "1: the core may replace an operation that a backend lacks by a slower one, named in the result"),
       text(RC_OPT_WARMUP, "none", "solver that runs first, for warmup.iterations; none: no warm-up"),
       number(RC_TYPE_INT, RC_OPT_WARMUP_ITERATIONS, "50", 1, 1e9, "iterations of the warm-up"),
+      number(RC_TYPE_INT, RC_OPT_RESUMABLE, "0", 0, 1,
+             "1: a step depends on the last two certified ones alone, so that rc_contact_restore continues with the same bits; "
+             "factors and other leftovers of earlier steps are made anew"),
       number(RC_TYPE_INT, RC_OPT_BOUNDS, "1", 0, 1, "1: prove intervals for load and contact area from the duality gap"),
       fixed(number(
           RC_TYPE_REAL, RC_OPT_ACCURACY, "0", 0, 0.5,

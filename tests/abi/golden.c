@@ -135,6 +135,17 @@ AT(rc_level, load, 64);
 AT(rc_level, candidates, 72);
 AT(rc_level, contacts, 80);
 
+SIZE(rc_state, 72);
+AT(rc_state, struct_size, 0);
+AT(rc_state, gap, 8);
+AT(rc_state, mask, 16);
+AT(rc_state, p, 24);
+AT(rc_state, displacement, 32);
+AT(rc_state, load, 40);
+AT(rc_state, p_before, 48);
+AT(rc_state, displacement_before, 56);
+AT(rc_state, load_before, 64);
+
 SIZE(rc_path, 120);
 AT(rc_path, struct_size, 0);
 AT(rc_path, control, 8);

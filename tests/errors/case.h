@@ -41,6 +41,7 @@ Section names();
 Section plugins();
 Section order_of_calls();
 Section paths();
+Section restores();
 Section batches();
 Section direct_routines();
 Section analyses();

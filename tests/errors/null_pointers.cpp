@@ -23,6 +23,7 @@ Outcome harmless_nulls() {
   rc_context_config_init(nullptr);
   rc_path_init(nullptr);
   rc_batch_init(nullptr);
+  rc_state_init(nullptr);
   rc_level_init(nullptr);
   rc_direct_init(nullptr);
   rc_area_init(nullptr);

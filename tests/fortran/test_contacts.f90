@@ -31,6 +31,7 @@ program test_contacts
   call one_shot()
   call many_steps()
   call paths()
+  call restored()
   call batches()
   call finish()
 
@@ -151,6 +152,45 @@ contains
     call rcf_contact_solve_path(contact, approaches, load=load(1:3), stat=stat)
     call check('an output that is too short', stat == RC_ERR_SHAPE)
     call rcf_contact_destroy(contact)
+  end subroutine
+
+  ! A history that goes on in a new contact after any of its steps has the bits of the one that does not.
+  subroutine restored()
+    integer, parameter :: steps = 6
+    real(c_double), parameter :: targets(steps) = 0.01_c_double * [20, 35, 36, 0, 40, 30]
+    type(rcf_contact) :: contact
+    type(c_ptr) :: options
+    type(rc_result) :: results(steps), again
+    real(c_double) :: pressures(nx, ny, steps)
+    integer :: cut, k
+    call rcf_options_create(options)
+    call rcf_options_set_int(options, RC_OPT_RESUMABLE, 1)
+    call rcf_contact_create(contact, system, options)
+    call rcf_contact_restore(contact, gap, p, 0.1_c_double, 1.0_c_double, p_before=p, stat=stat, errmsg=message)
+    call check('all of the step before or nothing: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'or none') > 0)
+    call rcf_contact_restore(contact, gap, p(:nx - 1, :), 0.1_c_double, 1.0_c_double, stat=stat)
+    call check('pressures of another shape', stat == RC_ERR_SHAPE)
+    call rcf_contact_solve(contact, displacement=targets(1), gap=gap, p=pressures(:, :, 1), result=results(1))
+    do k = 2, steps
+      call rcf_contact_solve(contact, displacement=targets(k), p=pressures(:, :, k), result=results(k))
+    end do
+    call rcf_contact_destroy(contact)
+    do cut = 1, steps - 1
+      call rcf_contact_create(contact, system, options)
+      if (cut == 1) then
+        call rcf_contact_restore(contact, gap, pressures(:, :, 1), results(1)%displacement, results(1)%load)
+      else
+        call rcf_contact_restore(contact, gap, pressures(:, :, cut), results(cut)%displacement, results(cut)%load, &
+          pressures(:, :, cut - 1), results(cut - 1)%displacement, results(cut - 1)%load)
+      end if
+      do k = cut + 1, steps
+        call rcf_contact_solve(contact, displacement=targets(k), p=p, result=again)
+        call check('the same bits after a cut', all(p == pressures(:, :, k)) .and. again%load == results(k)%load .and. &
+          again%applications == results(k)%applications)
+      end do
+      call rcf_contact_destroy(contact)
+    end do
+    call rcf_options_destroy(options)
   end subroutine
 
   subroutine batches()

@@ -46,6 +46,7 @@ RC_OPT_WARMUP = "warmup"
 RC_OPT_WARMUP_ITERATIONS = "warmup.iterations"
 RC_OPT_BOUNDS = "bounds"
 RC_OPT_DETERMINISTIC = "deterministic"
+RC_OPT_RESUMABLE = "resumable"
 RC_OPT_ACCURACY = "accuracy"
 RC_OPT_ACCURACY_OF = "accuracy.of"
 

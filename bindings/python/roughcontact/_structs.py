@@ -132,6 +132,20 @@ class rc_level(Sized):
 rc_path_fn = CFUNCTYPE(c_int32, c_int64, POINTER(rc_result), c_void_p)
 
 
+class rc_state(Sized):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("gap", doubles),
+        ("mask", bytes_),
+        ("p", doubles),
+        ("displacement", c_double),
+        ("load", c_double),
+        ("p_before", doubles),
+        ("displacement_before", c_double),
+        ("load_before", c_double),
+    ]
+
+
 class rc_path(Sized):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -302,6 +316,7 @@ STRUCTS = [
     rc_step,
     rc_result,
     rc_level,
+    rc_state,
     rc_path,
     rc_batch,
     rc_direct,

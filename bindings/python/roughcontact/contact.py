@@ -15,7 +15,7 @@ from ._calls import Callbacks, check, interruptible
 from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, Status, error_for
 from ._library import contact_library
 from ._maps import as_surface
-from ._structs import rc_level, rc_progress_fn, rc_result, rc_step
+from ._structs import rc_level, rc_progress_fn, rc_result, rc_state, rc_step
 from .context import Context, Options, OptionSet
 from .result import Grid, Level, PathResult, Result, level_from, result_from
 from .system import System
@@ -335,6 +335,38 @@ class Contact(OwnsHandle):
         with self._holding() as handle:
             check(contact_library().rc_contact_reset(handle))
             self._borrowed, self._mask = [], None
+
+    def restore(
+        self,
+        heights: Any = None,
+        *,
+        last: Tuple[ArrayLike, float, float],
+        before: Optional[Tuple[ArrayLike, float, float]] = None,
+        gap: Optional[ArrayLike] = None,
+        mask: Optional[ArrayLike] = None,
+        missing: str = "reject",
+    ) -> None:
+        """Goes on after a certified step that this contact or another one of the same system has solved.
+
+        heights, gap, mask, missing: its surface, as in `solve`
+        last: its pressures, displacement and load, as its result has them
+        before: likewise of the step before it, on the same surface; None: there was none
+
+        With options={"resumable": 1} in both contacts the next steps give the same bits as in the other, without it to
+        round-off.
+        """
+        gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
+        state = rc_state()
+        contact_library().rc_state_init(state, ctypes.sizeof(state))
+        state.gap, state.mask = pointer(gap_array), pointer(mask_array)
+        pressure = as_doubles(last[0], "last[0]", self.system.shape)
+        state.p, state.displacement, state.load = pointer(pressure), float(last[1]), float(last[2])
+        earlier = None if before is None else as_doubles(before[0], "before[0]", self.system.shape)
+        if before is not None:
+            state.p_before, state.displacement_before, state.load_before = pointer(earlier), float(before[1]), float(before[2])
+        with self._holding() as handle:
+            check(contact_library().rc_contact_restore(handle, state))
+            self._borrowed, self._mask = [], mask_array
 
     def cancel(self) -> None:
         """Stops the running step soon, or the next one if none runs. Any thread."""

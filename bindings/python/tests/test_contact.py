@@ -257,3 +257,32 @@ def test_contacts_that_share_a_product_fail_apart(small_matrix):
             first.solve(gap=gap, displacement=1.5)
         fail.clear()
         assert second.solve(gap=gap, displacement=1.5).certified and first.solve(displacement=1.5).certified
+
+
+def test_restored_contact_goes_on_with_the_same_bits(rough):
+    half_space = rc.HalfSpace.under(rough, modulus=1e9)
+    mask = rough.heights < 2e-7
+    targets = [4e-8, 8e-8, 8.2e-8, 0.0, 1e-7, 5e-8]
+    with rc.Contact(half_space, options={"resumable": 1}) as contact:
+        first = contact.solve(rough, mask=mask, displacement=targets[0])
+        whole = [first] + [contact.solve(displacement=each) for each in targets[1:]]
+    steps = [(each.pressure, each.displacement, each.load) for each in whole]
+    for cut in range(1, len(targets)):
+        with rc.Contact(half_space, options={"resumable": 1}) as contact:
+            contact.restore(rough, mask=mask, last=steps[cut - 1], before=steps[cut - 2] if cut > 1 else None)
+            assert np.array_equal(contact.grid().mask, mask)
+            for target, expected in zip(targets[cut:], whole[cut:]):
+                answer = contact.solve(displacement=target)
+                assert np.array_equal(answer.pressure, expected.pressure)
+                assert (answer.load, answer.applications) == (expected.load, expected.applications)
+
+
+def test_restore_refuses_what_no_step_gives(rough):
+    pressure = np.zeros(rough.heights.shape)
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        with pytest.raises(rc.ArgumentError, match="rc_state.gap is null"):
+            contact.restore(last=(pressure, 0.0, 0.0))
+        with pytest.raises(rc.ArgumentError, match="displacement = nan is not finite"):
+            contact.restore(rough, last=(pressure, np.nan, 0.0))
+        with pytest.raises(rc.ShapeError, match=r"before\[0\]"):
+            contact.restore(rough, last=(pressure, 0.0, 0.0), before=(pressure[:-1], 0.0, 0.0))
