@@ -295,20 +295,21 @@ rc_status Contact::coefficients(std::int64_t mx, std::int64_t my, double* out) {
   return RC_OK;
 }
 
+rc_grid Contact::grid() const {
+  return {sizeof(rc_grid),
+          system_.given.nx,
+          system_.given.ny,
+          system_.given.hx,
+          system_.given.hy,
+          surface_.gap().data(),
+          surface_.mask(),
+          nullptr,
+          0,
+          system_.given.boundary,
+          0};
+}
+
 SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
-  rc_grid grid{};
-  if (system_.halfspace())
-    grid = {sizeof(rc_grid),
-            system_.given.nx,
-            system_.given.ny,
-            system_.given.hx,
-            system_.given.hy,
-            surface_.gap().data(),
-            surface_.mask(),
-            nullptr,
-            0,
-            system_.given.boundary,
-            0};
   const bool grid_units = system_.halfspace();
   return {*answer.choice.solver,
           *options_.context,
@@ -319,7 +320,7 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
           options_.integer(RC_OPT_ALLOW_FALLBACK) != 0,
           system_.lambda_min,
           system_.positive,
-          grid,
+          grid_units ? grid() : rc_grid{},
           grid_units ? answer.length_unit : 0,
           grid_units ? answer.pressure_unit : 0,
           [this, &monitor](rc_coarse& request) { return solve_coarse(request, monitor); },

@@ -134,6 +134,7 @@ class Contact {
   TrialSet widened(TrialSet trial, const Choice& choice) const;
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   Answer prepare(const TrialSet& trial, std::int32_t control, double length_unit);
+  rc_grid grid() const;  // of a half-space
   SolverRun run(const Answer& answer, Monitor& monitor);
   double solver_tol() const;
   rc_status solve_coarse(rc_coarse& request, const Monitor& monitor);
@@ -174,7 +175,7 @@ class Contact {
   double fitting_approach(const Deflected& answer) const;
   void name_components(const Answer& answer, rc_result& result);
   double least_deflection() const;
-  double stiffness(const Answer& answer) const;
+  double stiffness(const Answer& answer);
   std::int64_t applications() const;
 
   System system_;

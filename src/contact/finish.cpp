@@ -6,6 +6,7 @@
 
 #include "contact/bounds.h"
 #include "contact/contact.h"
+#include "contact/contact_set_solve.h"
 #include "core/error.h"
 
 namespace rc {
@@ -13,6 +14,8 @@ namespace rc {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double stiffness_error = 1e-10;  // relative, where it is found by iteration
+constexpr double subset_tol = 1e-12;       // residual without a preconditioner or a bound: the error is quadratic in it
 
 template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
 
@@ -54,7 +57,7 @@ void Contact::name_components(const Answer& answer, rc_result& result) {
 double Contact::least_deflection() const { return system_.periodic() ? 0.25 * system_.length_per_pressure : 0; }
 
 // dW/dd = hx hy 1' H_CC^-1 1 on the contact set C.
-double Contact::stiffness(const Answer& answer) const {
+double Contact::stiffness(const Answer& answer) {
   if (!answer.op) return 0;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < answer.p.size(); ++i)
@@ -64,13 +67,26 @@ double Contact::stiffness(const Answer& answer) const {
   if (system_.periodic() && full) return std::numeric_limits<double>::infinity();
   const std::vector<double> ones(contact.size(), 1.0);
   std::vector<double> rate(contact.size());
-  const rc_status status = answer.op->subset(contact, ones.data(), rate.data());
+  double sum = 0, mean = answer.op->trial().zero_mode / static_cast<double>(system_.points());
+  rc_status status = RC_OK;
+  if (const double lowest = system_.periodic() ? system_.lambda_wave : system_.lambda_min;
+      system_.halfspace() && !answer.op->has_subset() && lowest > 0) {
+    ContactSetSolve solve(*answer.op, contact, grid(), lowest, *team_, [this](std::int64_t mx, std::int64_t my, auto& out) {
+      out.resize(static_cast<std::size_t>(mx * my));
+      raise_if_failed(coefficients(mx, my, out.data()), "the stiffness");
+    });
+    mean += solve.mean();
+    // The division below multiplies the relative error by 1 / (1 - mean sum).
+    const auto enough = [&](double form, double error) { return error <= stiffness_error * form * (1 - mean * form); };
+    status = solve(ones, enough, rate, sum);
+  } else {
+    status = answer.op->subset(contact, ones.data(), rate.data(), subset_tol);
+    for (const double value : rate) sum += value;
+  }
   raise_if_failed(status, "the stiffness");
   if (status != RC_OK) return nan;
-  double sum = 0;
-  for (const double value : rate) sum += value;
   // Without the rank-one zero mode (Sherman & Morrison 1950).
-  sum /= 1 - answer.op->trial().zero_mode / static_cast<double>(system_.points()) * sum;
+  sum /= 1 - mean * sum;
   return sum * system_.cell_area() / system_.length_per_pressure;
 }
 

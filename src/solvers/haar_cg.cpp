@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <span>
 
 #include "solvers/haar_nested.h"
 #include "solvers/haar_passes.h"
+#include "solvers/haar_planting.h"
 #include "solvers/haar_trees.h"
 #include "solvers/solver.h"
 
@@ -23,14 +23,12 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t table_side = 64;  // couplings are averaged from this many offsets, and extrapolated beyond
 constexpr int first_interval = 2, longest_interval = 16;
 constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
 constexpr int patience = 10;  // bounded steps without half the residual before the safeguard acts
 constexpr double least_excess = 0.5, most_excess = 2;
 constexpr double caution = 0.7;  // in lengthening the datum's steps
 constexpr double damping = 1.2;
-constexpr double elongated = 10;   // ratio of a periodic surface's sides
 constexpr double settled = 5e-2;   // residual below which the contact set changes little
 constexpr int refresh_every = 12;  // bounded steps between fresh products that wash out drift
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -39,27 +37,6 @@ template <class Real> constexpr bool single = sizeof(Real) < sizeof(double);
 // Digits that may be lost before the residual is replaced, and rises of the merit that rounding explains.
 template <class Real> constexpr double drop = single<Real> ? 1e-4 : 0;
 template <class Real> constexpr double merit_noise = single<Real> ? 1e-6 : 1e-10;
-
-// The unknowns in their bounding box.
-Cells cells_of(const rc_grid& grid, std::int64_t n) {
-  if (!grid.index) return {grid.nx, grid.ny, {}, {}};
-  Cells cells{0, 0, std::vector<std::int32_t>(static_cast<std::size_t>(n)),
-              std::vector<std::int32_t>(static_cast<std::size_t>(n))};
-  std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0;
-  for (std::size_t i = 0; i < cells.x.size(); ++i) {
-    cells.x[i] = static_cast<std::int32_t>(grid.index[i] % grid.nx);
-    cells.y[i] = static_cast<std::int32_t>(grid.index[i] / grid.nx);
-    left = std::min(left, cells.x[i]);
-    right = std::max(right, cells.x[i]);
-  }
-  const std::int32_t low = cells.y.front(), high = cells.y.back();
-  cells.mx = right - left + 1;
-  cells.my = high - low + 1;
-  if (cells.mx * cells.my == n) return {cells.mx, cells.my, {}, {}};
-  for (std::int32_t& x : cells.x) x -= left;
-  for (std::int32_t& y : cells.y) y -= low;
-  return cells;
-}
 
 template <class Real> class Iteration {
  public:
@@ -82,22 +59,11 @@ template <class Real> class Iteration {
 
  private:
   HaarTrees planted() {
-    const rc_grid& grid = *problem_.grid();
-    CouplingTable table{std::min(grid.nx, table_side), std::min(grid.ny, table_side), {}, grid.hx, grid.hy};
-    problem_.coefficients(table.mx, table.my, table.k);
-    if (grid.boundary == RC_BOUNDARY_PERIODIC) {
-      // The mean of the periodic operator counts as its longest wave, so that the couplings are positive.
-      const double unit = std::sqrt(grid.hx * grid.hy);
-      const double longest = std::max(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
-      const double shortest = std::min(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
-      // More where many waves are long: then the longest alone tells too little of the load's slope.
-      const double waves = longest > elongated * shortest ? 3 : 1;
-      const double mean = waves * longest / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
-      for (double& value : table.k) value += mean;
-      if (load_control()) mean_ = mean;
-      periodic_mean_ = mean;
-    }
-    return HaarTrees(cells_of(grid, problem_.size()), table);
+    const Planting on = planting_on(*problem_.grid(), problem_.size(),
+                                    [&](std::int64_t mx, std::int64_t my, Vector& out) { problem_.coefficients(mx, my, out); });
+    periodic_mean_ = on.mean;
+    if (load_control()) mean_ = on.mean;
+    return {on.cells, on.table};
   }
 
   // The operator with the trees' mean: it only shifts the datum by a multiple of the load, and without it the load of a periodic
