@@ -1,4 +1,5 @@
 # rc_add_backend(<name> [COMMON] [COMPONENT component] SOURCES ... [LIBRARIES ...] [INCLUDES ...] [LINK ...])
+# SOURCES: backend.cpp, which has the entry, and others.
 # COMMON: it uses backends/common. COMPONENT: what it is installed with, backend-<name> if not said. LINK: libraries that must be linked wherever the backend is (not those that are headers only).
 # One source, two forms: linked into the library when <name> is in RC_BUILTIN_BACKENDS (object library rcb_<name>, used by src/),
 # else a plugin rcb_<name>.so beside the library, in roughcontact/abi-<n>, found there in the build tree and after installation.
@@ -12,7 +13,13 @@ function(rc_add_backend name)
     target_compile_definitions(rcb_${name} PRIVATE RC_PLUGIN_BUILTIN)
     set_target_properties(rcb_${name} PROPERTIES RC_LINK_LIBRARIES "${ARG_LINK}" RC_COMMON "${ARG_COMMON}")
   else()
-    add_library(rcb_${name} MODULE ${ARG_SOURCES})
+    # All but the entry, which tests link, too.
+    list(REMOVE_ITEM ARG_SOURCES backend.cpp)
+    add_library(rcb_${name}_objects OBJECT ${ARG_SOURCES})
+    target_include_directories(rcb_${name}_objects PUBLIC ${PROJECT_SOURCE_DIR}/include ${ARG_INCLUDES} ${CMAKE_CURRENT_SOURCE_DIR})
+    target_compile_options(rcb_${name}_objects PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+    target_link_libraries(rcb_${name}_objects PRIVATE rc_compile PUBLIC ${ARG_LIBRARIES} ${ARG_LINK})
+    add_library(rcb_${name} MODULE backend.cpp $<TARGET_OBJECTS:rcb_${name}_objects>)
     set_target_properties(rcb_${name} PROPERTIES PREFIX ""
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/roughcontact/abi-${RC_PLUGIN_ABI})
     install(TARGETS rcb_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/roughcontact/abi-${RC_PLUGIN_ABI}
@@ -24,10 +31,28 @@ function(rc_add_backend name)
     endif()
     target_include_directories(rcb_${name} PRIVATE ${PROJECT_SOURCE_DIR}/backends)
     if(NOT name IN_LIST RC_BUILTIN_BACKENDS)
+      target_include_directories(rcb_${name}_objects PUBLIC ${PROJECT_SOURCE_DIR}/backends)
       target_sources(rcb_${name} PRIVATE $<TARGET_OBJECTS:rc_backend_common>)
     endif()
   endif()
   target_include_directories(rcb_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include ${ARG_INCLUDES})
   target_compile_options(rcb_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_link_libraries(rcb_${name} PRIVATE rc_compile ${ARG_LIBRARIES} ${ARG_LINK})
+endfunction()
+
+# rc_link_backend(<target> <name>): the sources of a plugin, linked into a test that calls rc_builtin_<name>.
+function(rc_link_backend target name)
+  if(NOT TARGET rcb_${name}_objects)
+    return()  # part of the library
+  endif()
+  if(NOT TARGET rcb_${name}_entry)
+    add_library(rcb_${name}_entry OBJECT ${PROJECT_SOURCE_DIR}/backends/${name}/backend.cpp)
+    target_compile_definitions(rcb_${name}_entry PRIVATE RC_PLUGIN_BUILTIN)
+    target_link_libraries(rcb_${name}_entry PRIVATE rc_compile rcb_${name}_objects)
+  endif()
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:rcb_${name}_entry> $<TARGET_OBJECTS:rcb_${name}_objects>)
+  get_target_property(libraries rcb_${name} LINK_LIBRARIES)
+  get_target_property(includes rcb_${name} INCLUDE_DIRECTORIES)
+  target_link_libraries(${target} PRIVATE ${libraries})
+  target_include_directories(${target} PRIVATE ${includes})
 endfunction()

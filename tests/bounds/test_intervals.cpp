@@ -6,7 +6,7 @@
 
 #include "comparison.h"
 #include "scenes.h"
-#include "shared_cases.h"
+#include "reference_cases.h"
 #include "surfaces.h"
 
 namespace pairs {
@@ -14,13 +14,13 @@ namespace pairs {
 namespace {
 
 // Intervals around the reference cases' loads and counts.
-void holds_on_a_case(const SharedCase& shared, const char* backend) {
-  const Answer answer = solved(shared.problem, {"auto", backend}, {{RC_OPT_TOL, "1e-10"}});
+void holds_on_a_case(const ReferenceCase& reference, const char* backend) {
+  const Answer answer = solved(reference.problem, {"auto", backend}, {{RC_OPT_TOL, "1e-10"}});
   const rc_result& r = answer.result;
-  check(r.load_lower <= shared.load * (1 + 1e-11) && shared.load * (1 - 1e-11) <= r.load_upper,
-        "load " + text(shared.load) + " is not in " + text(r.load_lower) + " .. " + text(r.load_upper));
-  const double area = static_cast<double>(shared.contacts) * shared.problem.cell_area();
-  if (shared.count_is_robust)
+  check(r.load_lower <= reference.load * (1 + 1e-11) && reference.load * (1 - 1e-11) <= r.load_upper,
+        "load " + text(reference.load) + " is not in " + text(r.load_lower) + " .. " + text(r.load_upper));
+  const double area = static_cast<double>(reference.contacts) * reference.problem.cell_area();
+  if (reference.count_is_robust)
     check(r.area_lower <= area * (1 + 1e-12) && area <= r.area_upper * (1 + 1e-12),
           "area " + text(area) + " is not in " + text(r.area_lower) + " .. " + text(r.area_upper));
   check(r.load_upper - r.load_lower <= 1e-5 * std::abs(r.load) + 1e-300,
@@ -178,12 +178,8 @@ std::vector<Test> all_tests() {
   oblong.system.hy = 10;
   tight("noise_oblong_cells", oblong, by_transforms);
 
-  const auto shared = read_shared_cases();
-  if (!shared) {
-    tests.push_back({"intervals_hold_on_the_reference_cases", [] { throw Skipped("no reference cases"); }});
-    return tests;
-  }
-  for (const SharedCase& each : shared->cases) {
+  const auto reference = read_reference_cases();
+  for (const ReferenceCase& each : reference.cases) {
     for (const char* backend : {"dense", "fft"})
       if (each.candidates <= 3000 || std::string(backend) == "fft")
         tests.push_back({"intervals_hold/" + each.name + "/" + backend, [=] { holds_on_a_case(each, backend); }});

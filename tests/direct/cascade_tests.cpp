@@ -1,6 +1,6 @@
 // rc_cmr on the height maps of the reference cases.
 #include "direct/direct_tests.h"
-#include "pairs/shared_cases.h"
+#include "pairs/reference_cases.h"
 
 namespace direct {
 
@@ -17,10 +17,9 @@ struct Call {
 };
 
 void solves_height_maps(const Language& language, const Call& call) {
-  const auto shared = read_shared_cases();
-  if (!shared) throw Skipped("no reference cases in " RC_SHARED_DIR);
+  const auto reference = read_reference_cases();
   int solved = 0;
-  for (const SharedCase& each : shared->cases) {
+  for (const ReferenceCase& each : reference.cases) {
     const Problem& problem = each.problem;
     const rc_system& s = problem.system;
     if (problem.kernel != "love" || problem.target <= 0 || each.spacing != 1 || (quick() && s.nx * s.ny > 2500)) continue;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "direct/direct_tests.h"
-#include "pairs/shared_cases.h"
+#include "pairs/reference_cases.h"
 
 namespace direct {
 
@@ -21,36 +21,34 @@ struct Program {
   Field H, u, p;  // p: the known solution
 };
 
-Program program_of(const SharedCase& shared) {
-  const rc_system& s = shared.problem.system;
-  Field table(shared.problem.points());
-  check(rc_kernel_coefficients(shared.problem.kernel.c_str(), s.hx, s.hy, s.nx, s.ny, table.data()) == RC_OK, rc_last_error());
+Program program_of(const ReferenceCase& reference) {
+  const rc_system& s = reference.problem.system;
+  Field table(reference.problem.points());
+  check(rc_kernel_coefficients(reference.problem.kernel.c_str(), s.hx, s.hy, s.nx, s.ny, table.data()) == RC_OK, rc_last_error());
   Program program;
-  program.name = shared.name;
-  program.n = shared.rows * shared.columns;
+  program.name = reference.name;
+  program.n = reference.rows * reference.columns;
   for (std::int64_t i = 0; i < program.n; ++i)
     for (std::int64_t j = 0; j < program.n; ++j) {
-      const std::int64_t dy = std::abs(i / shared.columns - j / shared.columns),
-                         dx = std::abs(i % shared.columns - j % shared.columns);
-      program.H.push_back(table[static_cast<std::size_t>((dy * s.nx + dx) * shared.spacing)] / (s.modulus * s.hx * s.hy));
+      const std::int64_t dy = std::abs(i / reference.columns - j / reference.columns),
+                         dx = std::abs(i % reference.columns - j % reference.columns);
+      program.H.push_back(table[static_cast<std::size_t>((dy * s.nx + dx) * reference.spacing)] / (s.modulus * s.hx * s.hy));
     }
-  program.u = stored_points(shared, shared.problem.gap);
-  for (double& value : program.u) value = shared.problem.target - value;
-  program.p = stored_points(shared, shared.p);
-  for (double& value : program.p) value *= shared.problem.cell_area();
+  program.u = stored_points(reference, reference.problem.gap);
+  for (double& value : program.u) value = reference.problem.target - value;
+  program.p = stored_points(reference, reference.p);
+  for (double& value : program.p) value *= reference.problem.cell_area();
   return program;
 }
 
 const std::vector<Program>& programs() {
   static const std::vector<Program> all = [] {
     std::vector<Program> made;
-    const auto shared = read_shared_cases();
-    if (!shared) return made;
-    for (const SharedCase& each : shared->cases)
+    const auto reference = read_reference_cases();
+    for (const ReferenceCase& each : reference.cases)
       if (each.rows * each.columns <= (quick() ? 100 : 600)) made.push_back(program_of(each));
     return made;
   }();
-  if (all.empty()) throw Skipped("no reference cases in " RC_SHARED_DIR);
   return all;
 }
 

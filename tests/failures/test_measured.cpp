@@ -1,4 +1,4 @@
-// Certified cascade multi-resolution equals the whole problem on every measured surface of RC_SHARED_DIR/data.
+// Certified cascade multi-resolution equals the whole problem on every measured surface of RC_MEASURED_DIR.
 #include <algorithm>
 #include <filesystem>
 
@@ -15,7 +15,7 @@ constexpr double densest = 0.15;  // share of points in contact; deeper is slow 
 std::vector<std::string> surface_files() {
   std::vector<std::string> files;
   for (const char* folder : {"measured", "measured-lgpl"}) {
-    const std::filesystem::path path = std::filesystem::path(RC_SHARED_DIR) / "data" / folder;
+    const std::filesystem::path path = std::filesystem::path(RC_MEASURED_DIR) / folder;
     if (!std::filesystem::is_directory(path)) continue;
     for (const auto& entry : std::filesystem::directory_iterator(path))
       if (const auto type = entry.path().extension(); type == ".gsf" || type == ".npy") files.push_back(entry.path());
@@ -58,7 +58,7 @@ void grooves_defeat_the_published_method() {
       check_status(cascade.plain, RC_STOP_UNCERTIFIED, "as published");
       return;
     }
-  throw Skipped("the surface is not at " RC_SHARED_DIR "/data");
+  throw Skipped("the surface is not at " RC_MEASURED_DIR);
 }
 
 }  // namespace

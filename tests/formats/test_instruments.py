@@ -8,7 +8,7 @@ import reading
 from harness import np
 from reading import ReaderTest
 
-DATA = Path(sys.argv.pop(3)) / "data" / "formats" if len(sys.argv) > 3 else Path()
+DATA = Path(sys.argv.pop(3)) / "formats" if len(sys.argv) > 3 else Path()
 # File: format, nx, ny, pitch, missing points, raw rms height. All in metres.
 FILES = {
     "plu-1.plu": ("plu", 768, 576, (1.66000009e-6, 1.66000009e-6), 0, 2.834391e-6),

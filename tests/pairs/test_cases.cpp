@@ -3,12 +3,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <set>
 
 #include "naive.h"
 #include "registry.h"
-#include "shared_cases.h"
+#include "reference_cases.h"
 #include "surfaces.h"
 
 namespace pairs {
@@ -35,16 +34,16 @@ struct Matrix {
   Field entries;
 };
 
-Matrix matrix_of(const SharedCase& shared) {
-  const rc_system& s = shared.problem.system;
-  Field table(shared.problem.points());
-  check(rc_kernel_coefficients(shared.problem.kernel.c_str(), s.hx, s.hy, s.nx, s.ny, table.data()) == RC_OK, rc_last_error());
-  Matrix matrix{shared.rows * shared.columns, {}};
+Matrix matrix_of(const ReferenceCase& reference) {
+  const rc_system& s = reference.problem.system;
+  Field table(reference.problem.points());
+  check(rc_kernel_coefficients(reference.problem.kernel.c_str(), s.hx, s.hy, s.nx, s.ny, table.data()) == RC_OK, rc_last_error());
+  Matrix matrix{reference.rows * reference.columns, {}};
   for (std::int64_t i = 0; i < matrix.n; ++i)
     for (std::int64_t j = 0; j < matrix.n; ++j) {
-      const std::int64_t dy = std::abs(i / shared.columns - j / shared.columns),
-                         dx = std::abs(i % shared.columns - j % shared.columns);
-      matrix.entries.push_back(table[static_cast<std::size_t>((dy * s.nx + dx) * shared.spacing)] / s.modulus);
+      const std::int64_t dy = std::abs(i / reference.columns - j / reference.columns),
+                         dx = std::abs(i % reference.columns - j % reference.columns);
+      matrix.entries.push_back(table[static_cast<std::size_t>((dy * s.nx + dx) * reference.spacing)] / s.modulus);
     }
   return matrix;
 }
@@ -59,19 +58,19 @@ std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
 }
 
 // Keeps p, load and counts; the system becomes the caller's matrix or product.
-SharedCase as_operator(SharedCase shared, std::int32_t op, Matrix& matrix) {
-  shared.problem.gap = stored_points(shared, shared.problem.gap);
-  shared.p = stored_points(shared, shared.p);
-  shared.problem.mask.clear();
-  rc_system& s = shared.problem.system;
+ReferenceCase as_operator(ReferenceCase reference, std::int32_t op, Matrix& matrix) {
+  reference.problem.gap = stored_points(reference, reference.problem.gap);
+  reference.p = stored_points(reference, reference.p);
+  reference.problem.mask.clear();
+  rc_system& s = reference.problem.system;
   s.op = op;
-  s.nx = shared.columns;
-  s.ny = shared.rows;
+  s.nx = reference.columns;
+  s.ny = reference.rows;
   s.dense = matrix.entries.data();
   s.dense_ld = matrix.n;
   s.apply = multiply;
   s.user = &matrix;
-  return shared;
+  return reference;
 }
 
 // The caller's products here are plain sums, whose round-off comes near the usual tolerance; those of split are approximate on
@@ -81,7 +80,7 @@ double tolerance_of(const Pair& pair, const Problem& problem) {
   return pair.backend == "callback" ? 2e-12 : 1e-12;
 }
 
-void check_solution(const SharedCase& shared, const Pair& pair, const Problem& problem) {
+void check_solution(const ReferenceCase& reference, const Pair& pair, const Problem& problem) {
   groups_run.insert(group_name(pair, problem.system, problem.control));
   Settings settings = unrepaired;
   settings.emplace_back(RC_OPT_TOL, text(tolerance_of(pair, problem)));
@@ -90,18 +89,18 @@ void check_solution(const SharedCase& shared, const Pair& pair, const Problem& p
   check_status(answer, RC_OK);
   const rc_result& r = answer.result;
   const bool halfspace = problem.system.op == RC_OPERATOR_HALFSPACE;
-  check_near(answer.p, shared.p, accuracy_of(pair, problem.control), "p");
-  check_near(r.load, shared.load, dense * shared.load, "load");
-  check_near(r.displacement, shared.problem.target, dense * shared.depth, "approach");
+  check_near(answer.p, reference.p, accuracy_of(pair, problem.control), "p");
+  check_near(r.load, reference.load, dense * reference.load, "load");
+  check_near(r.displacement, reference.problem.target, dense * reference.depth, "approach");
   check(answer.worst_residual() <= tolerance_of(pair, problem), "the residuals are above the tolerance");
-  if (shared.count_is_robust) check_equal(r.contacts, shared.contacts, "contacts");
-  if (halfspace && shared.load > 0 && problem.control == RC_CONTROL_DISPLACEMENT)
-    check_equal(r.candidates, shared.candidates, "candidates");
-  if (shared.load > 0) check(pair.solver == r.solver && pair.backend == r.backend, "the result names another pair");
+  if (reference.count_is_robust) check_equal(r.contacts, reference.contacts, "contacts");
+  if (halfspace && reference.load > 0 && problem.control == RC_CONTROL_DISPLACEMENT)
+    check_equal(r.candidates, reference.candidates, "candidates");
+  if (reference.load > 0) check(pair.solver == r.solver && pair.backend == r.backend, "the result names another pair");
 }
 
-std::string too_large(const SharedCase& shared, const Pair& pair, std::int32_t op, std::int32_t control) {
-  const std::int64_t n = shared.rows * shared.columns;
+std::string too_large(const ReferenceCase& reference, const Pair& pair, std::int32_t op, std::int32_t control) {
+  const std::int64_t n = reference.rows * reference.columns;
   const bool under_load =
       control == RC_CONTROL_LOAD && (op == RC_OPERATOR_DENSE ? n >= 48 * 48 : stores_matrix(pair) && n >= 64 * 64);
   if (!full() && (under_load || (pair.backend == "cholmod" && n > 4096)))
@@ -115,13 +114,13 @@ std::string too_large(const SharedCase& shared, const Pair& pair, std::int32_t o
   return "";
 }
 
-void run_case(const SharedCase& shared, const Pair& pair, std::int32_t op, std::int32_t control, double load) {
-  if (const std::string reason = too_large(shared, pair, op, control); !reason.empty()) throw Skipped(reason);
+void run_case(const ReferenceCase& reference, const Pair& pair, std::int32_t op, std::int32_t control, double load) {
+  if (const std::string reason = too_large(reference, pair, op, control); !reason.empty()) throw Skipped(reason);
   Matrix matrix;
-  SharedCase given = shared;
+  ReferenceCase given = reference;
   if (op != RC_OPERATOR_HALFSPACE) {
-    matrix = matrix_of(shared);
-    given = as_operator(shared, op, matrix);
+    matrix = matrix_of(reference);
+    given = as_operator(reference, op, matrix);
   }
   check_solution(given, pair, control == RC_CONTROL_LOAD ? at_load(given.problem, load) : given.problem);
 }
@@ -148,15 +147,15 @@ std::vector<std::string> floor_list() {
   return names;
 }
 
-void check_floor(bool have_cases) {
+void check_floor() {
   std::string missing;
   for (const std::string& name : floor_list())
-    if (!groups_run.count(name) && (have_cases || name.find("/periodic/") != std::string::npos)) missing += " " + name;
+    if (!groups_run.count(name)) missing += " " + name;
   check(missing.empty(), "pairs of expected.txt that did not run:" + missing);
 }
 
 void add_pair(std::vector<Test>& tests, const Pair& pair, std::int32_t op, std::int32_t control,
-              const std::shared_ptr<const SharedCases>& shared) {
+              const ReferenceCases& reference) {
   rc_system system = RC_SYSTEM_INIT;
   system.op = op;
   const double one = 1;
@@ -168,17 +167,13 @@ void add_pair(std::vector<Test>& tests, const Pair& pair, std::int32_t op, std::
     tests.push_back({group, [reason] { throw Skipped(reason); }});
     return;
   }
-  if (!shared) {
-    tests.push_back({group, [] { throw Skipped("the reference cases are not at " RC_SHARED_DIR "/cases"); }});
-    return;
-  }
-  std::map<std::string, const SharedCase*> by_name;
-  for (const SharedCase& each : shared->cases) {
+  std::map<std::string, const ReferenceCase*> by_name;
+  for (const ReferenceCase& each : reference.cases) {
     by_name[each.name] = &each;
     tests.push_back({group + "/" + each.name, [=, &each] { run_case(each, pair, op, control, each.load); }});
   }
   if (control != RC_CONTROL_LOAD || op != RC_OPERATOR_HALFSPACE) return;
-  for (const LoadEntry& entry : shared->load_control)
+  for (const LoadEntry& entry : reference.load_control)
     tests.push_back({group + "/" + entry.name, [=, &entry, &inputs = *by_name.at(entry.inputs)] {
                        check_near(entry.approach, inputs.problem.target, 1e-15 * entry.approach, "the entry's approach");
                        check_equal(entry.contacts, inputs.contacts, "the entry's contacts");
@@ -186,19 +181,18 @@ void add_pair(std::vector<Test>& tests, const Pair& pair, std::int32_t op, std::
                      }});
 }
 
-std::vector<Test> all_tests(const std::shared_ptr<const SharedCases>& shared) {
+std::vector<Test> all_tests(const ReferenceCases& reference) {
   std::vector<Test> tests;
-  if (shared)
-    tests.push_back({"there_are_29_reference_cases", [&shared = *shared] {
-                       check_equal(static_cast<std::int64_t>(shared.cases.size()), 29, "cases");
-                       check_equal(static_cast<std::int64_t>(shared.load_control.size()), 6, "load_control");
-                     }});
+  tests.push_back({"there_are_29_reference_cases", [&reference] {
+                     check_equal(static_cast<std::int64_t>(reference.cases.size()), 29, "cases");
+                     check_equal(static_cast<std::int64_t>(reference.load_control.size()), 6, "load_control");
+                   }});
   rc_system periodic = RC_SYSTEM_INIT;
   periodic.boundary = RC_BOUNDARY_PERIODIC;
   for (const Pair& pair : all_pairs())
     for (const std::int32_t control : controls) {
       for (const std::int32_t op : {RC_OPERATOR_HALFSPACE, RC_OPERATOR_DENSE, RC_OPERATOR_CALLBACK})
-        add_pair(tests, pair, op, control, shared);
+        add_pair(tests, pair, op, control, reference);
       const std::string group = group_name(pair, periodic, control), reason = obstacle(pair, periodic, control);
       tests.push_back({reason.empty() ? group + "/rough" : group, [=] {
                          if (!reason.empty()) throw Skipped(reason);
@@ -214,10 +208,9 @@ std::vector<Test> all_tests(const std::shared_ptr<const SharedCases>& shared) {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  std::shared_ptr<const SharedCases> shared;
-  if (auto cases = read_shared_cases()) shared = std::make_shared<const SharedCases>(std::move(*cases));
-  std::vector<Test> tests = all_tests(shared);
+  const ReferenceCases reference = read_reference_cases();
+  std::vector<Test> tests = all_tests(reference);
   // After all others, as it asks which of them ran; a filter leaves them out.
-  if (argc == 1) tests.push_back({"no_pair_of_the_floor_list_has_vanished", [&] { check_floor(shared != nullptr); }});
+  if (argc == 1) tests.push_back({"no_pair_of_the_floor_list_has_vanished", check_floor});
   return run_group("pairs.cases", tests, argc, argv);
 }

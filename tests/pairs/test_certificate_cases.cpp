@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certificate_tests.h"
-#include "shared_cases.h"
+#include "reference_cases.h"
 
 namespace pairs {
 
@@ -21,7 +21,7 @@ constexpr double loose = 1e-6, certified = 1e-9, perturbation = 1e-3;
 constexpr double round_off = 2e-13;
 
 struct Judged {
-  const SharedCase* shared;
+  const ReferenceCase* reference;
   std::string variant;
   Answer answer;
   json verdict;
@@ -32,14 +32,14 @@ Field perturbed(Field p) {
   return p;
 }
 
-Answer certify(const SharedCase& shared, const Field& p) {
-  const Problem& problem = shared.problem;
+Answer certify(const ReferenceCase& reference, const Field& p) {
+  const Problem& problem = reference.problem;
   return Contact(problem, {"auto", "fft"}, {{RC_OPT_TOL, text(certified)}}).certify(problem.step(), p);
 }
 
-std::vector<Judged> answers_of(const SharedCases& shared) {
+std::vector<Judged> answers_of(const ReferenceCases& reference) {
   std::vector<Judged> all;
-  for (const SharedCase& each : shared.cases) {
+  for (const ReferenceCase& each : reference.cases) {
     if (quick() && each.problem.points() > 1024) continue;
     // An early stop leaves residuals well above round-off, so that the comparison says something.
     all.push_back({&each, "stopped_early", solve(each.problem, {"polonsky-keer", "fft"}, {{RC_OPT_TOL, text(loose)}}), {}});
@@ -51,19 +51,19 @@ std::vector<Judged> answers_of(const SharedCases& shared) {
 }
 
 json job_of(const Judged& judged) {
-  const SharedCase& shared = *judged.shared;
-  const Problem& problem = shared.problem;
-  Field u = stored_points(shared, problem.gap), force = stored_points(shared, judged.answer.p);
+  const ReferenceCase& reference = *judged.reference;
+  const Problem& problem = reference.problem;
+  Field u = stored_points(reference, problem.gap), force = stored_points(reference, judged.answer.p);
   for (double& value : u) value = problem.target - value;
   for (double& value : force) value *= problem.cell_area();
-  return {{"n1", shared.rows},
-          {"n2", shared.columns},
+  return {{"n1", reference.rows},
+          {"n2", reference.columns},
           {"u", u},
           {"p", force},
           {"kernel", problem.kernel},
           {"delta", problem.system.hx},
           {"Es", problem.system.modulus},
-          {"spacing", shared.spacing}};
+          {"spacing", reference.spacing}};
 }
 
 struct Scratch {
@@ -80,7 +80,7 @@ void judge(std::vector<Judged>& all) {
   for (const Judged& each : all) list.push_back(job_of(each));
   std::ofstream(jobs) << list;
   const std::string command =
-      std::string(RC_TEST_PYTHON " " RC_PAIRS_VERIFY " " RC_SHARED_DIR "/tools/verify_kkt.py ") + jobs + " " + results;
+      std::string(RC_TEST_PYTHON " " RC_PAIRS_VERIFY " ") + jobs + " " + results;
   const int ended = std::system(command.c_str());
   if (WIFEXITED(ended) && (WEXITSTATUS(ended) == 77 || WEXITSTATUS(ended) == 127)) return;
   check(ended == 0, "the independent checker failed: " + command);
@@ -111,17 +111,14 @@ void check_verdict(const Judged& judged) {
 }  // namespace
 
 std::vector<Test> tests_on_cases() {
-  const auto shared = std::make_shared<std::optional<SharedCases>>(read_shared_cases());
-  if (!*shared)
-    return {
-        {"certificate_agrees_with_verify_kkt", [] { throw Skipped("the reference cases are not at " RC_SHARED_DIR "/cases"); }}};
-  const auto all = std::make_shared<std::vector<Judged>>(answers_of(**shared));
+  const auto reference = std::make_shared<const ReferenceCases>(read_reference_cases());
+  const auto all = std::make_shared<std::vector<Judged>>(answers_of(*reference));
   judge(*all);
   std::vector<Test> tests;
   for (const Judged& each : *all) {
-    const std::string name = each.shared->name + "/" + each.variant;
-    tests.push_back({"certificate_judges_rightly/" + name, [&each, all, shared] { check_status_of(each); }});
-    tests.push_back({"certificate_agrees_with_verify_kkt/" + name, [&each, all, shared] { check_verdict(each); }});
+    const std::string name = each.reference->name + "/" + each.variant;
+    tests.push_back({"certificate_judges_rightly/" + name, [&each, all, reference] { check_status_of(each); }});
+    tests.push_back({"certificate_agrees_with_verify_kkt/" + name, [&each, all, reference] { check_verdict(each); }});
   }
   return tests;
 }

@@ -20,7 +20,7 @@ struct Draw {
 
 // seed, then the compenetrations row by row; E* = 0.01, cells of side 1.
 std::vector<Draw> read_draws() {
-  std::ifstream in(RC_SHARED_DIR "/cases/ex1_eq9_N10_failing_ubar.csv");
+  std::ifstream in(RC_TEST_DATA "/cases/ex1_eq9_N10_failing_ubar.csv");
   std::vector<Draw> draws;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -102,10 +102,7 @@ int main(int argc, char** argv) {
   using namespace pairs;
   std::vector<Test> tests = {{"unfit_inner_methods_are_refused", refusals}};
   const std::vector<Draw> draws = read_draws();
-  if (draws.empty())
-    tests.push_back({"failures", [] { throw Skipped("the reference cases are not at " RC_SHARED_DIR "/cases"); }});
-  else
-    tests.push_back({"there_are_20_draws", [&] { check_equal(static_cast<std::int64_t>(draws.size()), 20, "draws"); }});
+  tests.push_back({"there_are_20_draws", [&] { check_equal(static_cast<std::int64_t>(draws.size()), 20, "draws"); }});
   for (const Draw& draw : draws) {
     for (const char* inner : {"cg", "gauss-seidel", "cholesky"})
       tests.push_back(

@@ -6,7 +6,7 @@
 
 #include "contact.h"
 #include "random_problems.h"
-#include "shared_cases.h"
+#include "reference_cases.h"
 
 namespace pairs {
 
@@ -96,11 +96,11 @@ void random_problems_end() {
   report(histogram);
 }
 
-void a_few_solves(const SharedCase& shared) {
-  if (quick() && shared.candidates > 1024) throw Skipped("left out of the reduced set");
-  const Answer answer = solved(shared.problem, {"nnls", "dense"});
+void a_few_solves(const ReferenceCase& reference) {
+  if (quick() && reference.candidates > 1024) throw Skipped("left out of the reduced set");
+  const Answer answer = solved(reference.problem, {"nnls", "dense"});
   check(answer.result.iterations <= most_solves_of_a_case, std::to_string(answer.result.iterations) + " solves");
-  report(std::to_string(shared.candidates) + " candidates, " + std::to_string(answer.result.iterations) + " solves");
+  report(std::to_string(reference.candidates) + " candidates, " + std::to_string(answer.result.iterations) + " solves");
 }
 
 }  // namespace
@@ -110,13 +110,8 @@ void a_few_solves(const SharedCase& shared) {
 int main(int argc, char** argv) {
   using namespace pairs;
   std::vector<Test> tests = {{"block_pivoting_never_cycles_and_is_right", random_problems_end}};
-  const auto shared = read_shared_cases();
-  if (!shared) {
-    tests.push_back(
-        {"cold_start_needs_at_most_10_solves", [] { throw Skipped("the reference cases are not at " RC_SHARED_DIR "/cases"); }});
-  } else {
-    for (const SharedCase& each : shared->cases)
-      tests.push_back({"cold_start_needs_at_most_10_solves/" + each.name, [&each] { a_few_solves(each); }});
-  }
+  const auto reference = read_reference_cases();
+  for (const ReferenceCase& each : reference.cases)
+    tests.push_back({"cold_start_needs_at_most_10_solves/" + each.name, [&each] { a_few_solves(each); }});
   return run_group("solvers.pivoting", tests, argc, argv);
 }

@@ -1,7 +1,7 @@
 // The reference cases with the solvers' options, which the pairs leave at their defaults, and to the accuracy of exact solvers.
 #include "contact.h"
 #include "registry.h"
-#include "shared_cases.h"
+#include "reference_cases.h"
 
 namespace pairs {
 
@@ -76,16 +76,16 @@ const Variant variants[] = {
     {"admm_rho_1", {"admm", "fft"}, {{"admm.rho", "1"}}, iterative, 10000, ""},
 };
 
-void solve_case(const Variant& variant, const SharedCase& shared) {
-  if (shared.candidates > variant.most_candidates)
-    throw Skipped(std::to_string(shared.candidates) + " candidates: " + variant.why_not_more);
-  if (quick() && shared.candidates > 300) throw Skipped("left out of the reduced set");
-  const Answer answer = solve(shared.problem, variant.pair, variant.settings);
-  if (is_told_failure(variant.pair, shared.problem, answer))
+void solve_case(const Variant& variant, const ReferenceCase& reference) {
+  if (reference.candidates > variant.most_candidates)
+    throw Skipped(std::to_string(reference.candidates) + " candidates: " + variant.why_not_more);
+  if (quick() && reference.candidates > 300) throw Skipped("left out of the reduced set");
+  const Answer answer = solve(reference.problem, variant.pair, variant.settings);
+  if (is_told_failure(variant.pair, reference.problem, answer))
     throw Skipped("not certified, as it says: " + std::string(answer.result.note));
   check_status(answer, RC_OK);
-  check_near(answer.p, shared.p, variant.accuracy, "p");
-  if (shared.count_is_robust && variant.accuracy <= iterative) check_equal(answer.result.contacts, shared.contacts, "contacts");
+  check_near(answer.p, reference.p, variant.accuracy, "p");
+  if (reference.count_is_robust && variant.accuracy <= iterative) check_equal(answer.result.contacts, reference.contacts, "contacts");
 }
 
 }  // namespace
@@ -95,13 +95,9 @@ void solve_case(const Variant& variant, const SharedCase& shared) {
 int main(int argc, char** argv) {
   using namespace pairs;
   std::vector<Test> tests;
-  const auto shared = read_shared_cases();
-  for (const Variant& variant : variants) {
-    if (!shared)
-      tests.push_back({variant.name, [] { throw Skipped("the reference cases are not at " RC_SHARED_DIR "/cases"); }});
-    else
-      for (const SharedCase& each : shared->cases)
-        tests.push_back({variant.name + "/" + each.name, [&] { solve_case(variant, each); }});
-  }
+  const auto reference = read_reference_cases();
+  for (const Variant& variant : variants)
+    for (const ReferenceCase& each : reference.cases)
+      tests.push_back({variant.name + "/" + each.name, [&] { solve_case(variant, each); }});
   return run_group("solvers.variants", tests, argc, argv);
 }

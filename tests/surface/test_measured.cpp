@@ -15,7 +15,7 @@ using namespace surface_tests;
 
 namespace {
 
-const std::string data = std::string(RC_SHARED_DIR) + "/data/";
+const std::string data = std::string(RC_MEASURED_DIR) + "/";
 
 Grid read(const std::string& name) {
   std::ifstream stream{data + name + ".gsf", std::ios::binary};

@@ -1,6 +1,6 @@
 """Measured surfaces at about 1, 10 and 40 % contact: certified in both controls, which agree with each other.
 
-test_measured.py ROUGHCONTACT SHARED [all]: without "all" only those of up to 512 x 512 points, which take about a minute.
+test_measured.py ROUGHCONTACT FOLDER [all]: without "all" only those of up to 512 x 512 points, which take about a minute.
 """
 import json
 import os
@@ -10,7 +10,7 @@ from pathlib import Path
 import harness
 from harness import CommandTest, np, without_gnuplot
 
-DATA = Path(sys.argv.pop(2)) / "data" if len(sys.argv) > 2 else Path()
+DATA = Path(sys.argv.pop(2)) if len(sys.argv) > 2 else Path()
 ALL = sys.argv[2:] == ["all"] and bool(sys.argv.pop(2))
 LARGE = {"measured/confocal_lay_1275um", "measured/x3p_rectpix_83x204um", "measured-lgpl/fv_rubber_2mm", "measured-lgpl/fv_skibase_4mm"}
 # With modulus 1: rms slope, to which the mean pressure at a given contact area is proportional.

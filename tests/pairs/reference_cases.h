@@ -1,7 +1,6 @@
-// The reference cases of RC_SHARED_DIR/cases with trusted solutions; forces per element become pressures here.
+// The reference cases of tests/data/cases with trusted solutions; forces per element become pressures here.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,7 @@
 
 namespace pairs {
 
-struct SharedCase {
+struct ReferenceCase {
   std::string name;
   Problem problem;  // displacement control; spacing 2 is a grid of elements with masked ones between
   Field p;          // pressures, 0 on masked points
@@ -26,15 +25,14 @@ struct LoadEntry {
   std::int64_t contacts = 0;
 };
 
-struct SharedCases {
-  std::vector<SharedCase> cases;
+struct ReferenceCases {
+  std::vector<ReferenceCase> cases;
   std::vector<LoadEntry> load_control;
 };
 
-/** Without a value where the folder is absent. */
-std::optional<SharedCases> read_shared_cases();
+ReferenceCases read_reference_cases();
 
 /** The values at the points of the stored case, row by row. */
-Field stored_points(const SharedCase& shared, const Field& values);
+Field stored_points(const ReferenceCase& reference, const Field& values);
 
 }  // namespace pairs
