@@ -5,8 +5,8 @@
 #include <map>
 
 #include "comparison.h"
-#include "scenes.h"
 #include "reference_cases.h"
+#include "scenes.h"
 #include "surfaces.h"
 
 namespace pairs {

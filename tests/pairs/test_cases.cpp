@@ -6,8 +6,8 @@
 #include <set>
 
 #include "naive.h"
-#include "registry.h"
 #include "reference_cases.h"
+#include "registry.h"
 #include "surfaces.h"
 
 namespace pairs {

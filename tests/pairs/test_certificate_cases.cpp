@@ -79,8 +79,7 @@ void judge(std::vector<Judged>& all) {
   json list = json::array();
   for (const Judged& each : all) list.push_back(job_of(each));
   std::ofstream(jobs) << list;
-  const std::string command =
-      std::string(RC_TEST_PYTHON " " RC_PAIRS_VERIFY " ") + jobs + " " + results;
+  const std::string command = std::string(RC_TEST_PYTHON " " RC_PAIRS_VERIFY " ") + jobs + " " + results;
   const int ended = std::system(command.c_str());
   if (WIFEXITED(ended) && (WEXITSTATUS(ended) == 77 || WEXITSTATUS(ended) == 127)) return;
   check(ended == 0, "the independent checker failed: " + command);

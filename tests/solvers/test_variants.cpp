@@ -1,7 +1,7 @@
 // The reference cases with the solvers' options, which the pairs leave at their defaults, and to the accuracy of exact solvers.
 #include "contact.h"
-#include "registry.h"
 #include "reference_cases.h"
+#include "registry.h"
 
 namespace pairs {
 
@@ -85,7 +85,8 @@ void solve_case(const Variant& variant, const ReferenceCase& reference) {
     throw Skipped("not certified, as it says: " + std::string(answer.result.note));
   check_status(answer, RC_OK);
   check_near(answer.p, reference.p, variant.accuracy, "p");
-  if (reference.count_is_robust && variant.accuracy <= iterative) check_equal(answer.result.contacts, reference.contacts, "contacts");
+  if (reference.count_is_robust && variant.accuracy <= iterative)
+    check_equal(answer.result.contacts, reference.contacts, "contacts");
 }
 
 }  // namespace
