@@ -1,69 +1,111 @@
 #!/usr/bin/env bash
-# ./test.sh [--quick]: installs what is missing, then builds and runs every test: gcc, clang with sanitizers, checks of the source.
-# --quick: the tests with gcc only. Ends with "N passed, N failed".
+# ./test.sh [--quick | --full]: installs what is missing, then builds and tests. Ends with the time of each stage, the ten slowest
+# tests, and "N passed, N failed, N skipped".
+#   --quick  before each commit: gcc without benchmarks, reduced tests
+#   (none)   what CI runs: gcc, checks of source and binaries, address, undefined behaviour and thread sanitizers where they tell most
+#   --full   before a release: all sizes, measured surfaces where they are, every family under the sanitizers, clang, clang-tidy,
+#            fuzzing, mutants
 set -euo pipefail
 cd "$(dirname "$0")"
-quick=${1:-}
-passed=0 failed=0
+tier=${1:-}
+case $tier in '' | --quick | --full) ;; *) sed -n '2,7s/^# //p' "$0"; exit 2 ;; esac
+passed=0 failed=0 skipped=0 stage='' since=0
+times=$(mktemp)
+trap 'rm -f "$times"' EXIT
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 
-stage() { echo; echo "== $* ($((SECONDS / 60)) min)"; }
-count() { if [ "$1" = 0 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); fi; }
+full() { [ "$tier" = --full ]; }
+quick() { [ "$tier" = --quick ]; }
+took() { [ -z "$stage" ] || printf '%5d s  %s\n' $((SECONDS - since)) "$stage" >>"$times"; }
+stage() { took; stage=$* since=$SECONDS; echo; echo "== $* ($((SECONDS / 60)) min)"; }
+check() { if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi; }
 
-# build PRESET: all of it, quietly.
+# build PRESET [cmake options]: quietly.
 build() {
   local log=build-$1.log
-  if { cmake --preset "$1" && cmake --build "build-$1" -j "$(nproc)"; } >"$log" 2>&1; then
+  if { cmake --preset "$1" "${@:2}" && cmake --build "build-$1" -j "$(nproc)"; } >"$log" 2>&1; then
     mv "$log" "build-$1/build.log"
   else
     grep -E -m 20 "error|Error" "$log" || tail -20 "$log"
     echo "does not build: $log"
-    count 1
     return 1
   fi
 }
 
 # run_tests PRESET [ctest options]: only what is wrong is shown.
 run_tests() {
-  local log=build-$1/ctest.log bad=0 good skipped
-  ctest --test-dir "build-$1" --output-on-failure --no-tests=error --timeout 600 -j "$(nproc)" "${@:2}" >"$log" 2>&1 || bad=1
+  local log=build-$1/ctest.log ok=0 good lost=0 left
+  ctest --test-dir "build-$1" --output-on-failure --no-tests=error --timeout 600 "${@:2}" >"$log" 2>&1 || ok=$?
   good=$(grep -cE '^ *[0-9]+/[0-9]+ Test .* Passed ' "$log" || true)
-  skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$log" || true)
-  if [ $bad = 1 ]; then
-    bad=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*' "$log" || true)
-    bad=$((bad > skipped ? bad - skipped : 1))
-    grep -vE '^\[ +(OK|RUN) +\]|^ *Start +[0-9]+:| Passed +[0-9.]+ sec|^Errors while' "$log"
+  left=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$log" || true)
+  if [ $ok != 0 ]; then
+    lost=$(grep -E '^ *[0-9]+/[0-9]+ Test .*\*\*\*' "$log" | grep -vc '\*\*\*Skipped' || true)
+    [ "$lost" -gt 0 ] || lost=1
+    grep -vE '^\[ +(OK|RUN) +\]|^ *Start +[0-9]+:| Passed +[0-9.]+ sec|^Errors while' "$log" || true
+  else
+    grep -E '\*\*\*Skipped' "$log" || true
   fi
-  echo "$good passed, $bad failed, $skipped skipped ($(grep 'Total Test time' "$log" | sed 's/.*= *//'))"
-  passed=$((passed + good)) failed=$((failed + bad))
+  echo "$good passed, $lost failed, $left skipped"
+  passed=$((passed + good)) failed=$((failed + lost)) skipped=$((skipped + left))
+  cp "$log" "build-$1/ctest-$SECONDS.log"
 }
 
-check() { local status=0; "$@" || status=$?; count $status; }
+# verify PRESET "CMAKE OPTIONS" [ctest options]
+verify() {
+  local options
+  read -ra options <<<"$2"
+  if build "$1" "${options[@]}"; then run_tests "$1" "${@:3}"; else failed=$((failed + 1)); fi
+}
 
 stage "packages"
 scripts/bootstrap.sh --tests
+# An empty tree takes the faster generator, and a compiler cache where there is one.
+! command -v ninja >/dev/null || export CMAKE_GENERATOR=${CMAKE_GENERATOR-Ninja}
+if command -v ccache >/dev/null; then
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_SLOPPINESS=pch_defines,time_macros
+fi
+rm -f build-*/ctest-*.log
 
-stage "gcc, warnings are errors"
-if build gcc; then run_tests gcc -LE full; fi
+if quick; then
+  stage "gcc, reduced tests"
+  RC_TEST_QUICK=1 verify gcc "-DRC_BUILD_BENCH=OFF" -LE 'slow|full'
+else
+  stage "gcc: build"
+  build gcc -DRC_BUILD_BENCH=ON || failed=$((failed + 1))
+  stage "gcc: tests"
+  if full; then run_tests gcc; else run_tests gcc -LE full; fi
 
-if [ "$quick" != --quick ]; then
-  stage "source and binary checks"
+  stage "checks of source and binaries"
   check .ci/include_graph.py
   check .ci/format.sh
   check .ci/globals.sh build-gcc
   check .ci/no_side_effects.sh build-gcc
 
-  # Families that only do more of what others do are left to gcc.
-  stage "clang, warnings are errors, address and undefined behaviour sanitizers, quick tests"
-  if build asan; then
-    RC_TEST_QUICK=1 run_tests asan -LE slow -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
-    check .ci/tidy.sh build-asan
+  stage "clang: address and undefined behaviour sanitizers"
+  if full; then
+    RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
+  else
+    families="batch errors faults formats inject plugins seam threads options"
+    RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
   fi
 
-  stage "thread sanitizer, tests with threads"
   # Loops that a library spreads with OpenMP wait in a runtime that the sanitizer cannot see into: one thread for those.
-  if build tsan; then OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 run_tests tsan -R 'threads|seam'; fi
+  stage "gcc: thread sanitizer"
+  OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|seam'
 fi
 
+if full; then
+  stage "clang: every file as it stands, without precompiled headers"
+  check build clang
+  stage "clang-tidy"
+  check .ci/tidy.sh build-asan
+fi
+
+took
 echo
-echo "$passed passed, $failed failed"
+cat "$times"
+echo "slowest:"
+cat build-*/ctest-*.log | sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec$|\2 s  \1|p' | sort -rn | head -10
+echo
+echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed = 0 ]
