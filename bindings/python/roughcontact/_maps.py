@@ -91,13 +91,21 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
     heights = as_doubles(np.ma.getdata(values) if absent is not None else values, "heights")
     shared = mask is not None and np.ndim(mask) < heights.ndim
     given = as_mask(mask, "mask", heights.shape[leading:] if shared else heights.shape)
-    unknown = np.isnan(heights)
+    unknown = ~np.isfinite(heights)
     if absent is not None:
         unknown |= absent
     if given is not None:
         unknown &= given != 0  # what the caller leaves out may be anything
     if not unknown.any():
         return heights, given
+    infinite = unknown & np.isinf(heights)
+    if absent is not None:
+        infinite &= ~absent
+    if infinite.any():
+        first = tuple(int(i) for i in np.argwhere(infinite)[0])
+        raise ArgumentError(
+            f"heights have {int(infinite.sum())} infinite values, the first at {list(first)}; mask them or make them NaN"
+        )
     if missing == "reject":
         first = tuple(int(i) for i in np.argwhere(unknown)[0])
         raise ArgumentError(

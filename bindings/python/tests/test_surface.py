@@ -96,3 +96,16 @@ def test_downsampling(name, expected):
     assert holes.mask.tolist() == [[1, 1], [1, 0]] and np.isnan(holes.heights[1, 1])
     with pytest.raises(rc.ArgumentError, match="filter"):
         rc.surface.downsample(heights, "median", pitch=1.0)
+
+
+@pytest.mark.parametrize("missing", ["reject", "exclude"])
+def test_infinite_heights_are_counted(missing):
+    heights = np.random.default_rng(1).random((10, 12))
+    heights[3, 4] = np.inf
+    with pytest.raises(rc.ArgumentError, match=r"heights have 1 infinite values, the first at \[3, 4\]"):
+        rc.solve(heights, pitch=1.0, modulus=1.0, displacement=0.1, missing=missing)
+    heights[0, 0] = -np.inf
+    with pytest.raises(rc.ArgumentError, match=r"heights have 2 infinite values, the first at \[0, 0\]"):
+        rc.solve(heights, pitch=1.0, modulus=1.0, displacement=0.1, missing=missing)
+    mask = np.isfinite(heights)
+    assert rc.solve(heights, pitch=1.0, modulus=1.0, displacement=0.1, mask=mask, missing=missing).certified
