@@ -32,8 +32,8 @@ void check_rmd(const rc_surface_rmd_spec& spec, std::int32_t stage, std::int32_t
 
 void check_spectral(const rc_surface_spectral_spec& spec) {
   check_shape(spec.nx, spec.ny);
-  check_positive("hx", spec.hx);
-  check_positive("hy", spec.hy);
+  check_pitch("hx", spec.hx);
+  check_pitch("hy", spec.hy);
   if (!(spec.hurst >= 0 && spec.hurst <= 1)) fail(RC_ERR_ARGUMENT, "hurst = ", spec.hurst, " is not in 0 .. 1");
   check_at_least_zero("q_low", spec.q_low);
   check_at_least_zero("q_rolloff", spec.q_rolloff);
@@ -51,8 +51,8 @@ void check_spectral(const rc_surface_spectral_spec& spec) {
 
 void check_shape_spec(const rc_surface_shape_spec& spec) {
   check_shape(spec.nx, spec.ny);
-  check_positive("hx", spec.hx);
-  check_positive("hy", spec.hy);
+  check_pitch("hx", spec.hx);
+  check_pitch("hy", spec.hy);
   if (spec.shape < RC_SURFACE_PARABOLOID || spec.shape > RC_SURFACE_NOISE)
     fail(RC_ERR_ARGUMENT, "shape = ", spec.shape, " must be one of RC_SURFACE_PARABOLOID .. RC_SURFACE_NOISE");
   if (spec.reserved != 0) fail(RC_ERR_ARGUMENT, "reserved = ", spec.reserved, " must be 0");

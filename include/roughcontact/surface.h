@@ -61,7 +61,7 @@ typedef struct rc_surface_spectral_spec {
   size_t struct_size;  /* sizeof(rc_surface_spectral_spec)                                                   */
   uint64_t seed;       /* any number                                                                        */
   int64_t nx, ny;      /* points, >= 1                                                                      */
-  double hx, hy;       /* pitch [length], > 0                                                                */
+  double hx, hy;       /* pitch [length], 1e-60 .. 1e60                                                      */
   double hurst;        /* 0 <= H <= 1                                                                        */
   double q_low;        /* [1/length]; 0: none                                                                */
   double q_rolloff;    /* [1/length]; 0: none                                                                */
@@ -91,7 +91,7 @@ typedef struct rc_surface_shape_spec {
   int32_t reserved;    /* 0                                                                                 */
   uint64_t seed;       /* NOISE                                                                             */
   int64_t nx, ny;      /* points, >= 1; point (ix, iy) lies at x = ix hx, y = iy hy                          */
-  double hx, hy;       /* pitch [length], > 0                                                                */
+  double hx, hy;       /* pitch [length], 1e-60 .. 1e60                                                      */
   double radius;       /* PARABOLOID, SPHERE [length], > 0                                                   */
   double height;       /* WAVES: amplitude; PYRAMIDS: base to tip; NOISE: rms [length]; > 0                  */
   double period_x, period_y; /* WAVES, PYRAMIDS [length], >= 0, not both 0                                   */
@@ -110,7 +110,7 @@ enum { RC_SURFACE_TREND_AUTO = 0, RC_SURFACE_TREND_MEAN = 1, RC_SURFACE_TREND_PL
 typedef struct rc_surface_map {
   size_t struct_size;    /* sizeof(rc_surface_map)                                                           */
   int64_t nx, ny;        /* points, >= 1                                                                    */
-  double hx, hy;         /* pitch [length], > 0                                                              */
+  double hx, hy;         /* pitch [length], 1e-60 .. 1e60                                                    */
   const double *heights; /* [nx*ny] finite                                                                   */
   int32_t periodic;      /* 1: the surface repeats: no window, differences across the edges                  */
   int32_t trend;         /* RC_SURFACE_TREND_*, removed first; AUTO: the mean if periodic, else the plane    */

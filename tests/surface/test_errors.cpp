@@ -201,11 +201,43 @@ void pitches_of_different_size(void**) {
   }
   rc_surface_map map = map_of(grid);
   std::int64_t count = 0;
-  map.hx = 1e300;
-  map.hy = 1e-300;
+  map.hx = 1e60;
+  map.hy = 1e-60;
   require_error(rc_surface_psd(&map, nullptr, nullptr, nullptr, &count), RC_ERR_ARGUMENT, "map.hx and map.hy");
-  map.hx = 5e-324;
   require_error(rc_surface_psd(&map, nullptr, nullptr, nullptr, &count), RC_ERR_ARGUMENT, "limit 9e18");
+}
+
+// Ratios of wave numbers would not be numbers any more.
+void pitches_beyond_the_limits(void**) {
+  Grid grid = noise(1, 46);
+  grid.nx = 2;
+  grid.ny = 23;
+  grid.z.resize(46);
+  for (const double pitch : {9.2e-311, 0.99e-60, 1.01e60, 1e300}) {
+    for (const bool along_x : {true, false}) {
+      rc_surface_map map = map_of(grid);
+      (along_x ? map.hx : map.hy) = pitch;
+      const char* const words = along_x ? "map.hx = " : "map.hy = ";
+      rc_surface_power_law law{};
+      law.struct_size = sizeof law;
+      require_error(rc_surface_fit(&map, &law), RC_ERR_ARGUMENT, words);
+      require_error(rc_surface_fit(&map, &law), RC_ERR_ARGUMENT, "is not in 1e-60 .. 1e60");
+      rc_surface_statistics found{};
+      found.struct_size = sizeof found;
+      require_error(rc_surface_analyze(&map, &found), RC_ERR_ARGUMENT, words);
+      double out[4] = {};
+      rc_surface_spectral_spec waves = RC_SURFACE_SPECTRAL_SPEC_INIT;
+      waves.nx = waves.ny = 2;
+      waves.rms_height = 1;
+      (along_x ? waves.hx : waves.hy) = pitch;
+      require_error(rc_surface_spectral(&waves, out), RC_ERR_ARGUMENT, "is not in 1e-60 .. 1e60");
+      rc_surface_shape_spec sphere = RC_SURFACE_SHAPE_SPEC_INIT;
+      sphere.nx = sphere.ny = 2;
+      sphere.radius = 1;
+      (along_x ? sphere.hx : sphere.hy) = pitch;
+      require_error(rc_surface_shape(&sphere, out), RC_ERR_ARGUMENT, "is not in 1e-60 .. 1e60");
+    }
+  }
 }
 
 void success_clears_the_message(void**) {
@@ -265,6 +297,7 @@ int main() {
                               cmocka_unit_test(flat_maps_have_nothing_to_judge),
                               cmocka_unit_test(too_many_levels_and_small_arrays),
                               cmocka_unit_test(pitches_of_different_size),
+                              cmocka_unit_test(pitches_beyond_the_limits),
                               cmocka_unit_test(success_clears_the_message),
                               cmocka_unit_test(older_and_newer_callers_are_served),
                               cmocka_unit_test(gsl_never_reports_an_error)};
