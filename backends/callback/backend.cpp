@@ -11,7 +11,10 @@ class Callback {
  public:
   static constexpr roughcontact::Component component{"callback", "two vectors over all points do not fit"};
 
-  Callback(const rc_host* host, const rc_operator_spec& spec) : host_(host), system_(spec.system) {}
+  Callback(const rc_host* host, const rc_operator_spec& spec) : host_(host), system_(spec.system) {
+    if (system_->op != RC_OPERATOR_CALLBACK || !system_->apply)
+      refuse(RC_ERR_INCOMPATIBLE, "callback: the system has no product of the caller's (rc_system.apply)");
+  }
 
   const rc_host* host() const { return host_; }
   std::int64_t modelled() const { return system_->nx * system_->ny; }
@@ -37,9 +40,10 @@ class Callback {
   }
 
  private:
-  // The message of a failed product is allocation-free: it may be the allocation that failed.
+  // Free of allocations: it may be the allocation that failed.
+  void refuse(rc_status code, const char* message) const { roughcontact::check(host_->fail(host_, code, message)); }
+
   void multiply(const double* x, double* y) const {
-    const auto refuse = [this](rc_status code, const char* message) { roughcontact::check(host_->fail(host_, code, message)); };
     if (system_->apply(x, y, modelled(), system_->user) != 0)
       refuse(RC_ERR_EXTERNAL, "callback: the caller's apply function reported failure");
     if (!std::all_of(y, y + modelled(), [](double value) { return std::isfinite(value); }))

@@ -95,7 +95,7 @@ typedef struct rc_system {
                           [length per (force/length^2)]; referenced, not copied                             */
   int64_t dense_ld;    /* DENSE: >= n                                                                       */
   int32_t (*apply)(const double *x, double *y, int64_t n, void *user); /* CALLBACK: y = H x, symmetric positive
-                          definite; return nonzero to fail; must not throw; called on the solving thread    */
+                          definite; return nonzero to fail; must return: no exception, no longjmp; called on the solving thread */
   void *user;          /* handed to apply                                                                   */
 } rc_system;
 #define RC_SYSTEM_INIT \
@@ -144,8 +144,9 @@ typedef struct rc_result {
   double stiffness;    /* dW/dd of the contact set [force/length], to 1e-10 of its value; infinite in full
                           periodic contact; NaN unless option stiffness is 1                                */
   double kkt_primal;   /* max(0, -min p) / max|p|                                                           */
-  double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h); periodic: s is at least a quarter of
-                          max p sqrt(hx hy) / E*                                                            */
+  double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
+                          least a quarter of the mean pressure times sqrt(hx hy) / E*; under displacement control
+                          without excluded points at most (mean(h) - d) / (2 tolerance)                     */
   double kkt_complementarity; /* max over all points of min(p / max p, |g| / s)                             */
   double kkt_control;  /* |load - W| / W, 0 in displacement control                                         */
   double seconds;      /* solving and certifying                                                            */
@@ -153,7 +154,8 @@ typedef struct rc_result {
   char solver[32];     /* what "auto" resolved to                                                           */
   char backend[32];
   char kernel[32];
-  char note[160];      /* operations the core had to substitute and remarks of the solver; "" if none       */
+  char note[160];      /* what may be a blunder in units or heights, an unbounded interval, operations the core
+                          had to substitute and remarks of the solver, whole remarks only; "" if none       */
   double duality_gap;  /* energy - least energy is at most this [force length], see docs/certificate.md;
                           this and the bounds below: NaN (counts: -1) where no proof is known, option bounds is
                           0 or accuracy is set. Full periodic contact: NaN, and intervals that exclude nothing */
@@ -204,7 +206,7 @@ typedef struct rc_state {
   { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0 }
 
 /** Called after each completed step 0 .. n-1 of a path, on the solving thread, with pressures and gap that last until
- *  it returns. May call only rc_contact_cancel. Return nonzero to end the path. */
+ *  it returns. May call only rc_contact_cancel. Return nonzero to end the path. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_path_fn)(int64_t step, const rc_result *result, void *user);
 
 /** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
@@ -232,7 +234,7 @@ typedef struct rc_path {
 
 /** Called after each step with status >= 0, on the thread that solves it, with pressures and gap that last until it returns.
  *  The steps of one contact come in order; those of different contacts in any order and, with several threads, at the same
- *  time. Return nonzero to end the batch: fn is then not called for further steps. Must not throw. */
+ *  time. Return nonzero to end the batch: fn is then not called for further steps. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_batch_fn)(int64_t contact, int64_t step, const rc_result *result, void *user);
 
 enum { RC_BATCH_SHARED = -1 }; /* as a stride: one array for all contacts                                     */
@@ -499,7 +501,7 @@ RC_API rc_status rc_contact_create(const rc_system *system, const rc_options *op
 /** Changes what may change (not keys marked fixed whose value differs: OPTION). Errors: OPTION, BUSY. */
 RC_API rc_status rc_contact_set_options(rc_contact *contact, const rc_options *options);
 /** Calls fn on the solving thread at least every `every` iterations (>= 1). fn NULL: none. fn may call only
- *  rc_contact_cancel. Errors: ARGUMENT, BUSY. */
+ *  rc_contact_cancel, and must return: no exception and no longjmp may leave it. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_on_progress(rc_contact *contact, rc_progress_fn fn, void *user, int64_t every);
 /** Solves one step and certifies the answer. A failed or stopped step keeps the last certified pressures as
  *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */

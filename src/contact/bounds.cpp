@@ -37,15 +37,16 @@ struct Distance {
 // - u.
 class Proof {
  public:
-  Proof(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double approach, const Deflected& answer)
+  Proof(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double compression, const Deflected& answer)
       : system_(system),
         spectrum_(spectrum),
         surface_(surface),
-        approach_(approach),
+        compression_(compression),
+        rounding_(surface.included_points() > 0 ? rounding_of(surface.lowest(), compression) : 0),
         answer_(answer),
         given_(answer.p()),
         product_(answer.product) {
-    if (!all_listed()) candidates_ = surface_.extent_below(approach_);
+    if (!all_listed()) candidates_ = surface_.extent_below(surface_.limit_of(compression_ + rounding_));
     measure();
     residual();
   }
@@ -72,29 +73,30 @@ class Proof {
  private:
   double n() const { return static_cast<double>(system_.points()); }
   bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == system_.points(); }
+  static double rounding_of(double lowest, double compression) { return std::abs(lowest + compression - lowest - compression); }
   static double points_of(const Extent& support) { return static_cast<double>(support.n); }
 
   // Of the points listed, by their place in the list.
-  double gap(std::size_t i) const { return surface_.gap()[answer_.point(i)]; }
+  double height(std::size_t i) const { return surface_.height(answer_.point(i)); }
   bool included(std::size_t i) const { return surface_.included(answer_.point(i)); }
   double p(std::size_t i) const { return std::max(0.0, given_[i] * system_.length_per_pressure / length_); }
-  double u(std::size_t i) const { return (approach_ - gap(i)) / length_; }
+  double u(std::size_t i) const { return (compression_ - height(i)) / length_; }
   double w(std::size_t i) const { return distance_to_surface(i) / length_; }
-  double distance_to_surface(std::size_t i) const { return product_[i] - (approach_ - gap(i)); }  // [length]
+  double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
   // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0.
-  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || approach_ > gap(i)); }
+  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ + rounding_ > height(i)); }
 
-  // Sizes, and the doubt about every w_i: round-off of the product, and what the negative entries of the given pressures would
-  // have changed in it (no entry of H is larger than its largest diagonal entry).
+  // Sizes, and the doubt about every w_i: round-off of the product, that of the approach as it is returned, and what the negative
+  // entries of the given pressures would have changed in the product (no entry of H is larger than its largest diagonal entry).
   void measure() {
     double largest_product = 0, largest_w = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       largest_product = std::max(largest_product, std::abs(product_[i]));
       if (included(i)) largest_w = std::max(largest_w, std::abs(distance_to_surface(i)));
     }
-    if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.highest() - approach_));
+    if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.range() - compression_));
     const bool none = surface_.included_points() == 0;
-    const double depth = none ? 0 : std::max(0.0, approach_ - surface_.lowest());
+    const double depth = none ? 0 : std::max(0.0, compression_ + rounding_);
     if (depth + largest_product > 0) length_ = depth + largest_product;
     depth_ = depth / length_;
     largest_w_ = largest_w / length_;
@@ -108,14 +110,14 @@ class Proof {
       sum += p(i);
     }
     sum_ = static_cast<double>(sum);
-    const double largest_u = none ? 0 : std::max(depth, surface_.highest() - approach_) / length_;
+    const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
     double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
     if (system_.periodic()) {  // load control shifts the datum of H by this much while it solves
       const rc_system& unit = system_.unit;
       const double longest = std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny));
       size += longest / std::numbers::pi * sum_ / n();
     }
-    doubt_ = product_error * epsilon * std::log2(n() + 1) * size + spectrum_.diagonal * negative_;
+    doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
   }
 
   // x'w <= beta + delta'x: a point with w > 0 gives at most w p, and none with w >= 0 where p is 0.
@@ -190,12 +192,12 @@ class Proof {
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
     long double u_sum = 0;  // [length]
-    for (const double h : surface_.gap()) u_sum += approach_ - h;
-    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())), eps = mean_gap / length_;
+    for (const double h : surface_.gap()) u_sum += compression_ - (h - surface_.lowest());
+    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())), eps = (mean_gap - rounding_) / length_;
     if (!(eps > 0)) return {};
     double e_square = 0, ep = 0, php = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
-      const double e = (approach_ - gap(i) + mean_gap) / length_;
+      const double e = (compression_ - height(i) + mean_gap) / length_;
       e_square += square(e);
       if (!(given_[i] > 0)) continue;
       ep += e * p(i);
@@ -271,7 +273,8 @@ class Proof {
   const System& system_;
   const Spectrum& spectrum_;
   const SurfaceState& surface_;
-  const double approach_;
+  const double compression_;
+  const double rounding_;  // [length] of the approach, which is a double, against the lowest gap and the compression
   const Deflected& answer_;
   const std::span<const double> given_, product_;
   Extent candidates_;                                               // points that may carry pressure
@@ -295,10 +298,10 @@ void Bounds::write(rc_result& result) const {
   result.undecided = undecided;
 }
 
-Bounds prove_bounds(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double approach,
+Bounds prove_bounds(const System& system, const Spectrum& spectrum, const SurfaceState& surface, double compression,
                     const Deflected& answer) {
   if (!(spectrum.lowest > 0)) return {};
-  return Proof(system, spectrum, surface, approach, answer).bounds();
+  return Proof(system, spectrum, surface, compression, answer).bounds();
 }
 
 }  // namespace rc

@@ -1,4 +1,4 @@
-// Proofs about the exact solution at the given approach, from one product with H: docs/certificate.md has the derivation.
+// Proofs about the exact solution at the given compression, from one product with H: docs/certificate.md has the derivation.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,8 @@ struct Bounds {
   void write(rc_result& result) const;
 };
 
-// p is 0 on excluded points. Where not all points are listed, H has no negative entries.
-Bounds prove_bounds(const System&, const Spectrum&, const SurfaceState&, double approach, const Deflected& answer);
+// compression: the approach less the lowest gap. p is 0 on excluded points. Where not all points are listed, H has no negative
+// entries.
+Bounds prove_bounds(const System&, const Spectrum&, const SurfaceState&, double compression, const Deflected& answer);
 
 }  // namespace rc

@@ -20,19 +20,18 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 
 double load_imbalance(double load, double wanted) { return relative(std::abs(load - wanted), wanted); }
 
-Certificate certify(const SurfaceState& surface, double approach, const Deflected& answer, double least_deflection) {
-  const std::span<const double> h = surface.gap(), p = answer.p();
+Certificate certify(const SurfaceState& surface, double compression, const Deflected& answer, double scale) {
+  const std::span<const double> p = answer.p();
   double largest_p = 0, least_p = 0, least_gap = 0, worst = 0;
   bool finite = true;
   for (const double value : p) {
     largest_p = std::max(largest_p, std::abs(value));
     least_p = std::min(least_p, value);
   }
-  const double scale = std::max(least_deflection * largest_p, approach - surface.lowest());
   for (std::size_t k = 0; k < p.size(); ++k) {
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
-    const double gap = answer.product[k] - (approach - h[i]);
+    const double gap = answer.product[k] - (compression - surface.height(i));
     finite = finite && std::isfinite(p[k]) && std::isfinite(gap);
     least_gap = std::min(least_gap, gap);
     if (p[k] > 0) worst = std::max(worst, std::min(p[k] / largest_p, relative(std::abs(gap), scale)));

@@ -31,7 +31,7 @@ void Contact::check_names(const rc_options& options) const {
   const std::string& solver = options.text(RC_OPT_SOLVER);
   if (solver != "auto") options.context->solver(solver);
   if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty())
-    options.context->backend(certifier);
+    certifying_backend(certifier, options, system_);
   if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system_, RC_CONTROL_DISPLACEMENT, {});
 }
 
@@ -131,7 +131,7 @@ void Contact::check_target(const rc_step& step, const SurfaceState& surface) con
   if (step.control == RC_CONTROL_LOAD && step.target > 0 && surface.included_points() == 0)
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " but every point is excluded by the mask");
   if (step.control == RC_CONTROL_DISPLACEMENT && system_.periodic() && surface.whole() && step.target > surface.lowest() &&
-      step.target >= surface.mean())
+      step.target - surface.lowest() >= surface.mean_height())
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
   if (surface.included_points() > 0 && !(std::isfinite(surface.highest() - surface.lowest()) &&
@@ -161,6 +161,7 @@ void Contact::adopt(SurfaceState&& given) {
   last_.same_gap = last_.same_gap && same;
   before_.same_gap = before_.same_gap && same;
   models_current_ = models_current_ && same;
+  if (!same) tilt_.reset();
   surface_ = std::move(given);
 }
 
@@ -168,6 +169,10 @@ std::int64_t Contact::applications() const {
   std::int64_t total = 0;
   for (const auto& [name, op] : operators_) total += op->applications();
   return total;
+}
+
+double Contact::compression(const rc_step& step) const {
+  return surface_.included_points() > 0 ? step.target - surface_.lowest() : 0;
 }
 
 bool Contact::nothing_touches(const rc_step& step) const {
@@ -197,7 +202,8 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result, std::opti
     if (!step.p0) nearer = std::move(found.estimate);
   }
   failed_.clear();
-  bool delivered = false;  // an answer that is not certified: the caller's arrays hold it if nothing better follows
+  std::optional<Error> first;  // what "auto" passed over a backend for
+  bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     choice_ = {};
     try {
@@ -219,8 +225,10 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result, std::opti
       const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
       if (lacking && choice_.backend && pass_over(choice_.backend->name, RC_OPT_BACKEND, error.what())) {
         operators_.erase(choice_.backend->name);
+        if (!first) first = error;
         continue;
       }
+      if (!delivered && first) fail(first->code(), first->what(), "; the next choice of auto failed, too: ", error.what());
       if (!delivered) throw;
       set_message(join(rc_status_text(result.status), "; the next choice of auto failed: ", error.what()).c_str());
       return result.status;
@@ -376,14 +384,16 @@ std::vector<double> Contact::compenetrations(const Answer& answer, double datum)
 
 Answer Contact::at_displacement(const rc_step& step, Monitor& monitor, const std::optional<Estimate>& nearer) {
   TrialSet trial = trial_below(step.target);
-  Answer answer = prepare(trial, step.control, step.target - surface_.lowest());
+  const double depth = compression(step);
+  Answer answer = prepare(trial, step.control, depth);
   trial = widened(std::move(trial), answer.choice);
   answer.op = &bound_operator(*answer.choice.backend, trial);
   answer.p = start(step, trial, answer.pressure_unit, nearer ? &nearer->pressures : nullptr);
-  answer.approach = answer.limit = step.target;
+  answer.compression = answer.limit = depth;
   const std::vector<double> u = compenetrations(answer, step.target);
   double unused = 0;
-  answer.status = run(answer, monitor)(step.control, u, 0, solver_tol(), step.target, answer.p, unused);
+  answer.status = run(answer, monitor)(step.control, u, 0, solver_tol() * (residual_scale(step, depth) / depth), step.target,
+                                       answer.p, unused);
   return answer;
 }
 

@@ -33,8 +33,8 @@ struct Answer {
   std::vector<double> p;                                    // on the trial set, dimensionless
   double length_unit = 1;                                   // [length]
   double pressure_unit = 1;                                 // [force/length^2]
-  double approach = 0;                                      // [length]
-  double limit = -std::numeric_limits<double>::infinity();  // [length] the trial set holds every point of a smaller gap
+  double compression = 0;                                   // [length] approach less the lowest gap
+  double limit = -std::numeric_limits<double>::infinity();  // [length] the trial set holds every point of a smaller height
   std::optional<Deflected> checked;                         // what the operator's screening told of all points
   bool handed_over = false;  // the solver's own load control stalled; the core's iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
@@ -123,6 +123,8 @@ class Contact {
   std::optional<SurfaceState> given_surface(const rc_step& step) const;
   void check_target(const rc_step& step, const SurfaceState& surface) const;
   bool nothing_touches(const rc_step& step) const;
+  // Of the step's approach.
+  double compression(const rc_step& step) const;
   double ahead(const rc_step& step) const;
   // nearer: better pressures than the step's.
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, const Pressures* nearer) const;
@@ -155,10 +157,10 @@ class Contact {
   std::optional<Estimate> last_estimate(const rc_step& step) const;
   std::optional<Estimate> coarse_estimate(const rc_step& step, const Monitor& monitor);
   std::optional<Answer> solve_few(const rc_step& step, const Choice& choice, Estimate estimate, Monitor& monitor);
-  Deflected screened(const Answer& answer, double approach, double margin);
+  Deflected screened(const Answer& answer, double compression, double margin);
   TrialSet reachable(const Estimate& estimate, double limit) const;
   std::vector<std::int64_t> tiles_under(const Estimate& estimate, const Choice& choice);
-  std::vector<std::int64_t> overlapping(const Deflected& found, double approach) const;
+  std::vector<std::int64_t> overlapping(const Deflected& found, double compression) const;
   void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points) const;
 
   Answer at_displacement(const rc_step& step, Monitor& monitor, const std::optional<Estimate>& nearer = std::nullopt);
@@ -170,11 +172,14 @@ class Contact {
   rc_status finish(const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
   bool only_unknowns_matter(const Answer& answer) const;
   Deflected deflected(Answer& answer, bool everywhere);
-  rc_status certify_and_fill(const rc_step& step, const Deflected& answer, double approach, rc_result& result);
-  void deliver(Deflected&& answer, double approach, rc_result& result);
-  double fitting_approach(const Deflected& answer) const;
+  // What residuals of gaps are relative to, s [length].
+  double residual_scale(const rc_step& step, double compression) const;
+  rc_status certify_and_fill(const rc_step& step, const Deflected& answer, double compression, rc_result& result);
+  void write_gap(const Deflected& answer, double compression, double* gap) const;
+  void deliver(Deflected&& answer, double compression, rc_result& result);
+  double fitting_compression(const Deflected& answer) const;
   void name_components(const Answer& answer, rc_result& result);
-  double least_deflection() const;
+  void write_note(double compression, rc_result& result);
   double stiffness(const Answer& answer);
   std::int64_t applications() const;
 
@@ -183,6 +188,7 @@ class Contact {
   std::unique_ptr<Team> own_team_;
   const rc_team* team_;
   SurfaceState surface_;
+  std::optional<double> tilt_;        // of the current surface, see plane_share; once a note asked for it
   Last last_, before_;                // the last certified step, and the one before it
   std::optional<Spectrum> spectrum_;  // once bounds were asked for
   std::map<std::string, std::unique_ptr<Operator>> operators_;

@@ -98,18 +98,19 @@ std::optional<Estimate> Contact::coarse_estimate(const rc_step& step, const Moni
   }
   if (!few(count_positive(answer->p), half.system_.points())) return std::nullopt;
   const Blocks blocks{system_.given.nx, system_.given.ny, 2};
-  return Estimate{spread(half.pressures_of(*answer), blocks, surface_, Cut::same_pressure), answer->approach};
+  return Estimate{spread(half.pressures_of(*answer), blocks, surface_, Cut::same_pressure),
+                  half.surface_.lowest() + answer->compression};
 }
 
 // The points at which the answer deflects the surface, and those outside that stay apart by less than the margin.
-Deflected Contact::screened(const Answer& answer, double approach, double margin) {
+Deflected Contact::screened(const Answer& answer, double compression, double margin) {
   const TrialSet& trial = answer.op->trial();
   Deflected result;
   std::vector<double> y(answer.p.size()), depth;
   std::vector<std::int64_t> found;
   rc_screen request{};
   request.struct_size = sizeof request;
-  request.approach = approach + margin;
+  request.approach = surface_.limit_of(compression + margin);
   request.gap = surface_.gap().data();
   request.mask = surface_.mask();
   request.tile_lowest = surface_.tile_lowest().data();
@@ -143,6 +144,7 @@ Deflected Contact::screened(const Answer& answer, double approach, double margin
   const auto put_found_below = [&](std::int64_t limit) {
     for (; next < order.size() && found[order[next]] < limit; ++next) {
       const std::int64_t point = found[order[next]];
+      // As the backend took it, so that the approach and its round-off drop out.
       put(point, 0, request.approach - surface_.gap()[static_cast<std::size_t>(point)] - depth[order[next]]);
     }
   };
@@ -153,7 +155,7 @@ Deflected Contact::screened(const Answer& answer, double approach, double margin
   }
   put_found_below(system_.points());
   if (result.pressures.on.n == system_.points()) result.pressures.on.index.clear();
-  result.beyond = margin;
+  result.beyond = request.approach - surface_.lowest() - compression;
   return result;
 }
 
@@ -173,16 +175,16 @@ std::vector<std::int64_t> Contact::tiles_under(const Estimate& estimate, const C
   guess.p = estimate.pressures.p;
   for (double& value : guess.p) value /= guess.pressure_unit;
   std::vector<std::int64_t> tiles;
-  add_tiles(tiles, screened(guess, estimate.approach, halo * guess.length_unit).on().index);
+  add_tiles(tiles, screened(guess, guess.length_unit, halo * guess.length_unit).on().index);
   return tiles;
 }
 
 // What overlaps by more than the certificate allows at points without pressure.
-std::vector<std::int64_t> Contact::overlapping(const Deflected& found, double approach) const {
-  const double allowed = 0.9 * options_.real(RC_OPT_TOL) * (approach - surface_.lowest());
+std::vector<std::int64_t> Contact::overlapping(const Deflected& found, double compression) const {
+  const double allowed = 0.9 * options_.real(RC_OPT_TOL) * compression;
   std::vector<std::int64_t> points;
   for (std::size_t k = 0; k < found.size(); ++k)
-    if (!(found.p()[k] > 0) && found.product[k] - (approach - surface_.gap()[found.point(k)]) < -allowed)
+    if (!(found.p()[k] > 0) && found.product[k] - (compression - surface_.height(found.point(k))) < -allowed)
       points.push_back(static_cast<std::int64_t>(found.point(k)));
   return points;
 }
@@ -204,7 +206,7 @@ std::optional<Answer> Contact::solve_few(const rc_step& step, const Choice& choi
     if (whole) {
       answer.choice = choose_for(trial, step.control);
       if (by_load && !(answer.choice.solver->controls & RC_CONTROL_LOAD)) return std::nullopt;
-      answer.limit = limit;
+      answer.limit = limit - lowest;
       trial = widened(std::move(trial), answer.choice);
     } else {
       answer.choice = choice_ = choice;
@@ -218,23 +220,23 @@ std::optional<Answer> Contact::solve_few(const rc_step& step, const Choice& choi
     double d = by_load ? 1 : 0;
     answer.status =
         run(answer, monitor)(step.control, u, by_load ? load / answer.pressure_unit : 0, solver_tol(), datum, answer.p, d);
-    answer.approach = by_load ? lowest + d * depth : step.target;
-    if (!std::isfinite(answer.approach)) return std::nullopt;
+    answer.compression = by_load ? d * depth : compression(step);
+    if (!std::isfinite(answer.compression)) return std::nullopt;
 
-    estimate = {pressures_of(answer), answer.approach};
+    estimate = {pressures_of(answer), by_load ? lowest + answer.compression : step.target};
     const bool last = answer.status != RC_OK || round == most_rounds;
     if (whole) {
-      if (last || answer.approach <= limit) return answer;
+      if (last || answer.compression <= limit - lowest) return answer;
       continue;
     }
     const double contacts = static_cast<double>(count_positive(answer.p));
     const double margin = std::min(halo, 30 * options_.real(RC_OPT_TOL) * std::sqrt(contacts)) * depth;
-    Deflected all = screened(answer, answer.approach, margin);
-    const std::vector<std::int64_t> more = overlapping(all, answer.approach);
+    Deflected all = screened(answer, answer.compression, margin);
+    const std::vector<std::int64_t> more = overlapping(all, answer.compression);
     const std::size_t before = tiles.size();
     add_tiles(tiles, more);
     // Points of the tiles that a larger approach reaches are unknowns of the next round.
-    const bool new_unknowns = tiles.size() > before || answer.approach > limit;
+    const bool new_unknowns = tiles.size() > before || answer.compression > limit - lowest;
     if (more.empty() || last || !new_unknowns) {
       answer.checked = std::move(all);
       return answer;

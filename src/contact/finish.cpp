@@ -7,6 +7,7 @@
 #include "contact/bounds.h"
 #include "contact/contact.h"
 #include "contact/contact_set_solve.h"
+#include "contact/plausibility.h"
 #include "core/error.h"
 
 namespace rc {
@@ -41,9 +42,19 @@ void Contact::name_components(const Answer& answer, rc_result& result) {
   if (answer.handed_over) remarks_.push_back("load control of the solver stalled: iteration on the approach instead");
   if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
   if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
-  // Whole remarks only, the solver's first.
+}
+
+// Whole remarks only, the gravest first.
+void Contact::write_note(double compression, rc_result& result) {
+  std::vector<std::string> all;
+  if (system_.halfspace() && result.contacts > 0) {
+    if (!tilt_) tilt_ = system_.periodic() ? 0 : plane_share(surface_, system_.given.nx, system_.given.ny);
+    all = doubts(system_, result, compression, *tilt_);
+  }
+  if (std::isinf(result.load_upper)) all.emplace_back("no upper bound of the load is proven");
+  all.insert(all.end(), remarks_.begin(), remarks_.end());
   std::string note;
-  for (const std::string& remark : remarks_) {
+  for (const std::string& remark : all) {
     if (note.size() + remark.size() + 6 > sizeof result.note) {
       note += note.empty() ? remark : "; ...";
       break;
@@ -53,8 +64,19 @@ void Contact::name_components(const Answer& answer, rc_result& result) {
   copy_text(result.note, note.c_str());
 }
 
-// A quarter of a cell's side over E*: less than any kernel gives, for cells up to 100 times as long as wide.
-double Contact::least_deflection() const { return system_.periodic() ? 0.25 * system_.length_per_pressure : 0; }
+// The problem's own: an answer must not set the scale that it is judged by. Periodic boundaries: in full contact the compression
+// may vanish under any load, and a quarter of what the mean pressure does to one cell serves, which is less than any kernel gives
+// for cells up to 100 times as long as wide; an approach leaves the load open if gaps under pressure may be as large as the mean
+// gap, so they are held to half of it.
+double Contact::residual_scale(const rc_step& step, double compression) const {
+  if (!system_.periodic()) return compression;
+  if (step.control == RC_CONTROL_LOAD) {
+    const double mean_pressure = step.target / system_.cell_area() / static_cast<double>(system_.points());
+    return std::max(compression, 0.25 * system_.length_per_pressure * mean_pressure);
+  }
+  if (!surface_.whole()) return compression;
+  return std::min(compression, (surface_.mean_height() - compression) / (2 * options_.real(RC_OPT_TOL)));
+}
 
 // dW/dd = hx hy 1' H_CC^-1 1 on the contact set C.
 double Contact::stiffness(const Answer& answer) {
@@ -90,9 +112,9 @@ double Contact::stiffness(const Answer& answer) {
   return sum * system_.cell_area() / system_.length_per_pressure;
 }
 
-rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer, double approach, rc_result& result) {
-  const std::span<const double> h = surface_.gap(), p = answer.p();
-  double sum = 0, work = 0;
+rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer, double compression, rc_result& result) {
+  const std::span<const double> p = answer.p();
+  double sum = 0, work = 0, curved = 0, largest_p = 0, largest_product = 0;
   std::int64_t contacts = 0;
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
@@ -100,16 +122,26 @@ rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer
     if (!surface_.included(i)) continue;
     sum += p[k];
     contacts += p[k] > 0;
-    work += (0.5 * answer.product[k] - (approach - h[i])) * p[k];
+    work += (0.5 * answer.product[k] - (compression - surface_.height(i))) * p[k];
+    largest_p = std::max(largest_p, std::abs(p[k]));
+    largest_product = std::max(largest_product, std::abs(answer.product[k]));
+  }
+  if (!system_.halfspace() && largest_p > 0) {
+    // In units that cannot underflow.
+    for (std::size_t k = 0; k < p.size() && largest_product > 0; ++k)
+      curved += p[k] / largest_p * (answer.product[k] / largest_product);
+    if (curved <= 0)
+      fail(RC_ERR_NUMERIC, system_.given.op == RC_OPERATOR_DENSE ? "the dense matrix" : "the caller's apply function",
+           " is not positive definite: p'Hp = ", curved * largest_p * largest_product, " for the pressures p found, must be > 0");
   }
   const double area = system_.cell_area();
   Bounds bounds;
   // Proofs need more digits than a goal of accuracy leaves.
   if (options_.integer(RC_OPT_BOUNDS) != 0 && goal_.error == 0) {
     if (!spectrum_) spectrum_ = spectrum_of(system_);
-    bounds = prove_bounds(system_, *spectrum_, surface_, approach, answer);
+    bounds = prove_bounds(system_, *spectrum_, surface_, compression, answer);
   }
-  Certificate certificate = certify(surface_, approach, answer, least_deflection());
+  Certificate certificate = certify(surface_, compression, answer, residual_scale(step, compression));
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
   if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(work * area))
     fail(RC_ERR_NUMERIC,
@@ -118,10 +150,12 @@ rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer
 
   result.reserved = 0;
   result.points = system_.points();
-  result.candidates = system_.positive ? surface_.extent_below(approach).n : surface_.included_points();
   result.contacts = contacts;
   result.load = sum * area;
-  result.displacement = approach;
+  const bool given = step.control == RC_CONTROL_DISPLACEMENT;
+  const double limit = given ? step.target : surface_.limit_of(compression);
+  result.candidates = system_.positive ? surface_.extent_below(limit).n : surface_.included_points();
+  result.displacement = given ? step.target : surface_.included_points() > 0 ? surface_.lowest() + compression : 0;
   result.mean_pressure = sum / static_cast<double>(system_.points());
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = work * area;
@@ -135,14 +169,18 @@ rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer
   result.error_estimate = goal_.error > 0 ? 0 : nan;
   result.left_out = 0;
   bounds.write(result);
+  write_note(compression, result);
   return certificate.within(options_.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
 }
 
+void Contact::write_gap(const Deflected& answer, double compression, double* gap) const {
+  for (std::size_t i = 0; i < answer.size(); ++i) gap[i] = answer.product[i] - (compression - surface_.height(i));
+}
+
 // The caller's arrays are written when nothing can fail any more.
-void Contact::deliver(Deflected&& answer, double approach, rc_result& result) {
+void Contact::deliver(Deflected&& answer, double compression, rc_result& result) {
   if (result.p) answer.pressures.write(result.p, system_.points());
-  if (result.gap)
-    for (std::size_t i = 0; i < answer.size(); ++i) result.gap[i] = answer.product[i] - (approach - surface_.gap()[i]);
+  if (result.gap) write_gap(answer, compression, result.gap);
   if (result.status != RC_OK) return;
   before_ = std::move(last_);
   last_ = {std::move(answer.pressures), result.displacement, result.load, true};
@@ -162,7 +200,7 @@ std::int64_t Contact::contact_points(std::int64_t room, std::int64_t* index, dou
 
 // Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
 bool Contact::only_unknowns_matter(const Answer& answer) const {
-  return answer.op && system_.positive && answer.status == RC_OK && answer.approach <= answer.limit &&
+  return answer.op && system_.positive && answer.status == RC_OK && answer.compression <= answer.limit &&
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
 }
 
@@ -177,7 +215,8 @@ Deflected Contact::deflected(Answer& answer, bool everywhere) {
     return result;
   }
   const std::string& certifier = options_.text(RC_OPT_CERTIFY_BACKEND);
-  Operator& op = certifier.empty() ? *answer.op : bound_operator(options_.context->backend(certifier), answer.op->trial());
+  Operator& op =
+      certifier.empty() ? *answer.op : bound_operator(certifying_backend(certifier, options_, system_), answer.op->trial());
   if (!everywhere && only_unknowns_matter(answer)) {
     result.product.resize(answer.p.size());
     raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
@@ -203,18 +242,16 @@ Deflected Contact::deflected(Answer& answer, bool everywhere) {
 rc_status Contact::finish(const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
   const double rate = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
   Deflected found = deflected(answer, result.gap != nullptr);
-  double approach = step.target;
+  double depth = step.control == RC_CONTROL_LOAD ? 0 : compression(step);
   result.modelled = 0;
   if (answer.op) {
     // Screening holds for its own approach alone.
     const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK && !answer.checked;
-    approach = stopped ? fitting_approach(found) : answer.approach;
+    depth = stopped ? fitting_compression(found) : answer.compression;
     result.modelled = answer.op->modelled();
-  } else if (step.control == RC_CONTROL_LOAD) {
-    approach = surface_.included_points() > 0 ? surface_.lowest() : 0;
   }
   name_components(answer, result);
-  const rc_status checked = certify_and_fill(step, found, approach, result);
+  const rc_status checked = certify_and_fill(step, found, depth, result);
   result.stiffness = rate;
   result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
   result.iterations = monitor.iterations();
@@ -223,21 +260,20 @@ rc_status Contact::finish(const rc_step& step, Answer&& answer, const Monitor& m
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL), remarks_).c_str());
-  deliver(std::move(found), approach, result);
+  deliver(std::move(found), depth, result);
   return result.status;
 }
 
-// The approach at which the mean of the gap, weighted by the pressures, vanishes.
-double Contact::fitting_approach(const Deflected& answer) const {
-  if (surface_.included_points() == 0) return 0;
+// The compression at which the mean of the gap, weighted by the pressures, vanishes.
+double Contact::fitting_compression(const Deflected& answer) const {
   double sum = 0, moment = 0;
   for (std::size_t k = 0; k < answer.size(); ++k) {
     const double p = answer.p()[k];
     if (p == 0) continue;
     sum += p;
-    moment += p * (answer.product[k] + (surface_.gap()[answer.point(k)] - surface_.lowest()));
+    moment += p * (answer.product[k] + surface_.height(answer.point(k)));
   }
-  return sum > 0 ? surface_.lowest() + moment / sum : surface_.lowest();
+  return sum > 0 ? moment / sum : 0;
 }
 
 rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
@@ -272,14 +308,11 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
     answer.op->field(answer.p, product);
     for (double& value : product) value *= system_.length_per_pressure;
   }
-  double approach = step.target;
-  if (step.control == RC_CONTROL_LOAD) {
-    approach = fitting_approach(given);
-  }
+  const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(given) : compression(step);
   name_components(answer, result);
   copy_text(result.solver, "none");
   result.modelled = answer.op ? answer.op->modelled() : 0;
-  result.status = certify_and_fill(step, given, approach, result);
+  result.status = certify_and_fill(step, given, depth, result);
   result.stiffness = options_.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(answer) : nan;
   result.iterations = 0;
   result.levels = 0;
@@ -287,8 +320,7 @@ rc_status Contact::certify_given(const rc_step& step, rc_result& result) {
   result.setup_seconds = setup_seconds_;
   result.seconds = std::max(0.0, monitor.seconds() - setup_seconds_);
   if (result.status != RC_OK) set_message(explain(result.status, result, options_.real(RC_OPT_TOL), remarks_).c_str());
-  if (result.gap)
-    for (std::size_t i = 0; i < given.size(); ++i) result.gap[i] = product[i] - (approach - surface_.gap()[i]);
+  if (result.gap) write_gap(given, depth, result.gap);
   return result.status;
 }
 

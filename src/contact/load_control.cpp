@@ -55,7 +55,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor, std::optional<Est
     trial = widened(std::move(trial), answer.choice);
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
     answer.handed_over = handed_over;
-    answer.limit = limit;
+    answer.limit = limit - lowest;
     if (system_.periodic() && !direct) {
       // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
       // contact.
@@ -71,7 +71,7 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor, std::optional<Est
       const std::vector<double> u = compenetrations(answer, lowest);
       double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
       answer.status = run(answer, monitor)(step.control, u, wanted, solver_tol(), lowest, answer.p, d);
-      answer.approach = d;
+      answer.compression = d;
     } else {
       double first = estimate ? (likely - lowest) / height : warm ? (last_.approach - lowest) / height : 1;
       if (system_.periodic() && !foretold) first = (surface_.mean() - lowest) / height;
@@ -86,11 +86,11 @@ Answer Contact::at_load(const rc_step& step, Monitor& monitor, std::optional<Est
     const double sum = std::accumulate(answer.p.begin(), answer.p.end(), 0.0);
     const double per_load = trial.zero_mode / static_cast<double>(system_.points());
     answer.datum_shift = per_load * sum * height;
-    answer.approach = lowest + (answer.approach + per_load * (wanted - sum)) * height;
-    const bool covered = trial.n == surface_.included_points() || answer.approach <= limit;
-    const bool finite = std::isfinite(answer.approach);  // else the certificate reports it
+    answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
+    const bool covered = trial.n == surface_.included_points() || answer.compression <= answer.limit;
+    const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_rounds) return answer;
-    height = growth * (answer.approach - lowest);
+    height = growth * answer.compression;
     nearer = pressures_of(answer);
   }
 }
@@ -106,15 +106,14 @@ rc_status Contact::balance_load(Answer& answer, double load, double shift, doubl
   std::vector<double> height(n), u(n), ones, rate;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < n; ++i)
-    height[i] =
-        (surface_.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))] - lowest) / answer.length_unit;
+    height[i] = surface_.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.length_unit;
 
   double low = 0, high = infinite, d = first + shift;
   for (int k = 0; k < most_approaches; ++k) {
     for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
     double unused = 0;
-    answer.approach = d - shift;
-    const double depth = std::max(answer.approach, 1e-3 * d), physical = lowest + answer.approach * answer.length_unit;
+    answer.compression = d - shift;
+    const double depth = std::max(answer.compression, 1e-3 * d), physical = lowest + answer.compression * answer.length_unit;
     const rc_status solved = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
     // Pressures of less than the accuracy asked for still tell where the load is.
     if (solved != RC_OK && solved != RC_STOP_STALLED && solved != RC_STOP_UNCERTIFIED) return solved;

@@ -150,6 +150,14 @@ Choice choose(const rc_options& options, const System& system, std::int32_t cont
   return choice;
 }
 
+const rc_backend& certifying_backend(const std::string& name, const rc_options& options, const System& system) {
+  const rc_backend& backend = options.context->backend(name);
+  if (!fits(backend, system))
+    fail(RC_ERR_INCOMPATIBLE, RC_OPT_CERTIFY_BACKEND, " = ", name, ": this backend cannot do ", kind_of(system),
+         "; leave the option empty or name one that can");
+  return backend;
+}
+
 bool few(std::int64_t contacts, std::int64_t points) {
   return contacts > 0 && static_cast<double>(contacts) <= few_share * static_cast<double>(points);
 }

@@ -39,6 +39,9 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
 Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
               const std::vector<std::string>& failed = {});
 
+// The backend named for the certificate. Throws Error(NO_BACKEND, INCOMPATIBLE, PLUGIN).
+const rc_backend& certifying_backend(const std::string& name, const rc_options& options, const System& system);
+
 // For a step whose contact may be far sparser than its candidates: a backend that screens the points it does not look at, and the
 // solver for the others. Nothing where the options name others, or the grid is too small for that to pay.
 std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control,

@@ -151,11 +151,19 @@ TrialSet SurfaceState::below(double limit, std::span<const std::int64_t> tiles) 
   return trial;
 }
 
-double SurfaceState::mean() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < gap_.size(); ++i)
-    if (included(i)) sum += gap_[i] - lowest_;
-  return lowest_ + sum / static_cast<double>(included_points_);
+double SurfaceState::mean_height() const {
+  if (!mean_height_) {
+    double sum = 0;
+    for (std::size_t i = 0; i < gap_.size(); ++i)
+      if (included(i)) sum += height(i);
+    mean_height_ = sum / static_cast<double>(included_points_);
+  }
+  return *mean_height_;
+}
+
+double SurfaceState::limit_of(double height) const {
+  const double limit = lowest_ + height;
+  return limit - lowest_ < height ? std::nextafter(limit, infinite) : limit;
 }
 
 namespace {
@@ -190,7 +198,7 @@ struct Histogram {
 
 double SurfaceState::bearing_height(double target) const {
   const double n = static_cast<double>(included_points_);
-  const double all = (target * std::sqrt(n) + n * (mean() - lowest_)) / n;  // if every point bears
+  const double all = (target * std::sqrt(n) + n * mean_height()) / n;  // if every point bears
   double range = highest_ - lowest_;
   if (all >= range) return all;
   // The range is narrowed until the bins resolve the answer.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,7 +57,14 @@ class SurfaceState {
   bool whole() const { return mask_.empty() || included_points_ == static_cast<std::int64_t>(gap_.size()); }
   double lowest() const { return lowest_; }  // smallest gap of the included points
   double highest() const { return highest_; }
-  double mean() const;  // of the included points
+  double mean() const { return lowest_ + mean_height(); }  // of the included points
+
+  // Above the lowest gap: with heights, and compressions in place of approaches, nothing depends on the datum of the gap.
+  double height(std::size_t i) const { return gap_[i] - lowest_; }
+  double mean_height() const;  // of the included points
+  double range() const { return highest_ - lowest_; }
+  // A gap that every included point of less height lies below.
+  double limit_of(double height) const;
 
   // Included points with gap < limit.
   TrialSet below(double limit) const;
@@ -84,6 +92,7 @@ class SurfaceState {
   std::vector<double> tile_lowest_;
   std::int64_t included_points_ = 0;
   double lowest_ = 0, highest_ = 0;
+  mutable std::optional<double> mean_height_;  // once it was asked for
 };
 
 // Points of the bounding box of a trial set on a grid nx wide and ny high.

@@ -175,6 +175,10 @@ Section options() {
            RC_ERR_NO_BACKEND,
            {"rc_contact_set_options: backend \"dens\" not found"},
            changed_later("certify_backend", "dens")},
+          {"a certifying backend that cannot do the operator, set later",
+           RC_ERR_INCOMPATIBLE,
+           {"rc_contact_set_options: certify_backend = callback: this backend cannot do free boundaries"},
+           changed_later("certify_backend", "callback")},
           {"solving after options were refused", RC_OK, {}, solves_after_refused_options},
           {"options of another context",
            refused,
@@ -184,6 +188,14 @@ Section options() {
 }
 
 namespace {
+
+// y = x + sum(x)
+std::int32_t sums(const double* x, double* y, std::int64_t n, void*) {
+  double sum = 0;
+  for (std::int64_t i = 0; i < n; ++i) sum += x[i];
+  for (std::int64_t i = 0; i < n; ++i) y[i] = x[i] + sum;
+  return 0;
+}
 
 auto named(const char* key, const char* value, void (*change)(rc_system&) = nullptr) {
   return [=] {
@@ -205,101 +217,123 @@ Outcome pair(const char* solver, const char* backend, std::int32_t control, cons
 
 Section names() {
   const rc_status incompatible = RC_ERR_INCOMPATIBLE;
-  return {"Names and combinations",
-          {
-              {"unknown solver",
-               RC_ERR_NO_SOLVER,
-               {"rc_contact_create: solver \"polonsky-kear\" not found; did you mean \"polonsky-keer\"?; available: "},
-               named("solver", "polonsky-kear")},
-              {"unknown backend",
-               RC_ERR_NO_BACKEND,
-               {"rc_contact_create: backend \"dens\" not found; did you mean \"dense\"?; available: "},
-               named("backend", "dens")},
-              {"empty backend", RC_ERR_NO_BACKEND, {"backend \"\" not found"}, named("backend", "")},
-              {"list of backends that do not exist",
-               RC_ERR_NO_BACKEND,
-               {"backend \"cuda\" not found"},
-               named("backend", "cuda,fftt")},
-              {"unknown certifying backend", RC_ERR_NO_BACKEND, {"backend \"dens\" not found"}, named("certify_backend", "dens")},
-              {"unknown kernel",
-               RC_ERR_OPTION,
-               {"rc_contact_create: kernel \"lov\" not found; did you mean \"love\"?; available: auto, disc, eq9,"},
-               named("kernel", "lov")},
-              {"unknown kernel, its coefficients",
-               RC_ERR_OPTION,
-               {"rc_kernel_coefficients: kernel \"lovve\" not found; did you mean \"love\"?"},
-               [] {
-                 double out[4];
-                 return rc_kernel_coefficients("lovve", 1, 1, 2, 2, out);
-               }},
-              {"periodic kernel for free boundaries",
-               incompatible,
-               {"kernel \"spectral\" is for periodic boundaries, the system has free ones; use kernel=auto"},
-               named("kernel", "spectral")},
-              {"free kernel for periodic boundaries",
-               incompatible,
-               {"kernel \"love\" is for free boundaries, the system has periodic ones; use kernel=auto"},
-               named("kernel", "love", periodic)},
-              {"disc with hx != hy",
-               incompatible,
-               {"kernel \"disc\" needs square cells, hx = 1 and hy = 2 differ; use love or galerkin"},
-               named("kernel", "disc", oblong)},
-              {"punch with hx != hy",
-               incompatible,
-               {"kernel \"punch\" needs square cells, hx = 1 and hy = 2 differ"},
-               named("kernel", "punch", oblong)},
-              {"eq9 with hx != hy",
-               incompatible,
-               {"kernel \"eq9\" needs square cells, hx = 1 and hy = 2 differ"},
-               named("kernel", "eq9", oblong)},
-              {"coefficients of disc with hx != hy",
-               incompatible,
-               {"rc_kernel_coefficients: kernel \"disc\" needs square cells"},
-               [] {
-                 double out[4];
-                 return rc_kernel_coefficients("disc", 1, 2, 2, 2, out);
-               }},
-              {"backend that cannot do the operator",
-               incompatible,
-               {"backend \"callback\" cannot do free boundaries"},
-               named("backend", "callback")},
-              {"pair: solver that does not exist",
-               RC_ERR_NO_SOLVER,
-               {"rc_pair_supported: solver \"x\" not found"},
-               [] { return pair("x", "dense", RC_CONTROL_LOAD); }},
-              {"pair: control = 3",
-               RC_ERR_ARGUMENT,
-               {"rc_pair_supported: control = 3 is neither 1 nor 2"},
-               [] { return pair("nnls", "callback", 3); }},
-              {"pair: operator and backend",
-               incompatible,
-               {"backend \"dense\" cannot do the caller's product"},
-               [] { return pair("nnls", "dense", RC_CONTROL_LOAD); }},
-              {"pair: no factorisation and no fallback",
-               incompatible,
-               {"backend \"callback\": solver \"nnls\" needs systems on subsets, which the backend cannot factor, and "
-                "allow_fallback is 0"},
-               [] {
-                 return pair("nnls", "callback", RC_CONTROL_LOAD, options_with({{"allow_fallback", "0"}}).get());
-               }},
-              {"component number out of range",
-               RC_ERR_ARGUMENT,
-               {"rc_kernel_describe: i = 99 is outside 0 .. 6 - 1"},
-               [] {
-                 rc_component component{};
-                 component.struct_size = sizeof component;
-                 return rc_kernel_describe(nullptr, 99, &component);
-               }},
-              {"context with unknown flags",
-               RC_ERR_ARGUMENT,
-               {"rc_context_create: rc_context_config.flags = 12 has unknown bits"},
-               [] {
-                 rc_context_config config = RC_CONTEXT_CONFIG_INIT;
-                 config.flags = 12;
-                 rc_context* context = nullptr;
-                 return rc_context_create(&config, &context);
-               }},
-          }};
+  return {
+      "Names and combinations",
+      {
+          {"unknown solver",
+           RC_ERR_NO_SOLVER,
+           {"rc_contact_create: solver \"polonsky-kear\" not found; did you mean \"polonsky-keer\"?; available: "},
+           named("solver", "polonsky-kear")},
+          {"unknown backend",
+           RC_ERR_NO_BACKEND,
+           {"rc_contact_create: backend \"dens\" not found; did you mean \"dense\"?; available: "},
+           named("backend", "dens")},
+          {"empty backend", RC_ERR_NO_BACKEND, {"backend \"\" not found"}, named("backend", "")},
+          {"list of backends that do not exist",
+           RC_ERR_NO_BACKEND,
+           {"backend \"cuda\" not found"},
+           named("backend", "cuda,fftt")},
+          {"unknown certifying backend", RC_ERR_NO_BACKEND, {"backend \"dens\" not found"}, named("certify_backend", "dens")},
+          {"certifying backend that cannot do free boundaries",
+           incompatible,
+           {"rc_contact_create: certify_backend = callback: this backend cannot do free boundaries; leave the option empty or "
+            "name one that can"},
+           named("certify_backend", "callback")},
+          {"certifying backend that cannot do periodic boundaries",
+           incompatible,
+           {"certify_backend = callback: this backend cannot do periodic boundaries"},
+           named("certify_backend", "callback", periodic)},
+          {"certifying backend that cannot do a matrix",
+           incompatible,
+           {"certify_backend = callback: this backend cannot do the caller's dense matrix"},
+           [] {
+             return solve(dense_scene(), options_with({{"certify_backend", "callback"}}).get());
+           }},
+          {"certifying backend that cannot do a product",
+           incompatible,
+           {"certify_backend = dense: this backend cannot do the caller's product"},
+           [] {
+             return solve(callback_scene(sums), options_with({{"certify_backend", "dense"}}).get());
+           }},
+          {"unknown kernel",
+           RC_ERR_OPTION,
+           {"rc_contact_create: kernel \"lov\" not found; did you mean \"love\"?; available: auto, disc, eq9,"},
+           named("kernel", "lov")},
+          {"unknown kernel, its coefficients",
+           RC_ERR_OPTION,
+           {"rc_kernel_coefficients: kernel \"lovve\" not found; did you mean \"love\"?"},
+           [] {
+             double out[4];
+             return rc_kernel_coefficients("lovve", 1, 1, 2, 2, out);
+           }},
+          {"periodic kernel for free boundaries",
+           incompatible,
+           {"kernel \"spectral\" is for periodic boundaries, the system has free ones; use kernel=auto"},
+           named("kernel", "spectral")},
+          {"free kernel for periodic boundaries",
+           incompatible,
+           {"kernel \"love\" is for free boundaries, the system has periodic ones; use kernel=auto"},
+           named("kernel", "love", periodic)},
+          {"disc with hx != hy",
+           incompatible,
+           {"kernel \"disc\" needs square cells, hx = 1 and hy = 2 differ; use love or galerkin"},
+           named("kernel", "disc", oblong)},
+          {"punch with hx != hy",
+           incompatible,
+           {"kernel \"punch\" needs square cells, hx = 1 and hy = 2 differ"},
+           named("kernel", "punch", oblong)},
+          {"eq9 with hx != hy",
+           incompatible,
+           {"kernel \"eq9\" needs square cells, hx = 1 and hy = 2 differ"},
+           named("kernel", "eq9", oblong)},
+          {"coefficients of disc with hx != hy",
+           incompatible,
+           {"rc_kernel_coefficients: kernel \"disc\" needs square cells"},
+           [] {
+             double out[4];
+             return rc_kernel_coefficients("disc", 1, 2, 2, 2, out);
+           }},
+          {"backend that cannot do the operator",
+           incompatible,
+           {"backend \"callback\" cannot do free boundaries"},
+           named("backend", "callback")},
+          {"pair: solver that does not exist",
+           RC_ERR_NO_SOLVER,
+           {"rc_pair_supported: solver \"x\" not found"},
+           [] { return pair("x", "dense", RC_CONTROL_LOAD); }},
+          {"pair: control = 3",
+           RC_ERR_ARGUMENT,
+           {"rc_pair_supported: control = 3 is neither 1 nor 2"},
+           [] { return pair("nnls", "callback", 3); }},
+          {"pair: operator and backend",
+           incompatible,
+           {"backend \"dense\" cannot do the caller's product"},
+           [] { return pair("nnls", "dense", RC_CONTROL_LOAD); }},
+          {"pair: no factorisation and no fallback",
+           incompatible,
+           {"backend \"callback\": solver \"nnls\" needs systems on subsets, which the backend cannot factor, and "
+            "allow_fallback is 0"},
+           [] {
+             return pair("nnls", "callback", RC_CONTROL_LOAD, options_with({{"allow_fallback", "0"}}).get());
+           }},
+          {"component number out of range",
+           RC_ERR_ARGUMENT,
+           {"rc_kernel_describe: i = 99 is outside 0 .. 6 - 1"},
+           [] {
+             rc_component component{};
+             component.struct_size = sizeof component;
+             return rc_kernel_describe(nullptr, 99, &component);
+           }},
+          {"context with unknown flags",
+           RC_ERR_ARGUMENT,
+           {"rc_context_create: rc_context_config.flags = 12 has unknown bits"},
+           [] {
+             rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+             config.flags = 12;
+             rc_context* context = nullptr;
+             return rc_context_create(&config, &context);
+           }},
+      }};
 }
 
 }  // namespace errors

@@ -247,6 +247,17 @@ Outcome indefinite_with(const char* solver) {
   return solve(scene, options_with({{"solver", solver}}).get());
 }
 
+Outcome certified_by_an_indefinite_product() {
+  const Scene scene = callback_scene(indefinite);
+  const ContactHandle contact = made(scene);
+  std::vector<double> p;
+  for (std::int64_t i = 0; i < points; ++i) p.push_back(i % 2 == 0 ? 1 : -1);
+  rc_result result{};
+  result.struct_size = sizeof result;
+  result.p = p.data();
+  return rc_contact_certify(contact.get(), &scene.step, &result);
+}
+
 // After a failed product the same contact solves as if nothing had happened.
 Outcome recovers_after_failure() {
   Fault fault{Fault::reports, 3, 0};
@@ -292,6 +303,10 @@ Section callbacks() {
                RC_ERR_NUMERIC,
                {"polonsky-keer: the operator is not positive definite"},
                [] { return indefinite_with("polonsky-keer"); }},
+              {"indefinite, met by the certificate",
+               RC_ERR_NUMERIC,
+               {"rc_contact_certify: the caller's apply function is not positive definite: p'Hp = ", ", must be > 0"},
+               certified_by_an_indefinite_product},
               {"indefinite, met by nnls",
                RC_ERR_NUMERIC,
                {"the operator is not positive definite"},

@@ -16,10 +16,18 @@ constexpr double round_off = 1e-12;                                 // of two wa
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // What residuals of gaps are relative to.
-double scale_of(const pairs::Problem& problem, const pairs::Answer& answer) {
-  const double compenetration = std::max(0.0, answer.result.displacement - problem.lowest_gap());
-  if (!problem.periodic()) return compenetration;
-  return std::max(compenetration, 0.25 * pairs::largest(answer.p) * std::sqrt(problem.cell_area()) / problem.system.modulus);
+double scale_of(const pairs::Problem& problem, const pairs::Answer& answer, double tol) {
+  const double lowest = problem.lowest_gap(), compression = std::max(0.0, answer.result.displacement - lowest);
+  if (!problem.periodic()) return compression;
+  const double n = static_cast<double>(problem.points());
+  if (problem.control == RC_CONTROL_LOAD)
+    return std::max(compression, 0.25 * problem.target / n / std::sqrt(problem.cell_area()) / problem.system.modulus);
+  double mean = 0;
+  for (std::size_t i = 0; i < problem.gap.size(); ++i) {
+    if (!problem.included(i)) return compression;
+    mean += (problem.gap[i] - lowest) / n;
+  }
+  return std::min(compression, (mean - compression) / (2 * tol));
 }
 
 // The coefficients that a backend would store; those of periodic boundaries by a plain sum over the waves.
@@ -81,7 +89,7 @@ void Verification::check(const pairs::Problem& problem, const pairs::Answer& ans
     load += answer.p[i] * problem.cell_area();
   }
   const rc_system& s = problem.system;
-  const double largest_p = pairs::largest(answer.p), scale = scale_of(problem, answer);
+  const double largest_p = pairs::largest(answer.p), scale = scale_of(problem, answer, tol_);
   // A product is a sum of terms that may be large beside it, as those of the longest wave.
   const double longest = std::max(s.hx * static_cast<double>(s.nx), s.hy * static_cast<double>(s.ny)) / s.modulus;
   const double of_product = round_off * largest_p * longest;
@@ -99,12 +107,6 @@ void Verification::check(const pairs::Problem& problem, const pairs::Answer& ans
     pairs::check_near(load, problem.target, (tol_ + 1e-12) * problem.target, "load against its target");
   if (problem.control == RC_CONTROL_DISPLACEMENT)
     pairs::check(r.displacement == problem.target, "the approach is not the prescribed one");
-}
-
-bool beyond_double_precision(const pairs::Problem& problem, const pairs::Answer& answer, double tol) {
-  if (answer.status != RC_STOP_UNCERTIFIED && answer.status != RC_STOP_STALLED) return false;
-  const double datum = std::max(std::abs(problem.lowest_gap()), std::abs(answer.result.displacement));
-  return problem.control == RC_CONTROL_LOAD && epsilon * datum > 0.1 * tol * scale_of(problem, answer);
 }
 
 }  // namespace scenes

@@ -26,8 +26,4 @@ class Verification {
   std::optional<pairs::Contact> other_;
 };
 
-/** The answer is not certified, and could not be: in load control the approach, a number like the gap's, is rounded by more than
- *  the tolerance allows. */
-bool beyond_double_precision(const pairs::Problem& problem, const pairs::Answer& answer, double tol);
-
 }  // namespace scenes
