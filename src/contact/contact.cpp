@@ -105,7 +105,7 @@ void Contact::restore(const rc_state& state) {
   Last last = certified(state.p, state.displacement, state.load, surface, ""),
        before = certified(state.p_before, state.displacement_before, state.load_before, surface, "_before");
   forget();
-  surface_ = std::move(surface);
+  adopt(std::move(surface));
   last_ = std::move(last);
   before_ = std::move(before);
 }
