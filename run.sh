@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # ./run.sh [SURFACE] [OPTIONS of roughcontact solve]
 # Installs what is missing, builds, and presses SURFACE against a flat. Without SURFACE a rough one is generated; without OPTIONS
-# it is loaded in three steps, E* = 100 GPa, heights and pitch in micrometres (pitch 1) where the file does not say.
+# it is loaded in three steps, E* = 100 GPa, heights and pitch in micrometres (pitch 1) where the file does not say. With --out DIR and
+# --resume among the OPTIONS a history that was interrupted goes on.
 set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 "$root/scripts/bootstrap.sh"

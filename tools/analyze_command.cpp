@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "analysis.h"
 #include "error.h"
+#include "json_text.h"
 #include "numbers.h"
 #include "spectrum_picture.h"
 #include "surface_library.h"
@@ -16,8 +16,6 @@
 #include "whole_file.h"
 
 namespace cli {
-
-using Json = nlohmann::ordered_json;  // keys stay in the order in which they are explained
 
 namespace {
 
@@ -143,65 +141,70 @@ void print(const Analysis& a) {
   print_advice(a);
 }
 
-Json peaks(const rc_surface_power_law& law) {
-  Json list = Json::array();
-  for (std::int64_t k = 0; k < law.peaks; ++k)
-    list.push_back({{"qx", law.peak_qx[k]}, {"qy", law.peak_qy[k]}, {"share", law.peak_share[k]}});
-  return list;
-}
-
-Json document(const Analysis& a) {
+std::string document(const Analysis& a) {
   const rc_surface_statistics& s = a.statistics;
   const rc_surface_power_law& law = a.law;
-  Json result{{"input",
-               {{"file", a.input.file},
-                {"format", a.input.surface.format},
-                {"nx", a.input.surface.nx},
-                {"ny", a.input.surface.ny},
-                {"hx", *a.input.surface.hx},
-                {"hy", *a.input.surface.hy},
-                {"removed", a.input.removed},
-                {"missing", a.input.missing},
-                {"missing_rule", a.input.missing_rule},
-                {"periodic", a.periodic}}},
-              {"statistics",
-               {{"rms_height", s.rms_height},
-                {"skewness", s.skewness},
-                {"kurtosis", s.kurtosis},
-                {"highest", s.highest},
-                {"lowest", s.lowest},
-                {"rms_slope", s.rms_slope},
-                {"rms_slope_x", s.rms_slope_x},
-                {"rms_slope_y", s.rms_slope_y},
-                {"rms_curvature", s.rms_curvature},
-                {"m0", s.m0},
-                {"m2", s.m2},
-                {"m4", s.m4},
-                {"nayak", s.nayak}}},
-              {"spectrum",
-               {{"hurst", law.hurst},
+  JsonText document;
+  const auto object = [&document](const char* name, std::initializer_list<JsonField> fields) {
+    document.begin(name);
+    document.add(fields);
+    document.end();
+  };
+  object("input", {{"file", a.input.file},
+                   {"format", a.input.surface.format},
+                   {"nx", a.input.surface.nx},
+                   {"ny", a.input.surface.ny},
+                   {"hx", *a.input.surface.hx},
+                   {"hy", *a.input.surface.hy},
+                   {"removed", a.input.removed},
+                   {"missing", a.input.missing},
+                   {"missing_rule", a.input.missing_rule},
+                   {"periodic", a.periodic}});
+  object("statistics", {{"rms_height", s.rms_height},
+                        {"skewness", s.skewness},
+                        {"kurtosis", s.kurtosis},
+                        {"highest", s.highest},
+                        {"lowest", s.lowest},
+                        {"rms_slope", s.rms_slope},
+                        {"rms_slope_x", s.rms_slope_x},
+                        {"rms_slope_y", s.rms_slope_y},
+                        {"rms_curvature", s.rms_curvature},
+                        {"m0", s.m0},
+                        {"m2", s.m2},
+                        {"m4", s.m4},
+                        {"nayak", s.nayak}});
+  document.begin("spectrum");
+  document.add({{"hurst", law.hurst},
                 {"hurst_error", law.hurst_error},
                 {"slope", law.slope},
                 {"prefactor", law.prefactor},
                 {"q_min", law.q_min},
                 {"q_max", law.q_max},
                 {"q_rolloff", law.q_rolloff},
-                {"q_cutoff", law.q_cutoff},
-                {"peaks", peaks(law)}}},
-              {"psd", {{"q", a.rings.q}, {"C", a.rings.psd}, {"modes", a.rings.modes}}}};
+                {"q_cutoff", law.q_cutoff}});
+  document.begin("peaks", '[');
+  for (std::int64_t k = 0; k < law.peaks; ++k)
+    object(nullptr, {{"qx", law.peak_qx[k]}, {"qy", law.peak_qy[k]}, {"share", law.peak_share[k]}});
+  document.end();
+  document.end();
+  document.begin("psd");
+  document.add("q", a.rings.q);
+  document.add("C", a.rings.psd);
+  document.add("modes", a.rings.modes);
+  document.end();
   if (a.cmr) {
-    result["cmr"] = {{"trustworthy", a.cmr->trustworthy == 1},
-                     {"levels", a.cmr->levels},
-                     {"safe_levels", a.cmr->safe_levels},
-                     {"unresolved", a.cmr->unresolved},
-                     {"limit", a.cmr->limit},
-                     {"unresolved_overall", a.cmr->unresolved_overall},
-                     {"peak_loss", a.cmr->peak_loss},
-                     {"approach", a.cmr->approach},
-                     {"coarsest_pitch", a.cmr->coarsest_pitch},
-                     {"reason", a.cmr->reason}};
+    object("cmr", {{"trustworthy", a.cmr->trustworthy == 1},
+                   {"levels", a.cmr->levels},
+                   {"safe_levels", a.cmr->safe_levels},
+                   {"unresolved", a.cmr->unresolved},
+                   {"limit", a.cmr->limit},
+                   {"unresolved_overall", a.cmr->unresolved_overall},
+                   {"peak_loss", a.cmr->peak_loss},
+                   {"approach", a.cmr->approach},
+                   {"coarsest_pitch", a.cmr->coarsest_pitch},
+                   {"reason", a.cmr->reason}});
   }
-  return result;
+  return document.text();
 }
 
 void draw(const Analysis& analysis, const std::string& path) {
@@ -222,10 +225,8 @@ void analyze(const AnalyzeArguments& arguments) {
   const Analysis analysis = make_analysis(arguments);
   for (const std::string& note : analysis.input.notes) report(note);
   if (arguments.json) {
-    // JSON has no NaN: the writer puts null for what is not finite. File names need not be UTF-8.
-    const std::string text = document(analysis).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    write_whole_file(*arguments.json,
-                     [&](std::FILE* file) { return std::fwrite(text.data(), 1, text.size(), file) == text.size(); });
+    const std::string text = document(analysis);
+    write_whole_file(*arguments.json, text);
   }
   if (arguments.picture) draw(analysis, *arguments.picture);
   print(analysis);

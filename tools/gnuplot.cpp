@@ -1,6 +1,7 @@
 #include "gnuplot.h"
 
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,9 +34,12 @@ std::string complaint(std::FILE* output) {
 pid_t spawn(int script, int picture, int complaints, int& error) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, script, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, picture, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, complaints, STDERR_FILENO);
+  const auto connect = [&](int file, int number) {
+    if (error == 0) error = posix_spawn_file_actions_adddup2(&actions, file, number);
+  };
+  connect(script, STDIN_FILENO);
+  connect(picture, STDOUT_FILENO);
+  connect(complaints, STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
@@ -43,7 +47,7 @@ pid_t spawn(int script, int picture, int complaints, int& error) {
   char name[] = "gnuplot", defaults[] = "-d";  // -d: without the user's start-up files
   char* arguments[] = {name, defaults, nullptr};
   pid_t child = -1;
-  error = posix_spawnp(&child, name, &actions, &attributes, arguments, environ);
+  if (error == 0) error = posix_spawnp(&child, name, &actions, &attributes, arguments, environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return child;
@@ -53,9 +57,8 @@ pid_t spawn(int script, int picture, int complaints, int& error) {
 
 Gnuplot run_gnuplot(std::FILE* script, std::FILE* picture) {
   const File complaints{std::tmpfile(), std::fclose};
-  std::fflush(script);
-  std::rewind(script);
-  if (!complaints || std::ferror(script)) return {false, false, std::strerror(errno)};
+  if (!complaints || std::ferror(script) || std::fflush(script) != 0 || std::fseek(script, 0, SEEK_SET) != 0)
+    return {false, false, std::strerror(errno)};
 
   int error = 0;
   const pid_t child = spawn(fileno(script), fileno(picture), fileno(complaints.get()), error);
@@ -65,7 +68,9 @@ Gnuplot run_gnuplot(std::FILE* script, std::FILE* picture) {
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) return {false, false, std::strerror(errno)};
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {true, false, ""};
+  struct stat written {};
+  const bool empty = fstat(fileno(picture), &written) != 0 || written.st_size == 0;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {!empty, false, empty ? "it wrote nothing" : ""};
   return {false, false, complaint(complaints.get())};
 }
 

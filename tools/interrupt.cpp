@@ -3,6 +3,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "whole_file.h"
+
 namespace cli {
 
 namespace {
@@ -11,30 +13,32 @@ std::atomic<rc_contact*> watched{nullptr};
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<rc_contact*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-void on_signal(int) {
-  interrupted = true;
-  rc_contact_cancel(watched);
-}
-
-void set_handler(void (*handler)(int)) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+void on_signal(int number) {
+  rc_contact* const contact = watched;
+  if (contact && !interrupted.exchange(true)) {
+    rc_contact_cancel(contact);
+    return;
+  }
+  remove_unfinished_file();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
 }
 
 }  // namespace
 
-Interrupt::Interrupt(rc_contact* contact) {
-  watched = contact;
-  set_handler(on_signal);
+void handle_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART;
+    sigaction(number, &action, nullptr);
+  }
 }
 
-Interrupt::~Interrupt() {
-  set_handler(SIG_DFL);
-  watched = nullptr;
-}
+Interrupt::Interrupt(rc_contact* contact) { watched = contact; }
+
+Interrupt::~Interrupt() { watched = nullptr; }
 
 bool Interrupt::requested() const { return interrupted; }
 

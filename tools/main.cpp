@@ -10,8 +10,10 @@
 
 #include "analyze_command.h"
 #include "generate_command.h"
+#include "interrupt.h"
 #include "list_commands.h"
 #include "solve_command.h"
+#include "standard_streams.h"
 #include "text.h"
 
 namespace {
@@ -24,7 +26,7 @@ A target is a number, a list a,b,c or a range a:b:n of n points. The highest poi
 counted from there. The modulus E* is E/(1-nu^2), the other body being rigid.
 
 Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by
-their status), 130 interrupted.
+their status), 130 interrupted (a second signal ends it at once). With --resume an interrupted history goes on.
 )";
 
 std::string version() {
@@ -73,6 +75,8 @@ void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
       ->take_all();
 
   option("--out", arguments.out, "DIR", "Folder for summary.json, pressure-K.npy, gap-K.npy and contact-K.png", "Output");
+  solve->add_flag("--resume", arguments.resume, "Go on after the steps that an earlier run into --out has finished")
+      ->group("Output");
   solve->add_flag("--quiet", arguments.quiet, "No table and no progress")->group("Output");
 }
 
@@ -199,12 +203,16 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::open_standard_streams();
+  cli::handle_signals();
+  int code = cli::exit_error;
   try {
-    return run(argc, argv);
+    code = run(argc, argv);
   } catch (const std::bad_alloc&) {
     cli::report("out of memory");
   } catch (const std::exception& error) {
     cli::report(error.what());
   }
-  return cli::exit_error;
+  const bool printed = cli::finish_standard_output();
+  return printed || code != cli::exit_certified ? code : cli::exit_error;
 }

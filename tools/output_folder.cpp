@@ -27,9 +27,11 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexi
   if (access(path_.c_str(), W_OK | X_OK) != 0) {
     throw Error("--out: folder " + in_quotes(path.native()) + " is not writable: " + std::strerror(errno));
   }
+  lock_.emplace(path_);
 }
 
 OutputFolder::~OutputFolder() {
+  lock_.reset();
   std::error_code ignored;  // a folder that is not empty stays
   for (const auto& folder : created_) fs::remove(folder, ignored);
 }
@@ -41,6 +43,15 @@ void OutputFolder::write(const std::string& name, const std::function<bool(std::
 std::string OutputFolder::read(const std::string& name) const {
   std::ifstream stream{path_ / name, std::ios::binary};
   return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+std::vector<std::string> OutputFolder::names() const {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (fs::directory_iterator entry{path_, error}, end; !error && entry != end; entry.increment(error))
+    found.push_back(entry->path().filename().native());
+  if (error) throw Error("--out: cannot list folder " + in_quotes(path_.native()) + ": " + error.message());
+  return found;
 }
 
 void OutputFolder::remove(const std::string& name) {

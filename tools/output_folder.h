@@ -1,17 +1,20 @@
-// The folder of --out. A file in it is either whole or not there.
+// The folder of --out, written to by one run at a time. A file in it is either whole or not there.
 #pragma once
 
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "folder_lock.h"
 
 namespace cli {
 
 class OutputFolder {
  public:
-  // Creates the folder where it is missing; throws if it cannot be written to.
+  // Creates the folder where it is missing; throws if it cannot be written to, or is being written to by another run.
   explicit OutputFolder(const std::filesystem::path& path);
   // Removes the folders created if nothing was put into them.
   ~OutputFolder();
@@ -23,11 +26,14 @@ class OutputFolder {
 
   // The whole contents of a file in the folder; "" if there is none.
   std::string read(const std::string& name) const;
+  std::vector<std::string> names() const;
+  std::filesystem::path path(const std::string& name) const { return path_ / name; }
   void remove(const std::string& name);
 
  private:
   std::filesystem::path path_;
   std::vector<std::filesystem::path> created_;
+  std::optional<FolderLock> lock_;
 };
 
 }  // namespace cli

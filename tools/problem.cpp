@@ -53,6 +53,7 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
 
 void set_options(const SolveArguments& arguments, Problem& problem) {
   problem.options.emplace_back(RC_OPT_STIFFNESS, "1");
+  if (arguments.out) problem.options.emplace_back(RC_OPT_RESUMABLE, "1");
   const std::pair<const char*, const std::optional<std::string>&> named[] = {{RC_OPT_KERNEL, arguments.kernel},
                                                                              {RC_OPT_SOLVER, arguments.solver},
                                                                              {RC_OPT_BACKEND, arguments.backend},

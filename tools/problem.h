@@ -19,6 +19,7 @@ struct SolveArguments {
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out;
+  bool resume = false;
   bool quiet = false;
 };
 

@@ -4,14 +4,12 @@
 
 #include <optional>
 
+#include "error.h"
 #include "interrupt.h"
 #include "library.h"
-#include "npy_writer.h"
-#include "output_folder.h"
-#include "picture.h"
 #include "progress_bar.h"
+#include "step_files.h"
 #include "step_record.h"
-#include "summary.h"
 #include "table.h"
 #include "text.h"
 
@@ -39,80 +37,18 @@ double tolerance(const Options& options) {
   return tol;
 }
 
-// Pressures and deformed gaps of the current step.
-struct Fields {
-  explicit Fields(std::size_t points) : pressure(points), gap(points) {}
-  std::vector<double> pressure, gap;
-};
-
-class StepFiles {
- public:
-  StepFiles(const std::string& folder, const Problem& problem) : folder_(folder), problem_(problem), summary_(problem) {}
-
-  void write(const StepRecord& step, const Fields& fields) {
-    if (step.number == 1) remove_previous();
-    const auto array = [this](const std::vector<double>& values) {
-      return [this, &values](std::FILE* file) {
-        write_npy(file, values, problem_.system.nx, problem_.system.ny);
-        return true;
-      };
-    };
-    folder_.write(name("pressure", step.number, "npy"), array(fields.pressure));
-    folder_.write(name("gap", step.number, "npy"), array(fields.gap));
-    if (can_draw_) draw(step, fields);
-
-    summary_.add(step);
-    const std::string text = summary_.text();
-    folder_.write("summary.json", [&](std::FILE* file) { return std::fwrite(text.data(), 1, text.size(), file) == text.size(); });
-  }
-
- private:
-  static std::string name(const char* stem, int number, const char* extension) {
-    return format("%s-%d.%s", stem, number, extension);
-  }
-
-  // An earlier run may have had more steps than this one; its files must not be taken for this one's.
-  void remove_previous() {
-    const int count = Summary::step_count(folder_.read("summary.json"));
-    folder_.remove("summary.json");
-    for (int k = 1; k <= count; ++k) {
-      folder_.remove(name("pressure", k, "npy"));
-      folder_.remove(name("gap", k, "npy"));
-      folder_.remove(name("contact", k, "png"));
-    }
-  }
-
-  void draw(const StepRecord& step, const Fields& fields) {
-    const std::string picture = name("contact", step.number, "png");
-    folder_.write(picture, [&](std::FILE* file) {
-      const Gnuplot outcome = draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
-      can_draw_ = !outcome.missing;
-      if (outcome.missing) {
-        report("gnuplot not found: contact-K.png not drawn");
-      } else if (!outcome.drawn) {
-        report(picture + " not drawn, gnuplot failed: " + outcome.message);
-      }
-      return outcome.drawn;
-    });
-  }
-
-  OutputFolder folder_;
-  const Problem& problem_;
-  Summary summary_;
-  bool can_draw_ = true;
-};
-
 int32_t on_progress(const rc_progress* progress, void* bar) {
   static_cast<ProgressBar*>(bar)->update(*progress);
   return 0;
 }
 
-StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, const std::vector<double>& gap, Fields& fields) {
+StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, bool first, const std::vector<double>& gap,
+                      Fields& fields) {
   rc_step step = RC_STEP_INIT;
   step.control = problem.step_control();
   step.target = problem.step_target(static_cast<std::size_t>(number - 1));
-  step.gap = number == 1 ? gap.data() : nullptr;
-  step.mask = number == 1 && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
+  step.gap = first ? gap.data() : nullptr;
+  step.mask = first && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
   StepRecord record{number, {}, {}};
@@ -123,6 +59,26 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, c
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
   return record;
+}
+
+// The contact goes on where the earlier run ended.
+void restore(rc_contact* contact, const Problem& problem, const std::vector<double>& gap, const StepFiles& files) {
+  const std::vector<CertifiedStep> certified = files.certified();
+  rc_state state = RC_STATE_INIT;
+  state.gap = gap.data();
+  state.mask = problem.input.mask.empty() ? nullptr : problem.input.mask.data();
+  if (!certified.empty()) {
+    state.p = certified[0].pressure.data();
+    state.displacement = certified[0].displacement;
+    state.load = certified[0].load;
+  }
+  if (certified.size() > 1) {
+    state.p_before = certified[1].pressure.data();
+    state.displacement_before = certified[1].displacement;
+    state.load_before = certified[1].load;
+  }
+  check(rc_contact_restore(contact, &state), "--resume");
+  report(format("--resume: %d of %zu steps are finished", files.finished(), problem.targets.size()));
 }
 
 void report_step(const StepRecord& step, std::size_t steps) {
@@ -136,35 +92,39 @@ void report_step(const StepRecord& step, std::size_t steps) {
 }  // namespace
 
 ExitCode run_solve(const SolveArguments& arguments) {
+  if (arguments.resume && !arguments.out) throw Error("--resume goes on in the folder of --out, which is missing");
   const Problem problem = make_problem(arguments);
-  const std::size_t steps = problem.targets.size();
+  const int steps = static_cast<int>(problem.targets.size());
   const std::vector<double> gap = gap_below_highest_point(problem.input.surface);
   Fields fields{gap.size()};
 
   Context context;
   const Options options = make_options(context, problem);
-  ProgressBar bar{!arguments.quiet && isatty(STDERR_FILENO) == 1, tolerance(options), steps};
+  ProgressBar bar{!arguments.quiet && isatty(STDERR_FILENO) == 1, tolerance(options), problem.targets.size()};
   const Contact contact = make_contact(problem, options);
   check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");
   const Interrupt interrupt{contact.get()};
   std::optional<StepFiles> files;
-  if (arguments.out) files.emplace(*arguments.out, problem);
+  if (arguments.out) files.emplace(*arguments.out, problem, arguments.resume);
+  const int finished = files ? files->finished() : 0;
+  if (finished > 0) restore(contact.get(), problem, gap, *files);
 
-  ExitCode code = exit_certified;
-  for (int number = 1; number <= static_cast<int>(steps) && !interrupt.requested(); ++number) {
+  ExitCode code = files && !files->all_certified() ? exit_uncertified : exit_certified;
+  for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
+    const bool first = number == finished + 1;
     bar.begin(number);
-    const StepRecord step = solve_step(contact.get(), problem, number, gap, fields);
+    const StepRecord step = solve_step(contact.get(), problem, number, first, gap, fields);
     bar.clear();
 
     context.report_warnings();
     for (const std::string& note : problem.input.notes) {
-      if (number == 1) report(note);
+      if (first) report(note);
     }
     const bool good = step.result.status == RC_OK || step.result.status == RC_WITHIN_GOAL;
     if (!good) code = exit_uncertified;
-    if (!arguments.quiet && number == 1) print_table_head(problem);
+    if (!arguments.quiet && first) print_table_head(problem);
     if (!arguments.quiet) print_table_row(step);
-    if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, steps);
+    if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
     if (files) files->write(step, fields);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }

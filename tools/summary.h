@@ -1,9 +1,10 @@
 // summary.json: the input and every finished step.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
+#include "json_text.h"
 #include "problem.h"
 #include "step_record.h"
 
@@ -11,15 +12,16 @@ namespace cli {
 
 class Summary {
  public:
+  // Of a run with these targets.
   explicit Summary(const Problem& problem);
   void add(const StepRecord& step);
-  std::string text() const;
-
-  // How many steps a summary.json describes; 0 if it is not one of ours.
-  static int step_count(const std::string& text);
+  // A step as an earlier summary has it.
+  void add(std::span<const JsonEntry> step);
+  // removing: steps of an earlier run, 1 to this number, whose files are about to go; 0: none.
+  std::string text(std::size_t removing = 0) const;
 
  private:
-  nlohmann::ordered_json document_;
+  JsonText document_;
 };
 
 }  // namespace cli

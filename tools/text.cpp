@@ -39,8 +39,16 @@ std::string in_quotes(std::string_view text) {
 }
 
 void report(std::string_view text) {
-  const std::string line = "roughcontact: " + without_controls(text) + "\n";
-  std::fputs(line.c_str(), stderr);
+  char line[512] = "roughcontact: ";
+  std::size_t length = std::char_traits<char>::length(line);
+  const auto put = [&](char c) {
+    line[length++] = c;
+    if (length < sizeof line && c != '\n') return;
+    std::fwrite(line, 1, length, stderr);
+    length = 0;
+  };
+  for (const char c : text) put(is_control(c) ? '?' : c);
+  put('\n');
 }
 
 std::string_view trimmed(std::string_view text) {

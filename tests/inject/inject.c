@@ -13,6 +13,7 @@
  *
  * Children do not inherit the fault. */
 #define _GNU_SOURCE
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -49,7 +50,7 @@ static void log_line(const char* what, long count) {
   syscall(SYS_close, file);
 }
 
-__attribute__((constructor)) static void begin(void) {
+static void begin(void) {
   const char *const call = getenv("RC_FAULT"), *const how = getenv("RC_FAULT_HOW");
   at = number("RC_FAULT_AT", 0);
   every = number("RC_FAULT_EVERY", 0);
@@ -67,6 +68,26 @@ __attribute__((destructor)) static void end(void) {
   const long count = atomic_load(&calls);
   if (counted != no_call) log_line("calls", count);
   counted = no_call;
+}
+
+typedef int main_function(int, char**, char**);
+typedef int start_function(main_function*, int, char**, void (*)(void), void (*)(void), void (*)(void), void*);
+static main_function* own_main;
+
+static int main_with_faults(int argc, char** argv, char** environment) {
+  begin();
+  return own_main(argc, argv, environment);
+}
+
+/* What calls main, after the constructors of libraries and program, which have no one to tell of a failure. */
+start_function __libc_start_main;
+int __libc_start_main(main_function* program, int argc, char** argv, void (*init)(void), void (*fini)(void),
+                      void (*end_of_linker)(void), void* stack) {
+  start_function* start = NULL;
+  void* const found = dlsym(RTLD_NEXT, "__libc_start_main");
+  memcpy(&start, &found, sizeof start);
+  own_main = program;
+  return start(main_with_faults, argc, argv, init, fini, end_of_linker, stack);
 }
 
 /* True where this call is to fail. */

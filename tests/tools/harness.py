@@ -45,8 +45,11 @@ def rough(ny=40, nx=56, rms=1e-7, seed=1):
 class CommandTest(unittest.TestCase):
     """Every test has an empty working folder of its own."""
 
+    in_memory = False  # where thousands of files are brought to the disk
+
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
+        memory = "/dev/shm" if self.in_memory and os.access("/dev/shm", os.W_OK) else None
+        scratch = tempfile.TemporaryDirectory(dir=memory)
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
 

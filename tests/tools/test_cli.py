@@ -92,7 +92,7 @@ class Answers(CommandTest):
         self.assertEqual((given["file"], given["nx"], given["ny"], given["control"], given["boundary"]), ("s.gsf", 56, 40, "load", "free"))
         np.testing.assert_allclose((given["hx"], given["hy"]), (1e-6, 2e-6), rtol=1e-15)
         self.assertEqual(given["targets"], [1e-5, 2e-5])
-        self.assertEqual(given["options"], {"stiffness": "1", "solver": "polonsky-keer", "tol": "1e-7", "max_iter": "500"})
+        self.assertEqual(given["options"], {"stiffness": "1", "resumable": "1", "solver": "polonsky-keer", "tol": "1e-7", "max_iter": "500"})
         self.assertEqual(summary["units"]["length"], "m")
         for step in summary["steps"]:
             self.assertTrue(set(STEP_FIELDS) <= set(step))

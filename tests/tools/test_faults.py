@@ -1,0 +1,205 @@
+"""What `roughcontact` makes of closed streams, full disks, two runs in one folder, files of others, and signals."""
+import itertools
+import json
+import os
+import resource
+import signal
+import stat
+import subprocess
+import time
+
+import harness
+from harness import CommandTest, np, paraboloid, rough, without_gnuplot
+
+HERTZ = ["--pitch", "1e-6", "--modulus", "1e9"]
+STREAMS = ("stdin", "stdout", "stderr")
+
+
+def closing(numbers):
+    def close():
+        for number in numbers:
+            os.close(number)
+
+    return close
+
+
+def default_signals():
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
+def wait_for(condition, seconds=100):
+    deadline = time.monotonic() + seconds
+    while not condition() and time.monotonic() < deadline:
+        time.sleep(0.005)
+    assert condition()
+
+
+class Streams(CommandTest):
+    def test_full_output_is_an_error(self):
+        surface = self.npy(paraboloid(24))
+        solve = ["solve", surface, *HERTZ, "--displacement", "1e-8"]
+        commands = [solve, ["analyze", self.npy(rough(), "rough.npy"), "--pitch", "1e-6"], ["--help"], ["solve", "--help"], ["--version"]]
+        commands += [[name] for name in ("backends", "solvers", "kernels", "options", "formats")]
+        for command in commands:
+            with self.subTest(command), open("/dev/full", "w") as full:
+                done = subprocess.run([harness.COMMAND, *command], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, encoding="utf-8", timeout=60)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("roughcontact: cannot write to standard output", done.stderr.splitlines()[-1])
+        self.solve(surface, *HERTZ, "--displacement", "1e-8", "--quiet")
+
+    def test_any_streams_closed(self):
+        surface = self.npy(paraboloid(24))
+        for count in range(4):
+            for closed in itertools.combinations(range(3), count):
+                for quiet in (True, False) if 1 in closed else (True,):
+                    with self.subTest([STREAMS[number] for number in closed], quiet=quiet):
+                        out = self.folder / "out"
+                        command = [harness.COMMAND, "solve", surface, *HERTZ, "--displacement", "1e-8", "--out", out]
+                        streams = {name: subprocess.DEVNULL for number, name in enumerate(STREAMS) if number not in closed}
+                        code = subprocess.run(command + ["--quiet"] * quiet, cwd=self.folder, preexec_fn=closing(closed), timeout=60, **streams).returncode
+                        self.assertEqual(code, 0 if quiet or 1 not in closed else 1)
+                        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "summary.json"])
+                        picture = (out / "contact-1.png").read_bytes()
+                        self.assertTrue(picture.startswith(b"\x89PNG") and picture.endswith(b"IEND\xaeB`\x82"))
+                        self.assertEqual(np.load(out / "pressure-1.npy").shape, (24, 24))
+                        self.assertEqual(len(json.loads((out / "summary.json").read_text())["steps"]), 1)
+
+
+class Folder(CommandTest):
+    def start(self, *arguments):
+        return subprocess.Popen([harness.COMMAND, "solve", *arguments, "--quiet"], cwd=self.folder, env=without_gnuplot(), preexec_fn=default_signals,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+
+    def test_a_second_writer_is_refused(self):
+        small, out = self.npy(paraboloid(24), "small.npy"), self.folder / "out"
+        first = self.start(self.npy(rough(64, 64)), *HERTZ, "--displacement", "1e-8:4e-7:20000", "--out", "out")
+        wait_for(lambda: (out / "pressure-2.npy").exists())
+        second = self.run_command("solve", small, *HERTZ, "--displacement", "1e-8", "--out", "out")
+        self.assertEqual(second.returncode, 1, second.stderr)
+        self.assertRegex(second.stderr, r"^roughcontact: --out: folder .* process %d\b.*\n$" % first.pid)
+        first.send_signal(signal.SIGINT)
+        self.assertEqual(first.wait(60), 130)
+        first.communicate()
+        self.assertEqual(json.loads((out / "summary.json").read_text())["input"]["nx"], 64)
+        self.solve(small, *HERTZ, "--displacement", "1e-8", "--out", "out", env=without_gnuplot())
+        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "summary.json"])
+
+    def test_a_killed_run_leaves_no_lock(self):
+        surface, out = self.npy(rough(64, 64)), self.folder / "out"
+        killed = self.start(surface, *HERTZ, "--displacement", "1e-8:4e-7:20000", "--out", "out")
+        wait_for(lambda: (out / "pressure-2.npy").exists())
+        killed.kill()
+        killed.communicate()
+        (out / ".pressure-7.npy.0123456789abcdef.tmp").write_text("half a file")
+        (out / ".mine.0123456789abcdef.tmp").write_text("of the user's own")
+        self.solve(surface, *HERTZ, "--displacement", "1e-8", "--out", "out", env=without_gnuplot())
+        self.assertEqual(self.names("out"), [".mine.0123456789abcdef.tmp", "gap-1.npy", "pressure-1.npy", "summary.json"])
+
+    def test_files_of_others_are_not_overwritten(self):
+        surface = self.npy(paraboloid(24))
+        (self.folder / "out").mkdir()
+        for name, contents in (("pressure-2.npy", "mine"), ("gap-1.npy", "mine"), ("contact-1.png", "mine"), ("summary.json", "mine"), ("summary.json", "{}"),
+                               ("summary.json", "[" * 100000), ("summary.json", '{"input": {"targets": 1}, "steps": [{}]}')):
+            with self.subTest(name=name, contents=contents[:50]):
+                self.file("out/" + name, contents)
+                self.assert_fails("solve", surface, *HERTZ, "--displacement", "1e-8,2e-8", "--out", "out", says=["--out", name, "another folder"])
+                self.assertEqual((self.folder / "out" / name).read_text(), contents)
+                (self.folder / "out" / name).unlink()
+
+    def test_a_disk_that_fills_up(self):
+        if os.geteuid() != 0:
+            self.skipTest("mounting a small disk needs privileges")
+        surface, disk = self.npy(rough(64, 64)), self.folder / "disk"
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", disk], stderr=subprocess.DEVNULL).returncode != 0:
+            self.skipTest("no small disk can be mounted")
+        try:
+            done = self.run_command("solve", surface, *HERTZ, "--displacement", "1e-7:2e-7:10", "--out", "disk/out", env=without_gnuplot())
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("cannot write", done.stderr)
+            out = disk / "out"
+            steps = json.loads((out / "summary.json").read_text())["steps"]
+            self.assertTrue(0 < len(steps) < 10)
+            self.assertTrue({n % (k + 1) for k in range(len(steps)) for n in ("gap-%d.npy", "pressure-%d.npy")} <= set(os.listdir(out)))
+            for name in os.listdir(out):
+                if name.endswith(".npy"):
+                    self.assertEqual(np.load(out / name).shape, (64, 64))
+            self.assertFalse([name for name in os.listdir(out) if name.startswith(".")])
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    def test_output_of_other_commands_on_a_full_disk(self):
+        def small_disk():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512))
+
+        surface = self.npy(rough())
+        for command in (["generate", "noise", "--size", "32", "--output", "a.npy"], ["generate", "noise", "--output", "a.gsf"],
+                        ["analyze", surface, "--pitch", "1e-6", "--json", "a.json"]):
+            with self.subTest(command):
+                self.assert_fails(*command, says=["cannot write", command[-1]], preexec_fn=small_disk, restore_signals=False)
+
+
+class Signals(CommandTest):
+    def started(self, gnuplot):
+        """A run that is being held up where it draws: in the middle of writing a file."""
+        self.file("gnuplot", "#!/bin/sh\n" + gnuplot)
+        (self.folder / "gnuplot").chmod(stat.S_IRWXU)
+        surface = self.npy(rough())
+        run = subprocess.Popen([harness.COMMAND, "solve", surface, *HERTZ, "--displacement", "1e-7,2e-7", "--out", "out", "--quiet"], cwd=self.folder,
+                               env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder), preexec_fn=default_signals, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE)
+        self.addCleanup(lambda: run.poll() is None and run.kill())
+        wait_for(lambda: (self.folder / "drawing").exists())
+        return run
+
+    def test_the_second_signal_ends_at_once(self):
+        for first, second in itertools.product((signal.SIGINT, signal.SIGTERM, signal.SIGHUP), repeat=2):
+            with self.subTest(first=first, second=second):
+                run = self.started("touch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")
+                run.send_signal(first)
+                time.sleep(0.05)
+                self.assertIsNone(run.poll())
+                run.send_signal(second)
+                self.assertEqual(run.wait(10), -second)
+                (self.folder / "drawing").unlink()
+                run.communicate()
+                self.assertEqual([name for name in self.names("out") if name.endswith(".tmp")], [])
+                self.assertEqual(self.names("out")[-3:], ["gap-1.npy", "pressure-1.npy", "summary.json"])
+
+    def test_the_first_lets_the_step_be_finished(self):
+        run = self.started("touch drawing\nsleep 0.3\necho picture\n")
+        run.send_signal(signal.SIGHUP)
+        self.assertEqual(run.wait(60), 130)
+        run.communicate()
+        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "summary.json"])
+
+    def test_other_commands_end_without_their_file(self):
+        self.file("gnuplot", "#!/bin/sh\ntouch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")
+        (self.folder / "gnuplot").chmod(stat.S_IRWXU)
+        surface = self.npy(rough())
+        before = self.names()
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            run = subprocess.Popen([harness.COMMAND, "analyze", surface, "--pitch", "1e-6", "--picture", "a.png"], cwd=self.folder, preexec_fn=default_signals,
+                                   env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder), stdout=subprocess.DEVNULL)
+            wait_for(lambda: (self.folder / "drawing").exists())
+            run.send_signal(number)
+            self.assertEqual(run.wait(10), -number)
+            (self.folder / "drawing").unlink()
+            self.assertEqual(self.names(), before)
+
+    def test_temporary_names_cannot_be_guessed(self):
+        names = set()
+        for _ in range(2):
+            run = self.started("ls -A out > drawing.txt\nmv drawing.txt drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")
+            names |= {name for name in (self.folder / "drawing").read_text().split() if name.endswith(".tmp")}
+            run.kill()
+            (self.folder / "drawing").unlink()
+            run.communicate()
+        self.assertEqual(len(names), 2)
+        for name in names:
+            self.assertRegex(name, r"^\.contact-1\.png\.[0-9a-f]{16}\.tmp$")
+
+
+if __name__ == "__main__":
+    harness.main()

@@ -1,0 +1,105 @@
+"""`roughcontact solve --resume`: a history that was cut goes on with the bits of the one that was not."""
+import json
+
+import harness
+from harness import CommandTest, np, rough, without_gnuplot
+
+PRESS = ["--pitch", "1e-6", "--modulus", "1e9"]
+TIMES = ("seconds", "setup_seconds")
+
+
+def told(folder):
+    """summary.json without the times."""
+    summary = json.loads((folder / "summary.json").read_text())
+    for step in summary["steps"]:
+        for name in TIMES:
+            del step[name]
+    return summary
+
+
+def assert_same_results(test, one, other):
+    test.assertEqual(told(one), told(other))
+    test.assertEqual(sorted(path.name for path in one.iterdir()), sorted(path.name for path in other.iterdir()))
+    for path in one.glob("*.npy"):
+        test.assertEqual(path.read_bytes(), (other / path.name).read_bytes(), path.name)
+
+
+class Resume(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.surface = self.npy(rough(32, 40))
+
+    def press(self, targets, out, *arguments, control="--displacement", **settings):
+        return self.solve(self.surface, *PRESS, control, targets, "--out", out, *arguments, env=without_gnuplot(), **settings)
+
+    def assert_refused(self, *arguments, says, surface=None):
+        before = {path.name: path.read_bytes() for path in (self.folder / "out").iterdir()}
+        self.assert_fails("solve", surface or self.surface, *arguments, "--out", "out", "--resume", says=says, env=without_gnuplot())
+        self.assertEqual(before, {path.name: path.read_bytes() for path in (self.folder / "out").iterdir()})
+
+    def test_a_longer_history_goes_on(self):
+        methods = {"auto": [], "nnls": ["--solver", "nnls", "--backend", "dense"], "pk": ["--solver", "polonsky-keer", "--backend", "fft"]}
+        for control, targets in (("--displacement", ["5e-8", "1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "2e5", "1e6", "9e5", "1e4"])):
+            for name, arguments in methods.items():
+                whole, cut = (self.folder / (name + control + which) for which in ("-whole", "-cut"))
+                self.press(",".join(targets), whole, "--quiet", *arguments, control=control)
+                for steps in range(1, len(targets) + 1):  # every time with a contact of its own
+                    self.press(",".join(targets[:steps]), cut, "--quiet", "--resume", *arguments, control=control)
+                assert_same_results(self, cut, whole)
+
+    def test_uncertified_steps_count_as_finished(self):
+        few = ["--set", "max_iter=2", "--solver", "polonsky-keer", "--quiet"]
+        self.press("1e-7,2e-7,1e-9", "whole", *few, code=2)
+        self.press("1e-7,2e-7", "cut", *few, code=2)
+        self.press("1e-7,2e-7,1e-9", "cut", "--resume", *few, code=2)
+        assert_same_results(self, self.folder / "cut", self.folder / "whole")
+        self.press("1e-7,2e-7,1e-9", "cut", "--resume", *few, code=2)
+
+    def test_an_interrupted_step_is_solved_again(self):
+        self.press("1e-7,2e-7,3e-7", "whole", "--quiet")
+        self.press("1e-7,2e-7,3e-7", "cut", "--quiet")
+        summary = json.loads((self.folder / "cut/summary.json").read_text())
+        summary["steps"] = summary["steps"][:2]
+        summary["steps"][1]["status"] = "RC_STOP_CANCELLED"
+        self.file("cut/summary.json", json.dumps(summary))
+        done = self.press("1e-7,2e-7,3e-7", "cut", "--resume")
+        self.assertIn("1 of 3 steps are finished", done.stderr)
+        self.assertEqual(len(done.stdout.splitlines()), 4)
+        assert_same_results(self, self.folder / "cut", self.folder / "whole")
+
+    def test_nothing_to_go_on_from_is_a_beginning(self):
+        self.press("1e-7,2e-7", "whole", "--quiet")
+        self.press("1e-7,2e-7", "cut", "--quiet", "--resume")
+        before = {path.name: path.read_bytes() for path in (self.folder / "cut").iterdir()}
+        done = self.press("1e-7,2e-7", "cut", "--resume")
+        self.assertEqual(done.stderr, "roughcontact: --resume: 2 of 2 steps are finished\n")
+        self.assertEqual(before, {path.name: path.read_bytes() for path in (self.folder / "cut").iterdir()})
+        assert_same_results(self, self.folder / "cut", self.folder / "whole")
+
+    def test_another_problem_is_refused(self):
+        self.press("1e-7,2e-7", "out", "--quiet")
+        good = [*PRESS, "--displacement"]
+        self.assert_refused(*good, "1e-7,2.5e-7,3e-7", says=["--resume", "summary.json", "target of step 2"])
+        self.assert_refused(*good, "1e-7", says="finished steps 2, this one has 1")
+        self.assert_refused(*good, "1e-7,2e-7,3e-7", "--tol", "1e-6", says="tol")
+        self.assert_refused(*good, "1e-7,2e-7,3e-7", "--solver", "nnls", says="solver")
+        self.assert_refused("--pitch", "1e-6", "--modulus", "2e9", "--displacement", "1e-7,2e-7,3e-7", says="modulus")
+        self.assert_refused(*PRESS, "--load", "1e-7,2e-7,3e-7", says="control")
+        self.assert_refused(*good, "1e-7,2e-7,3e-7", surface=self.npy(rough(32, 40, seed=2), "other.npy"), says="checksum")
+        self.assert_fails("solve", self.surface, *good, "1e-7", "--resume", says=["--resume", "--out"])
+
+    def test_damaged_pressures_are_refused(self):
+        self.press("1e-7,2e-7", "out", "--quiet")
+        path, again = self.folder / "out/pressure-2.npy", [*PRESS, "--displacement", "1e-7,2e-7,3e-7"]
+        whole = np.load(path)
+        for wrong in (whole[:-1], np.where(whole > 0, np.nan, whole)):
+            np.save(path, wrong)
+            self.assert_refused(*again, says="--resume")
+        path.write_bytes(path.read_bytes()[:-8])
+        self.assert_refused(*again, says="pressure-2.npy")
+        path.unlink()
+        self.assert_refused(*again, says="pressure-2.npy")
+
+
+if __name__ == "__main__":
+    harness.main()

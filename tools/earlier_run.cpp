@@ -1,0 +1,86 @@
+#include "earlier_run.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "error.h"
+#include "text.h"
+
+namespace cli {
+
+namespace {
+
+std::string_view take_part(std::string_view& place) {
+  place.remove_prefix(1);
+  const std::string_view part = place.substr(0, place.find('/'));
+  place.remove_prefix(part.size());
+  return part;
+}
+
+double number(const JsonValue& value) { return value.is_number() ? value.get<double>() : 0; }
+
+void add_to_step(const JsonEntry& entry, std::string_view field, EarlierStep& step) {
+  if (field == "/status" && entry.value.is_string()) step.status = entry.value.get<std::string>();
+  if (field == "/displacement") step.displacement = number(entry.value);
+  if (field == "/load") step.load = number(entry.value);
+  step.fields.push_back(entry);
+}
+
+std::string told(const std::vector<JsonEntry>& entries, const std::string& place) {
+  for (const JsonEntry& entry : entries) {
+    if (entry.place == place) return entry.value.dump(-1, ' ', false, JsonValue::error_handler_t::replace);
+  }
+  return "nothing";
+}
+
+}  // namespace
+
+std::optional<EarlierRun> read_earlier_run(const std::string& text) {
+  const auto entries = read_json(text);
+  if (!entries) return std::nullopt;
+  EarlierRun run;
+  std::string step_now;
+  for (const JsonEntry& entry : *entries) {
+    std::string_view rest = entry.place;
+    const std::string_view room = take_part(rest);
+    if (room == "input" && rest.starts_with("/targets/")) {
+      run.targets.push_back(number(entry.value));
+    } else if (room == "input" && rest != "/file") {
+      run.input.push_back(entry);
+    } else if (room == "steps" && !rest.empty()) {
+      const std::string_view step = take_part(rest);
+      if (step != step_now) run.steps.emplace_back();
+      step_now = step;
+      add_to_step(entry, rest, run.steps.back());
+    } else if (room == "removing" && entry.value.is_number_unsigned()) {
+      run.removing = entry.value.get<std::size_t>();
+    }
+  }
+  const bool ours = told(run.input, "/input/library_version") != "nothing" && !run.targets.empty();
+  return ours ? std::optional{std::move(run)} : std::nullopt;
+}
+
+void check_continues(const EarlierRun& earlier, const EarlierRun& now, std::size_t steps, const std::string& name) {
+  const auto refuse = [&](const std::string& what, const std::string& before, const std::string& here) {
+    throw Error("--resume: " + name + " is of a run with " + what + " " + before + ", this one has " + here +
+                ": give the same arguments, or leave --resume out to begin anew");
+  };
+  const auto compare = [&](const std::vector<JsonEntry>& one) {
+    for (const auto& [place, value] : one) {
+      const std::string before = told(earlier.input, place), here = told(now.input, place);
+      if (before != here) refuse(place.substr(place.rfind('/') + 1), before, here);
+    }
+  };
+  compare(earlier.input);
+  compare(now.input);
+  if (now.targets.size() < steps) {
+    refuse("finished steps", std::to_string(steps), std::to_string(now.targets.size()));
+  }
+  for (std::size_t k = 0; k < steps; ++k) {
+    if (earlier.targets.size() <= k || earlier.targets[k] != now.targets[k])
+      refuse(format("target of step %zu", k + 1), k < earlier.targets.size() ? format("%.17g", earlier.targets[k]) : "nothing",
+             format("%.17g", now.targets[k]));
+  }
+}
+
+}  // namespace cli

@@ -1,0 +1,39 @@
+// What a summary.json tells of the run that wrote it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json_text.h"
+
+namespace cli {
+
+struct EarlierStep {
+  std::string status;
+  double displacement = 0, load = 0;
+  std::vector<JsonEntry> fields;  // all of them
+
+  bool certified() const { return status == "RC_OK" || status == "RC_WITHIN_GOAL"; }
+};
+
+struct EarlierRun {
+  std::vector<JsonEntry> input;  // but file and targets
+  std::vector<double> targets;
+  std::vector<EarlierStep> steps;
+  std::size_t removing = 0;  // steps of a run before it whose files it was about to remove
+
+  // The files of steps 1 to this number are its own, whether or not they were written.
+  std::size_t own_steps() const { return std::max({targets.size(), steps.size(), removing}); }
+};
+
+// Nothing if the text is not of a summary.json of ours.
+std::optional<EarlierRun> read_earlier_run(const std::string& text);
+
+// Throws an Error unless a run with the summary `now` continues the earlier one: the same surface, system and options, and the
+// same targets for the first `steps` steps. `name`: of the earlier summary, for the message.
+void check_continues(const EarlierRun& earlier, const EarlierRun& now, std::size_t steps, const std::string& name);
+
+}  // namespace cli

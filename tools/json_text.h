@@ -1,0 +1,53 @@
+// JSON as text, without a tree of values: nlohmann's trees take memory while they are destroyed, which ends the process where
+// there is none left.
+#pragma once
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cli {
+
+using JsonValue = nlohmann::json;  // here always a number, a text, true, false or null
+using JsonField = std::pair<const char*, JsonValue>;
+
+// A document, or what there is of it so far, indented by two. Numbers that are not finite become null; text need not be UTF-8.
+class JsonText {
+ public:
+  JsonText() { begin(nullptr); }
+
+  // What follows goes into an object (or array) of this name, up to its end(). key: null within an array.
+  void begin(const char* key, char bracket = '{');
+  void end();
+  void add(const char* key, const JsonValue& value);
+  void add(std::initializer_list<JsonField> fields);
+  template <class Number> void add(const char* key, const std::vector<Number>& values) {
+    begin(key, '[');
+    for (const Number& value : values) add(nullptr, JsonValue(value));
+    end();
+  }
+
+  // The document, with everything ended that has begun.
+  std::string text() const;
+
+ private:
+  void next(const char* key);
+
+  std::string text_;
+  std::string closing_;  // brackets, the outermost first
+  bool empty_ = true;    // nothing stands yet in the innermost
+};
+
+// A value of a document and its place: "/steps/0/load".
+struct JsonEntry {
+  std::string place;
+  JsonValue value;
+};
+
+// The values of a document in their order; nothing if the text is no JSON, or nested more deeply than anything written here.
+std::optional<std::vector<JsonEntry>> read_json(const std::string& text);
+
+}  // namespace cli

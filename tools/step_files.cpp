@@ -1,0 +1,147 @@
+#include "step_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "error.h"
+#include "npy_writer.h"
+#include "picture.h"
+#include "surface/surface.h"
+#include "text.h"
+#include "whole_file.h"
+
+namespace cli {
+
+namespace {
+
+constexpr const char* summary_name = "summary.json";
+
+std::string step_name(const char* stem, std::size_t number, const char* extension) {
+  return format("%s-%zu.%s", stem, number, extension);
+}
+
+std::vector<std::string> step_names(std::size_t number) {
+  return {step_name("pressure", number, "npy"), step_name("gap", number, "npy"), step_name("contact", number, "png")};
+}
+
+// The number of the step that a file of this name belongs to; 0: of none.
+std::size_t step_of(const std::string& name) {
+  const auto dash = name.find('-');
+  if (dash == std::string::npos) return 0;
+  const std::size_t number = std::strtoull(name.c_str() + dash + 1, nullptr, 10);
+  const auto names = step_names(number);
+  return std::find(names.begin(), names.end(), name) != names.end() ? number : 0;
+}
+
+}  // namespace
+
+StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume)
+    : folder_(folder), problem_(problem), summary_(problem), earlier_(read_earlier_run(folder_.read(summary_name))) {
+  const std::vector<std::string> present = folder_.names();
+  remove_unfinished(present);
+  refuse_foreign(present);
+  if (resume && earlier_) take_up(read_earlier_run(summary_.text()).value());
+}
+
+StepFiles::~StepFiles() {
+  if (unfinished_ == 0) return;
+  try {
+    const auto told = read_earlier_run(folder_.read(summary_name));
+    if (!told || told->steps.size() >= unfinished_) return;
+    for (const std::string& name : step_names(unfinished_)) folder_.remove(name);
+    if (told->steps.empty()) folder_.remove(summary_name);
+  } catch (...) {
+    return;  // the next run tidies up
+  }
+}
+
+// What a run that was killed had begun to write.
+void StepFiles::remove_unfinished(const std::vector<std::string>& present) {
+  for (const std::string& name : present) {
+    const std::string target{target_of_temporary(name)};
+    if (target == summary_name || step_of(target) > 0) folder_.remove(name);
+  }
+}
+
+void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
+  const std::size_t own = earlier_ ? earlier_->own_steps() : 0;
+  for (const std::string& name : present) {
+    const std::size_t step = step_of(name);
+    if (name == summary_name ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
+    throw Error("--out: " + in_quotes(folder_.path(name).native()) +
+                " is there, and not of an earlier run that summary.json tells of: move it away, or give another folder");
+  }
+}
+
+// A step that was interrupted is solved again.
+void StepFiles::take_up(const EarlierRun& now) {
+  std::vector<EarlierStep>& steps = earlier_->steps;
+  if (!steps.empty() && steps.back().status == "RC_STOP_CANCELLED") steps.pop_back();
+  check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).native()));
+  for (const EarlierStep& step : steps) {
+    summary_.add(step.fields);
+    all_certified_ = all_certified_ && step.certified();
+  }
+  finished_ = static_cast<int>(steps.size());
+}
+
+std::vector<CertifiedStep> StepFiles::certified() const {
+  std::vector<CertifiedStep> found;
+  for (auto number = static_cast<std::size_t>(finished_); number > 0 && found.size() < 2; --number) {
+    const EarlierStep& step = earlier_->steps[number - 1];
+    if (!step.certified()) continue;
+    const Surface read = read_surface(folder_.path(step_name("pressure", number, "npy")), 1, "npy");
+    if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
+      throw Error(format("--resume: pressure-%zu.npy has %lld x %lld points, the surface has %lld x %lld", number,
+                         static_cast<long long>(read.nx), static_cast<long long>(read.ny),
+                         static_cast<long long>(problem_.system.nx), static_cast<long long>(problem_.system.ny)));
+    found.push_back({read.heights, step.displacement, step.load});
+  }
+  return found;
+}
+
+// Before the first file of this run. At every moment summary.json lists only what is there, and tells whose the other files are.
+void StepFiles::begin() {
+  begun_ = true;
+  const std::size_t kept = static_cast<std::size_t>(finished_), own = earlier_ ? earlier_->own_steps() : 0;
+  write_summary(summary_.text(own > kept ? own : 0));
+  for (std::size_t k = kept + 1; k <= own; ++k) {
+    for (const std::string& name : step_names(k)) folder_.remove(name);
+  }
+}
+
+void StepFiles::write_summary(const std::string& text) { write_whole_file(folder_.path(summary_name), text); }
+
+void StepFiles::write(const StepRecord& step, const Fields& fields) {
+  const auto number = unfinished_ = static_cast<std::size_t>(step.number);
+  if (!begun_) begin();
+  const auto array = [this](const std::vector<double>& values) {
+    return [this, &values](std::FILE* file) {
+      write_npy(file, values, problem_.system.nx, problem_.system.ny);
+      return true;
+    };
+  };
+  folder_.write(step_name("pressure", number, "npy"), array(fields.pressure));
+  folder_.write(step_name("gap", number, "npy"), array(fields.gap));
+  if (can_draw_) draw(step, fields);
+
+  summary_.add(step);
+  write_summary(summary_.text());
+  unfinished_ = 0;
+}
+
+void StepFiles::draw(const StepRecord& step, const Fields& fields) {
+  const std::string picture = step_name("contact", static_cast<std::size_t>(step.number), "png");
+  folder_.write(picture, [&](std::FILE* file) {
+    const Gnuplot outcome = draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
+    can_draw_ = !outcome.missing;
+    if (outcome.missing) {
+      report("gnuplot not found: contact-K.png not drawn");
+    } else if (!outcome.drawn) {
+      report(picture + " not drawn, gnuplot failed: " + outcome.message);
+    }
+    return outcome.drawn;
+  });
+}
+
+}  // namespace cli
