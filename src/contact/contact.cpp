@@ -49,8 +49,9 @@ void Contact::reset() {
   levels_.clear();
   models_.clear();
   models_current_ = false;
-  // A factor remembers the order in which points came, so an answer after a reset would differ from a first one by round-off.
-  std::erase_if(operators_, [](const auto& entry) { return entry.second->has_subset(); });
+  // A factor remembers the order in which points came, a transform the larger box before: an answer after a reset would differ
+  // from a first one by round-off.
+  std::erase_if(operators_, [](const auto& entry) { return !entry.second->forget(); });
 }
 
 void Contact::forget_operators() {
