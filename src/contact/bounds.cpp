@@ -257,17 +257,18 @@ class Proof {
   }
 
   void convert(const Extent& support, Bounds& result) const {
-    const double force = length_ / system_.length_per_pressure * system_.cell_area();
+    // One factor after the other: their product may be less than the least double where the load is not.
+    const double pressure = length_ / system_.length_per_pressure, area = system_.cell_area();
     const double sum_error = distance_.sum + 4 * epsilon * sum_;
     double most = sum_ + sum_error;
     if (!system_.periodic()) most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
-    result.load_lower = std::max(0.0, sum_ - sum_error) * force;
-    result.load_upper = most < infinity ? most * force : infinity;
+    result.load_lower = std::max(0.0, sum_ - sum_error) * pressure * area;
+    result.load_upper = most < infinity ? most * pressure * area : infinity;
     if (distance_.energy == infinity) return;
     // What the negative entries change, and the round-off of the energy itself.
     const double energy = distance_.energy + negative_ * (largest_w_ + doubt_ + spectrum_.diagonal * negative_) + doubt_ * sum_ +
                           (4 + std::sqrt(n())) * epsilon * work_;
-    result.duality_gap = energy * length_ * force;
+    result.duality_gap = energy * length_ * pressure * area;
   }
 
   const System& system_;

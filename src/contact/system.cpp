@@ -16,7 +16,8 @@ namespace rc {
 
 namespace {
 
-constexpr double symmetric = 1e-12;  // largest |H_ij - H_ji| relative to the largest entry
+constexpr double longest_cell = 1e150;  // over its width
+constexpr double symmetric = 1e-12;     // largest |H_ij - H_ji| relative to the largest entry
 
 std::string resolved_kernel(const rc_system& system, const std::string& option) {
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
@@ -102,6 +103,9 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
     case RC_OPERATOR_HALFSPACE: {
       if (!(std::isfinite(system.modulus) && system.modulus > 0))
         fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus, " must be positive and finite (contact modulus E*)");
+      if (!(system.hx / system.hy < longest_cell && system.hy / system.hx < longest_cell))
+        fail(RC_ERR_ARGUMENT, "cells of hx = ", system.hx, " by hy = ", system.hy, " are more than ", longest_cell,
+             " times as long as wide: their influence coefficients are beyond double precision");
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
       result.kernel = resolved_kernel(system, kernel);
       result.unit.hx = system.hx / cell;

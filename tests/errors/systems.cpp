@@ -117,6 +117,17 @@ Section values() {
                refused,
                {"sqrt(hx*hy)/modulus = 1 / ", "is beyond double precision"},
                system_value(&rc_system::modulus, 1e-310)},
+              {"cells more than 1e150 times as long as wide",
+               refused,
+               {"cells of hx = 1e+80 by hy = 1e-80 are more than 1e+150 times as long as wide"},
+               refuse([](Scene& scene) {
+                 scene.system.hx = 1e80;
+                 scene.system.hy = 1e-80;
+               })},
+              {"kernel coefficients: cells more than 1e150 times as long as wide",
+               refused,
+               {"rc_kernel_coefficients: cells of hx = 1e-90 by hy = 1e+90 are more than 1e+150 times as long as wide"},
+               coefficients("galerkin", 1e-90, 1e90, 2, 2)},
               {"kernel coefficients: hx = NaN",
                refused,
                {"rc_kernel_coefficients: rc_system.hx = nan must be"},
