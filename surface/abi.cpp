@@ -24,24 +24,24 @@ void check_rmd(const rc_surface_rmd_spec& spec, std::int32_t stage, std::int32_t
   if (spec.levels < 1 || spec.levels > 14) fail(RC_ERR_ARGUMENT, "levels = ", spec.levels, " is not in 1 .. 14");
   if (!(spec.hurst > 0 && spec.hurst <= 1)) fail(RC_ERR_ARGUMENT, "hurst = ", spec.hurst, " is not in (0, 1]");
   if (spec.additions != 0 && spec.additions != 1) fail(RC_ERR_ARGUMENT, "additions = ", spec.additions, " must be 0 or 1");
-  check_at_least_zero("rms_height", spec.rms_height);
-  if (!(spec.rms_height > 0)) check_positive("sigma", spec.sigma);
+  check_magnitude_or_zero("rms_height", spec.rms_height);
+  if (spec.rms_height == 0) check_magnitude("sigma", spec.sigma);
   if (stage < 0 || stage > spec.levels) fail(RC_ERR_ARGUMENT, "stage = ", stage, " is not in 0 .. levels = ", spec.levels);
   if (crop != 0 && crop != 1) fail(RC_ERR_ARGUMENT, "crop = ", crop, " must be 0 or 1");
 }
 
 void check_spectral(const rc_surface_spectral_spec& spec) {
   check_shape(spec.nx, spec.ny);
-  check_pitch("hx", spec.hx);
-  check_pitch("hy", spec.hy);
+  check_magnitude("hx", spec.hx);
+  check_magnitude("hy", spec.hy);
   if (!(spec.hurst >= 0 && spec.hurst <= 1)) fail(RC_ERR_ARGUMENT, "hurst = ", spec.hurst, " is not in 0 .. 1");
-  check_at_least_zero("q_low", spec.q_low);
-  check_at_least_zero("q_rolloff", spec.q_rolloff);
-  check_at_least_zero("q_high", spec.q_high);
+  check_magnitude_or_zero("q_low", spec.q_low);
+  check_magnitude_or_zero("q_rolloff", spec.q_rolloff);
+  check_magnitude_or_zero("q_high", spec.q_high);
   if (spec.q_high > 0 && spec.q_low > spec.q_high)
     fail(RC_ERR_ARGUMENT, "q_low = ", spec.q_low, " is above q_high = ", spec.q_high);
-  check_at_least_zero("rms_height", spec.rms_height);
-  check_at_least_zero("rms_slope", spec.rms_slope);
+  check_magnitude_or_zero("rms_height", spec.rms_height);
+  check_magnitude_or_zero("rms_slope", spec.rms_slope);
   if ((spec.rms_height > 0) == (spec.rms_slope > 0))
     fail(RC_ERR_ARGUMENT, "rms_height = ", spec.rms_height, " and rms_slope = ", spec.rms_slope, ": exactly one must be > 0");
   if (spec.fixed_amplitudes != 0 && spec.fixed_amplitudes != 1)
@@ -51,16 +51,16 @@ void check_spectral(const rc_surface_spectral_spec& spec) {
 
 void check_shape_spec(const rc_surface_shape_spec& spec) {
   check_shape(spec.nx, spec.ny);
-  check_pitch("hx", spec.hx);
-  check_pitch("hy", spec.hy);
+  check_magnitude("hx", spec.hx);
+  check_magnitude("hy", spec.hy);
   if (spec.shape < RC_SURFACE_PARABOLOID || spec.shape > RC_SURFACE_NOISE)
     fail(RC_ERR_ARGUMENT, "shape = ", spec.shape, " must be one of RC_SURFACE_PARABOLOID .. RC_SURFACE_NOISE");
   if (spec.reserved != 0) fail(RC_ERR_ARGUMENT, "reserved = ", spec.reserved, " must be 0");
-  if (spec.shape <= RC_SURFACE_SPHERE) return check_positive("radius", spec.radius);
-  check_positive("height", spec.height);
+  if (spec.shape <= RC_SURFACE_SPHERE) return check_magnitude("radius", spec.radius);
+  check_magnitude("height", spec.height);
   if (spec.shape == RC_SURFACE_NOISE) return;
-  check_at_least_zero("period_x", spec.period_x);
-  check_at_least_zero("period_y", spec.period_y);
+  check_magnitude_or_zero("period_x", spec.period_x);
+  check_magnitude_or_zero("period_y", spec.period_y);
   if (spec.period_x + spec.period_y <= 0) fail(RC_ERR_ARGUMENT, "period_x and period_y are both 0, one must be > 0");
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 void check(const rc_surface_map& map) {
   check_shape(map.nx, map.ny);
-  check_pitch("map.hx", map.hx);
-  check_pitch("map.hy", map.hy);
+  check_magnitude("map.hx", map.hx);
+  check_magnitude("map.hy", map.hy);
   if (!map.heights) fail(RC_ERR_ARGUMENT, "map.heights is null");
   if (map.periodic != 0 && map.periodic != 1) fail(RC_ERR_ARGUMENT, "map.periodic = ", map.periodic, " must be 0 or 1");
   if (map.trend < RC_SURFACE_TREND_AUTO || map.trend > RC_SURFACE_TREND_PLANE)

@@ -37,14 +37,20 @@ inline void check_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be positive and finite");
 }
 
-// Beyond, areas, wave numbers and their ratios leave double precision.
-inline void check_pitch(const char* name, double value) {
+// A length, wave number or slope. Beyond, areas, wave numbers and their ratios leave double precision.
+inline void check_magnitude(const char* name, double value) {
   check_positive(name, value);
   if (value < 1e-60 || value > 1e60) fail(RC_ERR_ARGUMENT, name, " = ", value, " is not in 1e-60 .. 1e60; choose another unit");
 }
 
 inline void check_at_least_zero(const char* name, double value) {
   if (!(value >= 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be finite and at least 0");
+}
+
+// 0 where it is not wanted.
+inline void check_magnitude_or_zero(const char* name, double value) {
+  check_at_least_zero(name, value);
+  if (value > 0) check_magnitude(name, value);
 }
 
 inline void check_output(const void* out) {

@@ -13,6 +13,8 @@
  *                   (Jacobs, Junge & Pastewka 2017). A self-affine surface has C ~ q^(-2 - 2H), H its Hurst
  *                   exponent; a profile (nx or ny = 1) C ~ q^(-1 - 2H).
  *
+ * Lengths, wave numbers and slopes that are not 0 lie in 1e-60 .. 1e60, heights within +-1e60.
+ *
  * Every function returns an rc_status: RC_OK or a negative one, with the text in rc_surface_last_error(). All of them
  * are thread-safe and keep nothing; the caller owns every array. Arrays are written only if RC_OK is returned. Sized
  * structs: see roughcontact.h. GSL's error handler is neither used nor changed.

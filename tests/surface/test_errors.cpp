@@ -240,6 +240,34 @@ void pitches_beyond_the_limits(void**) {
   }
 }
 
+// Heights would not be finite.
+void lengths_beyond_the_limits(void**) {
+  double out[9] = {};
+  const auto shape = [&](std::int32_t kind, double rc_surface_shape_spec::*length, double value) {
+    rc_surface_shape_spec spec = RC_SURFACE_SHAPE_SPEC_INIT;
+    spec.shape = kind;
+    spec.nx = spec.ny = 3;
+    spec.height = spec.period_x = 1;
+    spec.*length = value;
+    return rc_surface_shape(&spec, out);
+  };
+  for (const double value : {5e-324, 0.99e-60, 1.01e60, 1e308}) {
+    const char* const words = "is not in 1e-60 .. 1e60";
+    require_error(shape(RC_SURFACE_PARABOLOID, &rc_surface_shape_spec::radius, value), RC_ERR_ARGUMENT, words);
+    require_error(shape(RC_SURFACE_NOISE, &rc_surface_shape_spec::height, value), RC_ERR_ARGUMENT, words);
+    require_error(shape(RC_SURFACE_WAVES, &rc_surface_shape_spec::period_y, value), RC_ERR_ARGUMENT, words);
+    rc_surface_rmd_spec fractal = RC_SURFACE_RMD_SPEC_INIT;
+    fractal.levels = 1;
+    fractal.sigma = value;
+    require_error(rc_surface_rmd(&fractal, 1, 0, out), RC_ERR_ARGUMENT, words);
+    rc_surface_spectral_spec waves = RC_SURFACE_SPECTRAL_SPEC_INIT;
+    waves.nx = waves.ny = 3;
+    waves.rms_slope = value;
+    require_error(rc_surface_spectral(&waves, out), RC_ERR_ARGUMENT, words);
+  }
+  for (const double height : out) assert_true(height == 0);
+}
+
 void success_clears_the_message(void**) {
   assert_true(rc_surface_rmd(nullptr, 0, 0, nullptr) == RC_ERR_ARGUMENT);
   statistics(noise(1, 8));
@@ -298,6 +326,7 @@ int main() {
                               cmocka_unit_test(too_many_levels_and_small_arrays),
                               cmocka_unit_test(pitches_of_different_size),
                               cmocka_unit_test(pitches_beyond_the_limits),
+                              cmocka_unit_test(lengths_beyond_the_limits),
                               cmocka_unit_test(success_clears_the_message),
                               cmocka_unit_test(older_and_newer_callers_are_served),
                               cmocka_unit_test(gsl_never_reports_an_error)};
