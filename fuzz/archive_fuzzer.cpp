@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view part_end("\0\1", 2);
 
 void append(std::string& file, std::uint64_t number, int bytes) {
-  for (int k = 0; k < bytes; ++k) file.push_back(static_cast<char>(number >> 8 * k & 0xff));
+  for (int k = 0; k < bytes; ++k, number >>= 8) file.push_back(static_cast<char>(number & 0xff));
 }
 
 // An archive of stored entries.

@@ -1,0 +1,21 @@
+// One step of one system: what the library answers, an oracle of its own kind checks.
+#include "oracle.h"
+#include "require.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  fuzz::Scene scene;
+  fuzz::read_scene(bytes, scene);
+  fuzz::Step step;
+  fuzz::read_step(bytes, scene, {}, false, step);
+  rc_options* const options = fuzz::make_options(scene);
+  fuzz::Answer answer(scene.points());
+  answer.took(rc_solve(&scene.system, &step.given, options, &answer.result));
+  scene.fails_at = 0;
+  fuzz::Oracle(scene).check({step.gap.data(), step.given.mask, step.given.control, step.given.target}, answer);
+  std::int64_t most = 0;
+  if (answer.status >= 0 && rc_options_get_int(options, RC_OPT_MAX_ITER, &most) == RC_OK)
+    fuzz::require(answer.result.iterations <= most, "no more iterations than max_iter");
+  rc_options_destroy(options);
+  return 0;
+}
