@@ -26,12 +26,21 @@ namespace {
 constexpr int first_interval = 2, longest_interval = 16;
 constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
 constexpr int patience = 10;  // bounded steps without half the residual before the safeguard acts
-constexpr double least_excess = 0.5, most_excess = 2;
+// Of the load's slope over the trees', or of theirs over it: more where cells or sides are elongated.
+constexpr double usual_excess = 2, elongated_excess = 10;
 constexpr double caution = 0.7;  // in lengthening the datum's steps
 constexpr double damping = 1.2;
-constexpr double settled = 5e-2;   // residual below which the contact set changes little
-constexpr int refresh_every = 12;  // bounded steps between fresh products that wash out drift
+constexpr double overloaded = 10;  // times the load: then the approach may fall by more than half
+constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;
+// Of what the datum's slope is multiplied by, and of the slope itself, in displacement control.
+constexpr double least_stiffening = 1e-2, most_stiffening = 4, least_slope = 1e-4;
+constexpr double most_share = 0.99;  // of the deflection under a load that adding its mean may make up
+constexpr int tolerated_stalls = 2;  // of the datum's search in displacement control before it is given up
+constexpr double little = 1e-4;      // of the energy that the first step of an interval gains
+constexpr double settled = 5e-2;     // residual below which the contact set changes little
+constexpr int refresh_every = 12;    // bounded steps between fresh products that wash out drift
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 template <class Real> constexpr bool single = sizeof(Real) < sizeof(double);
 // Digits that may be lost before the residual is replaced, and rises of the merit that rounding explains.
@@ -63,6 +72,7 @@ template <class Real> class Iteration {
                                     [&](std::int64_t mx, std::int64_t my, Vector& out) { problem_.coefficients(mx, my, out); });
     periodic_mean_ = on.mean;
     if (load_control()) mean_ = on.mean;
+    elongated_ = on.elongated;
     return {on.cells, on.table};
   }
 
@@ -73,11 +83,16 @@ template <class Real> class Iteration {
     if (mean_ == 0) return;
     raise(s_.n, mean_ * total(s_.n, x, team_), y, team_);
   }
+  double most_excess() const { return elongated_ ? elongated_excess : usual_excess; }
   bool load_control() const { return problem_.load_control(); }
+  // The datum follows a load: the one prescribed, or the one whose mean deflection was added to the operator.
+  bool follows() const { return load_control() || mean_ > 0; }
   double scale() const {
     return load_control() ? std::max({datum_ - mean_ * problem_.load() + highest_, problem_.least_scale(), 1e-300}) : 1.0;
   }
-  double imbalance() const { return load_control() ? std::abs(now_.load / problem_.load() - 1) : 0.0; }
+  double imbalance() const {
+    return load_control() ? std::abs(now_.load / problem_.load() - 1) : std::abs(mean_ * now_.load - datum_);
+  }
   double worst() const { return std::max(now_.largest / scale(), imbalance()); }
 
   void refresh() {
@@ -91,21 +106,45 @@ template <class Real> class Iteration {
   void start() {
     const HaarStart given = begin(s_, team_);
     highest_ = given.highest;
+    if (elongated_) missing_ = unknown;
     if (load_control()) datum_ = (d_ > 0 ? d_ : 0.5) + mean_ * problem_.load();
     if (!given.warm) {
       now_ = replace_and_measure(s_, nullptr, datum_, team_);
       exact_ = worst();
     } else {
       refresh();
-      // A start that is worse than no pressure is reduced to its best multiple.
-      const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
-      const double curved = now_.moment + work;
-      if (0.5 * curved > work) {
-        multiply(s_, curved > 0 ? std::max(0.0, work / curved) : 0, team_);
-        refresh();
-      }
+      reduce();
     }
     choose(0);
+  }
+
+  // Pressures that are worse than none become their best multiple.
+  void reduce() {
+    const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
+    const double curved = now_.moment + work;
+    if (0.5 * curved > work) {
+      multiply(s_, curved > 0 ? std::max(0.0, work / curved) : 0, team_);
+      refresh();
+    }
+  }
+
+  // A periodic operator does not resist a change of the mean, and steps may raise the load without end. With the mean in the
+  // operator they cannot: then the datum stands for the deflection that it adds, and is found together with the load.
+  void add_mean() {
+    refresh();
+    reduce();
+    mean_ = periodic_mean_;
+    datum_ = mean_ * now_.load;
+    conjugate_ = prepared_ = false;
+    excess_ = missing_ = 0;
+    mean_tried_ = true;
+  }
+
+  // Where nearly all points touch, the load grows so fast with the deflection that it is hard to find.
+  void drop_mean() {
+    mean_ = datum_ = 0;
+    conjugate_ = prepared_ = false;
+    refresh();
   }
 
   void choose(double threshold) {
@@ -130,6 +169,9 @@ template <class Real> class Iteration {
     curvature_ = inner<Real>(s_, s_.t, s_.q, team_);
     if (std::isnan(curvature_)) problem_.fail("haar-cg: the operator returned values that are not finite");
     ++phase_;
+    // Long intervals end where a step gains little beside the first: what is left waits for the contact set.
+    if (phase_ == 1) first_gain_ = slope * slope / curvature_;
+    if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = interval_;
     const bool last = phase_ >= interval_ || !(curvature_ > 0);
     double length = 0;
     if (curvature_ > 0) {
@@ -163,7 +205,7 @@ template <class Real> class Iteration {
     const Real* const z = s_.first_spare();
     product(z, s_.second_spare());
     const double energy = inner<Real>(s_, z, s_.second_spare(), team_);
-    return energy > 0 ? std::clamp(sum / energy, least_excess, most_excess) : 1;
+    return energy > 0 ? std::clamp(sum / energy, 1 / most_excess(), most_excess()) : 1;
   }
 
   // Newton's step of the approach on the load.
@@ -172,17 +214,36 @@ template <class Real> class Iteration {
     const double pending = precondition(nullptr, s_.w);
     const double sum = total<Real>(s_.n, s_.first_spare(), team_);
     if (!(sum > 0)) return;
-    if (excess_ == 0) excess_ = measured_excess(sum);
+    // The mean deflects by less than the whole: where the trees tell more they have come to overrate the slope.
+    if (excess_ == 0 || (!load_control() && mean_ * excess_ * sum > most_share)) excess_ = measured_excess(sum);
+    if (!load_control()) return deflect(pending, sum);
     const double depth = scale(), missing = problem_.load() - now_.load + excess_ * pending;
     // What the last step left of the missing load tells the true slope: at once where the step was too long.
     const double left = missing / missing_;
     if (last_ < settled && left < 1)
-      excess_ = std::clamp(excess_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)), least_excess, most_excess);
+      excess_ = std::clamp(excess_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)), 1 / most_excess(), most_excess());
     else if (left < -1)  // steps that swing ever wider
-      excess_ = std::min(excess_ * damping, most_excess);
+      excess_ = std::min(excess_ * damping, most_excess());
     const double wanted = missing / (excess_ * sum);
-    const double change = std::clamp(wanted, -0.5 * depth, std::max(depth, mean_ * problem_.load()));
-    missing_ = change == wanted ? missing : 0;
+    const bool far = imbalance() > overloaded;
+    const double change =
+        std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * problem_.load()));
+    missing_ = change == wanted ? missing : far || elongated_ ? unknown : 0;
+    lower(change);
+  }
+
+  // Newton's step of the datum on the deflection that the mean of the load adds to it.
+  void deflect(double pending, double sum) {
+    const double missing = mean_ * (now_.load - excess_ * pending) - datum_;
+    const double left = missing / missing_;
+    if (left < 0 ? last_ < settled : left < 1)
+      stiffening_ *= 1 - (left < 0 ? std::max(left, -1.0) : caution * left);
+    else if (left < -1)
+      stiffening_ *= damping;
+    stiffening_ = std::clamp(stiffening_, least_stiffening, most_stiffening);
+    const double wanted = missing / (stiffening_ * std::max(1 - mean_ * excess_ * sum, least_slope)), depth = 1 + datum_;
+    const double change = std::clamp(wanted, -0.5 * depth, depth);
+    missing_ = change == wanted ? missing : unknown;
     lower(change);
   }
 
@@ -191,6 +252,10 @@ template <class Real> class Iteration {
   void settle() {
     if (!load_control()) {
       refresh();
+      if (mean_ > 0) {
+        lower(mean_ * now_.load - datum_);
+        exact_ = worst();
+      }
       return;
     }
     const double factor = now_.load > 0 ? problem_.load() / now_.load : 1;
@@ -220,8 +285,7 @@ template <class Real> class Iteration {
       last_ = worst();
       if (last_ <= problem_.tol() && since_refresh_ == 0) return RC_OK;
       problem_.poll(iteration, last_);
-
-      bool rose = !load_control() && now_.merit > merit_before + merit_noise<Real> * std::abs(now_.merit);
+      bool rose = !follows() && now_.merit > merit_before + merit_noise<Real> * std::abs(now_.merit);
       merit_before = now_.merit;
       if (last_ < 0.5 * best) {
         best = last_;
@@ -235,12 +299,19 @@ template <class Real> class Iteration {
         rose = true;
         since_best = 0;
       }
-      if (rose && ++rises > 1) {
+      if (rose) ++rises;
+      if (rose && rises > tolerated_stalls && mean_ > 0 && !load_control()) {
+        drop_mean();
+        best = last_ = worst();
+      } else if (rose && rises > 1 && periodic_mean_ > 0 && !follows() && !mean_tried_) {
+        rises = 0;
+        add_mean();
+      } else if (rose && rises > 1) {
         interval_ = std::min(longest_interval, 2 * interval_);
         admission_ = std::min(strictest_admission, admission_ + admission_step);
         conjugate_ = false;
       }
-      if (load_control())
+      if (follows())
         balance();
       else
         choose(admission_ * last_ * scale());
@@ -252,6 +323,7 @@ template <class Real> class Iteration {
   double& d_;                 // approach, in load control
   double periodic_mean_ = 0;  // what the trees' operator adds to every coefficient
   double mean_ = 0;           // that mean where it is added to the operator
+  bool elongated_ = false, mean_tried_ = false;
   HaarTrees trees_;
   HaarState<Real> s_;
   HaarMeasure now_;
@@ -259,6 +331,8 @@ template <class Real> class Iteration {
   double exact_ = 1;                 // residual of the last product in double precision
   double datum_ = 0;                 // w = H p - u - datum
   double excess_ = 0, missing_ = 0;  // of the slope; load that the last step of the approach should have added
+  double stiffening_ = 1;            // of the datum's slope in displacement control
+  double first_gain_ = 0;            // of energy, times two, in the first step of an interval
   double curvature_ = 0, admission_ = first_admission, last_ = infinite;
   int interval_ = first_interval, phase_ = 0, since_refresh_ = 0;
   const int hopeless_;  // bounded steps without half the residual before the solver gives up

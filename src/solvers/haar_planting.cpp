@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace rc {
 
 namespace {
 
 constexpr std::int64_t table_side = 64;  // couplings are averaged from this many offsets, and extrapolated beyond
-constexpr double elongated = 10;         // ratio of a periodic surface's sides
+constexpr double most_square = 10;       // ratio of sides: more is elongated
 
 // The unknowns in their bounding box.
 Cells cells_of(const rc_grid& grid, std::int64_t n) {
@@ -33,14 +34,15 @@ Cells cells_of(const rc_grid& grid, std::int64_t n) {
   return cells;
 }
 
+double ratio(double a, double b) { return std::max(a, b) / std::min(a, b); }
+
 // The mean of the periodic operator counts as its longest wave, so that the couplings are positive.
 double mean_of(const rc_grid& grid) {
   const double unit = std::sqrt(grid.hx * grid.hy);
-  const double longest = std::max(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
-  const double shortest = std::min(grid.hx * static_cast<double>(grid.nx), grid.hy * static_cast<double>(grid.ny)) / unit;
+  const double lx = grid.hx * static_cast<double>(grid.nx) / unit, ly = grid.hy * static_cast<double>(grid.ny) / unit;
   // More where many waves are long: then the longest alone tells too little of the load's slope.
-  const double waves = longest > elongated * shortest ? 3 : 1;
-  return waves * longest / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
+  const double waves = std::max(lx, ly) > most_square * std::min(lx, ly) ? 3 : 1;
+  return waves * std::max(lx, ly) / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
 }
 
 }  // namespace
@@ -51,7 +53,16 @@ Planting planting_on(const rc_grid& grid, std::int64_t n, const Coefficients& co
   const double mean = grid.boundary == RC_BOUNDARY_PERIODIC ? mean_of(grid) : 0;
   if (mean > 0)
     for (double& value : table.k) value += mean;
-  return {cells_of(grid, n), std::move(table), mean};
+  Cells cells = cells_of(grid, n);
+  // A column is a row: trees take the cells of a row many at a time.
+  if (cells.full() && cells.mx == 1 && table.mx == 1) {
+    std::swap(cells.mx, cells.my);
+    std::swap(table.mx, table.my);
+    std::swap(table.hx, table.hy);
+  }
+  const bool elongated = std::max(ratio(grid.hx, grid.hy), ratio(grid.hx * static_cast<double>(grid.nx),
+                                                                 grid.hy * static_cast<double>(grid.ny))) > most_square;
+  return {std::move(cells), std::move(table), mean, elongated};
 }
 
 }  // namespace rc
