@@ -6,7 +6,8 @@
 // once it has lost the digits that single precision can tell, and before it is believed.
 //
 // In load control the approach follows by Newton's method at the same time: the tree gives the slope of the load, and the load
-// that the present gap still calls for.
+// that the present gap still calls for. So it does in displacement control of a periodic surface, once the energy has risen: for
+// the deflection that the mean adds, see docs/decisions.md.
 #include <algorithm>
 #include <cmath>
 #include <limits>

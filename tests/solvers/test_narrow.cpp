@@ -88,7 +88,7 @@ void a_narrow_surface_takes_no_more_memory() {
 #ifdef RC_COUNTS_MEMORY
     check(bytes[0] > 0, "no array was seen");
 #endif
-    check(bytes[1] <= bytes[0] + bytes[0] / 2, "standing it takes more");
+    check(bytes[1] <= bytes[0] + bytes[0] / 4, "standing it takes more");
   }
 }
 
