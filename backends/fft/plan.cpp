@@ -1,5 +1,7 @@
 #include "plan.h"
 
+#include "common/planner_memory.h"
+
 namespace rc_fft {
 
 namespace {
@@ -27,6 +29,11 @@ template <class Real> class PlannerLock {
   fail(RC_ERR_INTERNAL, "FFTW made no plan for a ", lengths.x, "x", lengths.y, " transform; check the FFTW installation");
 }
 
+void require_planner_memory(Lengths lengths) {
+  if (!rc_common::planner_has_memory(lengths.x + lengths.y))
+    fail(RC_ERR_MEMORY, "cannot allocate what planning a ", lengths.x, "x", lengths.y, " transform takes; use a coarser grid");
+}
+
 template <class Real>
 typename Fftw<Real>::Plan plan_columns(int n, int columns, int sign, unsigned effort, std::complex<Real>* z) {
   return Fftw<Real>::plan_complex(1, &n, columns, as_fftw(z), nullptr, columns, 1, as_fftw(z), nullptr, columns, 1, sign, effort);
@@ -48,6 +55,7 @@ Plans<Real>::Plans(const rc_host* host, Lengths lengths, Planning& planning, Rea
   const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
   const bool own_columns = has_small_factors(lengths.y);
   if (nx % 2 == 0) half_length_.emplace(lengths.x);
+  require_planner_memory(lengths);
   try {
     const PlannerLock<Real> lock(host_);
     planning.recall<Real>();
@@ -96,13 +104,13 @@ template <class Real> void Plans<Real>::destroy() {
 template class Plans<double>;
 template class Plans<float>;
 
-EvenPlans::EvenPlans(const rc_host* host, Lengths lengths, std::complex<double>* line, std::complex<double>* block)
-    : host_(host) {
+EvenPlans::EvenPlans(const rc_host* host, Lengths lengths, std::complex<double>* in, std::complex<double>* out) : host_(host) {
   const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
+  require_planner_memory(lengths);
   {
     const PlannerLock<double> lock(host_);
-    along_x_ = fftw_plan_dft_1d(nx, as_fftw(line), as_fftw(line), FFTW_FORWARD, FFTW_ESTIMATE);
-    along_y_ = plan_columns<double>(ny, columns_per_block<double>, FFTW_FORWARD, FFTW_ESTIMATE, block);
+    along_x_ = plan_line<double>(nx, in, out, FFTW_FORWARD, FFTW_ESTIMATE);
+    along_y_ = plan_line<double>(ny, in, out, FFTW_FORWARD, FFTW_ESTIMATE);
   }
   if (along_x_ && along_y_) return;
   destroy();

@@ -43,17 +43,22 @@ template <class Real> class Plans {
   Plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
 };
 
-// The transforms in which the eigenvalues of even kernels are computed, in double precision: complex, forward and in place.
+// The transforms in which the eigenvalues of even kernels are computed: lines in double precision, complex, forward. Not in
+// place: then FFTW takes no memory while it transforms.
 class EvenPlans {
  public:
-  // Planning may overwrite `line` (x complex) and `block` (y rows of columns_per_block<double> complex).
-  EvenPlans(const rc_host* host, Lengths lengths, std::complex<double>* line, std::complex<double>* block);
+  // Planning may overwrite `in` and `out`, which have room for the longer line.
+  EvenPlans(const rc_host* host, Lengths lengths, std::complex<double>* in, std::complex<double>* out);
   ~EvenPlans();
   EvenPlans(const EvenPlans&) = delete;
   EvenPlans& operator=(const EvenPlans&) = delete;
 
-  void line(std::complex<double>* line) const { fftw_execute_dft(along_x_, as_fftw(line), as_fftw(line)); }
-  void block(std::complex<double>* block) const { fftw_execute_dft(along_y_, as_fftw(block), as_fftw(block)); }
+  void along_x(std::complex<double>* in, std::complex<double>* out) const {
+    fftw_execute_dft(along_x_, as_fftw(in), as_fftw(out));
+  }
+  void along_y(std::complex<double>* in, std::complex<double>* out) const {
+    fftw_execute_dft(along_y_, as_fftw(in), as_fftw(out));
+  }
 
  private:
   void destroy();

@@ -21,7 +21,8 @@ Eigenvalues::Eigenvalues(const rc_host* host, const rc_operator_spec& spec, Leng
       columns_(std::min(half_x_, spec.system->nx)),
       rows_(std::min(half_y_, spec.system->ny)),
       stride_(round_up(half_x_, width)),
-      scratch_(std::max(round_up(lengths.x, width) + rows_per_item * round_up(columns_, width) / 2, lengths.y * width / 2)) {
+      line_(round_up(std::max(lengths.x, lengths.y), width)),
+      scratch_(2 * line_ + std::max(rows_per_item * round_up(columns_, width) / 2, lengths.y * width / 2)) {
   workspace_.rows.reserve<double>(half_y_, stride_, lengths);
   workspace_.scratch.reserve<std::complex<double>>(spec.team->threads, scratch_, lengths);
 }
@@ -63,12 +64,12 @@ Eigenvalues Eigenvalues::periodic(const rc_host* host, const rc_operator_spec& s
 
 // rows(first, count, out): coefficients of `count` rows from `first` on, into rows of columns_ values.
 template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, const Rows& rows) {
-  plans_ = std::make_unique<EvenPlans>(host_, lengths_, scratch(0), scratch(0));
+  plans_ = std::make_unique<EvenPlans>(host_, lengths_, scratch(0), scratch(0) + line_);
   std::atomic<std::int64_t> failed{-1};
   const std::int64_t items = (rows_ + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(*spec.team, items, worth_sharing(lengths_), [&](std::int64_t item, std::int64_t thread) {
-    std::complex<double>* const line = scratch(thread);
-    double* const coefficients = reinterpret_cast<double*>(line + round_up(lengths_.x, width));
+    std::complex<double>*const line = scratch(thread), *const waves = line + line_;
+    double* const coefficients = reinterpret_cast<double*>(waves + line_);
     const std::int64_t begin = item * rows_per_item, end = std::min(begin + rows_per_item, rows_);
     if (rows(begin, end - begin, coefficients) != RC_OK) {
       failed = begin;
@@ -84,12 +85,12 @@ template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, co
         line[ix] = pair;
         line[ix == 0 ? 0 : lengths_.x - ix] = pair;
       }
-      plans_->line(line);
+      plans_->along_x(line, waves);
       double* const row = table() + iy * stride_;
-      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[kx] = line[kx].real();
+      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[kx] = waves[kx].real();
       std::fill(row + half_x_, row + stride_, 0.0);
       if (!other) continue;
-      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[stride_ + kx] = line[kx].imag();
+      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[stride_ + kx] = waves[kx].imag();
       std::fill(row + stride_ + half_x_, row + 2 * stride_, 0.0);
     }
   });
@@ -102,15 +103,18 @@ template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, co
 }
 
 // Neighbouring columns are the real and imaginary parts of one complex column.
-void Eigenvalues::transform_block(std::int64_t block, std::complex<double>* waves) const {
+void Eigenvalues::transform_block(std::int64_t block, std::int64_t thread) const {
   constexpr std::int64_t pairs = width / 2;
-  std::fill_n(waves, lengths_.y * pairs, std::complex<double>{});
-  for (std::int64_t iy = 0; iy < rows_; ++iy) {
-    const auto* const from = reinterpret_cast<const std::complex<double>*>(table() + iy * stride_ + block * width);
-    std::copy_n(from, pairs, waves + iy * pairs);
-    if (iy > 0) std::copy_n(from, pairs, waves + (lengths_.y - iy) * pairs);
+  std::complex<double>*const column = scratch(thread), *const transformed = column + line_, *const to = waves(thread);
+  for (std::int64_t pair = 0; pair < pairs; ++pair) {
+    std::fill_n(column, lengths_.y, std::complex<double>{});
+    for (std::int64_t iy = 0; iy < rows_; ++iy) {
+      const auto* const from = reinterpret_cast<const std::complex<double>*>(table() + iy * stride_ + block * width);
+      column[iy] = column[iy == 0 ? 0 : lengths_.y - iy] = from[pair];
+    }
+    plans_->along_y(column, transformed);
+    for (std::int64_t ky = 0; ky < half_y_; ++ky) to[ky * pairs + pair] = transformed[ky];
   }
-  plans_->block(waves);
 }
 
 }  // namespace rc_fft

@@ -32,9 +32,8 @@ class Eigenvalues {
       for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, table() + ky * stride_ + block * width);
       return;
     }
-    std::complex<double>* const waves = scratch(thread);
-    transform_block(block, waves);
-    for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, reinterpret_cast<const double*>(waves) + ky * width);
+    transform_block(block, thread);
+    for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, reinterpret_cast<const double*>(waves(thread)) + ky * width);
   }
 
  private:
@@ -44,8 +43,9 @@ class Eigenvalues {
   std::complex<double>* scratch(std::int64_t thread) const {
     return workspace_.scratch.data<std::complex<double>>() + thread * scratch_;
   }
+  std::complex<double>* waves(std::int64_t thread) const { return scratch(thread) + 2 * line_; }
   template <class Rows> void along_x(const rc_operator_spec& spec, const Rows& rows);
-  void transform_block(std::int64_t block, std::complex<double>* waves) const;
+  void transform_block(std::int64_t block, std::int64_t thread) const;
 
   const rc_host* host_;
   Workspace& workspace_;
@@ -53,7 +53,8 @@ class Eigenvalues {
   std::int64_t half_x_, half_y_;
   std::int64_t columns_, rows_;             // coefficients that the circular operator takes
   std::int64_t stride_;                     // of the table's rows
-  std::int64_t scratch_;                    // of a thread [complex values]
+  std::int64_t line_;                       // room for a line [complex values]
+  std::int64_t scratch_;                    // of a thread: two lines, and coefficients or waves [complex values]
   std::unique_ptr<const EvenPlans> plans_;  // null: the table holds the eigenvalues
 };
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "common/planner_memory.h"
+#include "cosines.h"
 #include "failure.h"
 
 namespace rc_split {
@@ -67,7 +69,8 @@ Convolution<T>::Convolution(const rc_host* host, const rc_team& team, const Axis
     stride_ += 16;  // else rows would compete for the same cache sets
   column_stride_ = whole_lines(2 * length_y_) + 16;
   make_room(rows_, nodes_y_ * stride_);
-  make_room(scratch_, team_.threads * columns_per_block * column_stride_);
+  scratch_size_ = std::max(stride_, (columns_per_block + 1) * column_stride_);
+  make_room(scratch_, team_.threads * scratch_size_);
   make_room(eigenvalues_, half_x_ * half_y_);
   load(x, y, kernel);
   make_plans();
@@ -76,12 +79,16 @@ Convolution<T>::Convolution(const rc_host* host, const rc_team& team, const Axis
 template <class T> Convolution<T>::~Convolution() { destroy_plans(); }
 
 template <class T> void Convolution<T>::make_plans() {
+  T *const line = scratch(0), *const column = line + column_stride_;
+  const int nx = static_cast<int>(length_x_), ny = static_cast<int>(length_y_);
+  if (!rc_common::planner_has_memory(length_x_ + length_y_))
+    fail(RC_ERR_MEMORY, "cannot allocate what planning a ", nx, "x", ny, " transform takes; use a coarser grid");
   {
     const PlannerLock<T> lock(host_);
-    forward_x_ = Fftw<T>::real_to_complex(static_cast<int>(length_x_), rows_.data());
-    backward_x_ = Fftw<T>::complex_to_real(static_cast<int>(length_x_), rows_.data());
-    forward_y_ = Fftw<T>::complex(static_cast<int>(length_y_), scratch_.data(), FFTW_FORWARD);
-    backward_y_ = Fftw<T>::complex(static_cast<int>(length_y_), scratch_.data(), FFTW_BACKWARD);
+    forward_x_ = Fftw<T>::real_to_complex(nx, row(0), line);
+    backward_x_ = Fftw<T>::complex_to_real(nx, row(0), line);
+    forward_y_ = Fftw<T>::complex_to_complex(ny, column, line, FFTW_FORWARD);
+    backward_y_ = Fftw<T>::complex_to_complex(ny, line, column, FFTW_BACKWARD);
   }
   if (forward_x_ && backward_x_ && forward_y_ && backward_y_) return;
   destroy_plans();
@@ -112,19 +119,7 @@ template <class T> void Convolution<T>::load(const Axis& x, const Axis& y, const
     return inverse;
   };
   const std::vector<double> by_x = weights(x, length_x_), by_y = weights(y, length_y_);
-  fftw_plan plan = nullptr;
-  {
-    const PlannerLock<double> lock(host_);
-    plan = fftw_plan_r2r_2d(static_cast<int>(half_y_), static_cast<int>(half_x_), table.data(), table.data(), FFTW_REDFT00,
-                            FFTW_REDFT00, FFTW_ESTIMATE);
-  }
-  if (!plan)
-    fail(RC_ERR_INTERNAL, "FFTW made no plan for a ", half_x_, "x", half_y_, " cosine transform; check the FFTW installation");
-  fftw_execute(plan);
-  {
-    const PlannerLock<double> lock(host_);
-    fftw_destroy_plan(plan);
-  }
+  transform_even(host_, team_, half_x_, half_y_, table.data());
   for (std::int64_t ky = 0; ky < half_y_; ++ky)
     for (std::int64_t kx = 0; kx < half_x_; ++kx)
       eigenvalues_[static_cast<std::size_t>(kx * half_y_ + ky)] =
@@ -132,38 +127,50 @@ template <class T> void Convolution<T>::load(const Axis& x, const Axis& y, const
                          by_y[static_cast<std::size_t>(ky)]);
 }
 
-template <class T> void Convolution<T>::multiply_column(T* column, const T* eigenvalues) const {
-  Fftw<T>::run_complex(forward_y_, column);
+template <class T> void Convolution<T>::forward(std::int64_t i, std::int64_t thread) {
+  T* const line = scratch(thread);
+  Fftw<T>::run_real_to_complex(forward_x_, row(i), line);
+  std::copy_n(line, 2 * half_x_, row(i));
+}
+
+template <class T> void Convolution<T>::backward(std::int64_t i, std::int64_t thread) {
+  T* const line = scratch(thread);
+  Fftw<T>::run_complex_to_real(backward_x_, row(i), line);
+  std::copy_n(line, length_x_, row(i));
+}
+
+template <class T> void Convolution<T>::multiply_column(T* column, T* waves, const T* eigenvalues) const {
+  Fftw<T>::run_complex(forward_y_, column, waves);
   for (std::int64_t k = 0; k < half_y_; ++k) {
-    column[2 * k] *= eigenvalues[k];
-    column[2 * k + 1] *= eigenvalues[k];
+    waves[2 * k] *= eigenvalues[k];
+    waves[2 * k + 1] *= eigenvalues[k];
   }
   for (std::int64_t k = half_y_; k < length_y_; ++k) {
-    column[2 * k] *= eigenvalues[length_y_ - k];
-    column[2 * k + 1] *= eigenvalues[length_y_ - k];
+    waves[2 * k] *= eigenvalues[length_y_ - k];
+    waves[2 * k + 1] *= eigenvalues[length_y_ - k];
   }
-  Fftw<T>::run_complex(backward_y_, column);
+  Fftw<T>::run_complex(backward_y_, waves, column);
 }
 
 template <class T> void Convolution<T>::columns(std::int64_t rows, bool parallel) {
   const std::int64_t blocks = (half_x_ + columns_per_block - 1) / columns_per_block;
   roughcontact::for_each(team_, blocks, parallel, [&](std::int64_t block, std::int64_t thread) {
     const std::int64_t first = block * columns_per_block, width = std::min(columns_per_block, half_x_ - first);
-    T* const scratch = scratch_.data() + thread * columns_per_block * column_stride_;
+    T *const waves = scratch(thread), *const column_block = waves + column_stride_;
     for (std::int64_t i = 0; i < rows; ++i)
       for (std::int64_t c = 0; c < width; ++c) {
-        scratch[c * column_stride_ + 2 * i] = row(i)[2 * (first + c)];
-        scratch[c * column_stride_ + 2 * i + 1] = row(i)[2 * (first + c) + 1];
+        column_block[c * column_stride_ + 2 * i] = row(i)[2 * (first + c)];
+        column_block[c * column_stride_ + 2 * i + 1] = row(i)[2 * (first + c) + 1];
       }
     for (std::int64_t c = 0; c < width; ++c) {
-      T* const column = scratch + c * column_stride_;
+      T* const column = column_block + c * column_stride_;
       std::fill(column + 2 * rows, column + 2 * length_y_, T(0));
-      multiply_column(column, eigenvalues_.data() + (first + c) * half_y_);
+      multiply_column(column, waves, eigenvalues_.data() + (first + c) * half_y_);
     }
     for (std::int64_t i = 0; i < rows; ++i)
       for (std::int64_t c = 0; c < width; ++c) {
-        row(i)[2 * (first + c)] = scratch[c * column_stride_ + 2 * i];
-        row(i)[2 * (first + c) + 1] = scratch[c * column_stride_ + 2 * i + 1];
+        row(i)[2 * (first + c)] = column_block[c * column_stride_ + 2 * i];
+        row(i)[2 * (first + c) + 1] = column_block[c * column_stride_ + 2 * i + 1];
       }
   });
 }

@@ -36,19 +36,21 @@ template <class T> class Convolution {
   std::int64_t stride() const { return stride_; }
 
   // One product: forward() of each of the first `rows` rows, columns(), backward() of each.
-  void forward(std::int64_t i) { Fftw<T>::run_real_to_complex(forward_x_, row(i)); }
+  void forward(std::int64_t i, std::int64_t thread);
   void columns(std::int64_t rows, bool parallel);
-  void backward(std::int64_t i) { Fftw<T>::run_complex_to_real(backward_x_, row(i)); }
+  void backward(std::int64_t i, std::int64_t thread);
 
  private:
   void make_plans();
   void destroy_plans();
   void load(const Axis& x, const Axis& y, const std::function<double(double, double)>& kernel);
-  void multiply_column(T* column, const T* eigenvalues) const;
+  void multiply_column(T* column, T* waves, const T* eigenvalues) const;
+  T* scratch(std::int64_t thread) { return scratch_.data() + thread * scratch_size_; }
 
   const rc_host* host_;
   const rc_team& team_;
   std::int64_t nodes_x_, nodes_y_, length_x_, length_y_, half_x_, half_y_, stride_, column_stride_;
+  std::int64_t scratch_size_;  // of a thread: a line, and columns
   typename Fftw<T>::Plan forward_x_ = nullptr, backward_x_ = nullptr, forward_y_ = nullptr, backward_y_ = nullptr;
   Array<T> rows_, scratch_, eigenvalues_;  // eigenvalues [wave number along x][wave number along y] / (lengths)
 };

@@ -1,4 +1,5 @@
-// FFTW in both precisions. Its planners are global to the process: plans are made and destroyed under the host's "fftw" lock.
+// FFTW in both precisions. Its planners are global to the process: plans are made and destroyed under the host's "fftw" lock. No
+// transform is in place: then FFTW takes no memory while it transforms, where it would end the process if there is none.
 #pragma once
 
 #include <fftw3.h>
@@ -17,24 +18,15 @@ template <class T> struct Fftw;
     static void make_planner_thread_safe() { PREFIX##_make_planner_thread_safe(); }                                            \
     static int planner_threads() { return PREFIX##_planner_nthreads(); }                                                       \
     static void plan_with_threads(int n) { PREFIX##_plan_with_nthreads(n); }                                                   \
-    static Plan real_to_complex(int n, T* data) {                                                                              \
-      return PREFIX##_plan_dft_r2c_1d(n, data, reinterpret_cast<Complex*>(data), FFTW_ESTIMATE);                               \
+    static Plan real_to_complex(int n, T* in, T* out) { return PREFIX##_plan_dft_r2c_1d(n, in, complex(out), FFTW_ESTIMATE); } \
+    static Plan complex_to_real(int n, T* in, T* out) { return PREFIX##_plan_dft_c2r_1d(n, complex(in), out, FFTW_ESTIMATE); } \
+    static Plan complex_to_complex(int n, T* in, T* out, int sign) {                                                           \
+      return PREFIX##_plan_dft_1d(n, complex(in), complex(out), sign, FFTW_ESTIMATE);                                          \
     }                                                                                                                          \
-    static Plan complex_to_real(int n, T* data) {                                                                              \
-      return PREFIX##_plan_dft_c2r_1d(n, reinterpret_cast<Complex*>(data), data, FFTW_ESTIMATE);                               \
-    }                                                                                                                          \
-    static Plan complex(int n, T* data, int sign) {                                                                            \
-      return PREFIX##_plan_dft_1d(n, reinterpret_cast<Complex*>(data), reinterpret_cast<Complex*>(data), sign, FFTW_ESTIMATE); \
-    }                                                                                                                          \
-    static void run_real_to_complex(Plan plan, T* data) {                                                                      \
-      PREFIX##_execute_dft_r2c(plan, data, reinterpret_cast<Complex*>(data));                                                  \
-    }                                                                                                                          \
-    static void run_complex_to_real(Plan plan, T* data) {                                                                      \
-      PREFIX##_execute_dft_c2r(plan, reinterpret_cast<Complex*>(data), data);                                                  \
-    }                                                                                                                          \
-    static void run_complex(Plan plan, T* data) {                                                                              \
-      PREFIX##_execute_dft(plan, reinterpret_cast<Complex*>(data), reinterpret_cast<Complex*>(data));                          \
-    }                                                                                                                          \
+    static void run_real_to_complex(Plan plan, T* in, T* out) { PREFIX##_execute_dft_r2c(plan, in, complex(out)); }            \
+    static void run_complex_to_real(Plan plan, T* in, T* out) { PREFIX##_execute_dft_c2r(plan, complex(in), out); }            \
+    static void run_complex(Plan plan, T* in, T* out) { PREFIX##_execute_dft(plan, complex(in), complex(out)); }               \
+    static Complex* complex(T* values) { return reinterpret_cast<Complex*>(values); }                                          \
     static void destroy(Plan plan) {                                                                                           \
       if (plan) PREFIX##_destroy_plan(plan);                                                                                   \
     }                                                                                                                          \

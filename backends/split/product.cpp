@@ -97,9 +97,9 @@ template <class T> void Product<T>::load(const T* x) {
   convolution_->columns(node_rows(), parallel());
   constexpr std::int64_t rows_per_item = 8;
   roughcontact::for_each(team_, (node_rows() + rows_per_item - 1) / rows_per_item, parallel(),
-                         [&](std::int64_t item, std::int64_t) {
+                         [&](std::int64_t item, std::int64_t thread) {
                            const std::int64_t end = std::min((item + 1) * rows_per_item, node_rows());
-                           for (std::int64_t row = item * rows_per_item; row < end; ++row) convolution_->backward(row);
+                           for (std::int64_t row = item * rows_per_item; row < end; ++row) convolution_->backward(row, thread);
                          });
 }
 
@@ -136,7 +136,7 @@ template <class T> void Product<T>::gather(const T* x) {
 template <class T> void Product<T>::collect_rows() {
   const std::int64_t per_tile = nodes_per_tile(), items = (node_rows() + per_tile - 1) / per_tile;
   const std::int64_t above = (count_ - 1) / per_tile;
-  roughcontact::for_each(team_, items, parallel(), [&](std::int64_t item, std::int64_t) {
+  roughcontact::for_each(team_, items, parallel(), [&](std::int64_t item, std::int64_t thread) {
     const std::int64_t begin = item * per_tile, end = std::min(begin + per_tile, node_rows());
     for (std::int64_t row = begin; row < end; ++row) std::fill_n(convolution_->row(row), convolution_->stride(), T(0));
     bool empty = true;
@@ -152,7 +152,7 @@ template <class T> void Product<T>::collect_rows() {
         }
       }
     if (empty) return;
-    for (std::int64_t row = begin; row < end; ++row) convolution_->forward(row);
+    for (std::int64_t row = begin; row < end; ++row) convolution_->forward(row, thread);
   });
 }
 
