@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "failure.h"
+#include "one_thread.h"
 
 namespace rc_cholmod {
 
@@ -53,6 +54,7 @@ Factor::Factor(Session& session, std::int64_t size, std::int64_t slots, const rc
 double Factor::pivot(std::int64_t slot) const { return static_cast<const double*>(L_->x)[static_cast<const int*>(L_->p)[slot]]; }
 
 void Factor::remove(std::int64_t slot) {
+  const OneThread one;
   cholmod_rowdel(static_cast<std::size_t>(slot), nullptr, L_.get(), session_.common());
   session_.check();
 }
@@ -63,6 +65,7 @@ bool Factor::add(std::int64_t slot, std::int64_t count, const std::int64_t* slot
   columns_of(*row)[1] = static_cast<int>(count);
   std::copy_n(slots_of_row, count, rows_of(*row));
   std::copy_n(entries, count, values_of(*row));
+  const OneThread one;
   cholmod_rowadd(static_cast<std::size_t>(slot), row.get(), L_.get(), session_.common());
   const bool definite = session_.common()->status == CHOLMOD_OK;
   session_.check();

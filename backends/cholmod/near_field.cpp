@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "failure.h"
@@ -22,70 +23,98 @@ struct Neighbour {
   double weight;
 };
 
-std::vector<Neighbour> neighbours(double radius) {
-  std::vector<Neighbour> all;
-  const auto reach = static_cast<std::int64_t>(radius);
-  for (std::int64_t dy = -reach; dy <= reach; ++dy)
-    for (std::int64_t dx = -reach; dx <= reach; ++dx)
-      if (const double weight = taper(std::hypot(static_cast<double>(dx), static_cast<double>(dy)) / radius); weight > 0.0)
-        all.push_back({dx, dy, weight});
-  return all;
-}
-
-// The position of the point (x, y), or -1.
-class Lookup {
+// Which points are near one another on a grid.
+class Nearness {
  public:
-  Lookup(const rc_system& system, std::span<const Point> points)
+  Nearness(const rc_system& system, double radius)
       : nx_(system.nx),
         ny_(system.ny),
         wraps_(system.op == RC_OPERATOR_HALFSPACE && system.boundary == RC_BOUNDARY_PERIODIC),
-        position_(static_cast<std::size_t>(nx_ * ny_), -1) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      position_[static_cast<std::size_t>(points[i].y * nx_ + points[i].x)] = static_cast<int>(i);
+        // On a periodic grid a pair has one distance, the shortest, only if the taper ends before its images begin.
+        radius_(wraps_ ? std::min(radius, 0.5 * static_cast<double>(std::min(nx_, ny_))) : radius),
+        reach_x_(std::min(static_cast<std::int64_t>(radius_), nx_ - 1)),
+        reach_y_(std::min(static_cast<std::int64_t>(radius_), ny_ - 1)) {}
+
+  // A bound of how many neighbours a point has, itself among them.
+  double most() const { return (2.0 * static_cast<double>(reach_x_) + 1.0) * (2.0 * static_cast<double>(reach_y_) + 1.0); }
+
+  double weight(std::int64_t dx, std::int64_t dy) const {
+    return taper(std::hypot(static_cast<double>(dx), static_cast<double>(dy)) / radius_);
+  }
+  double weight(Point a, Point b) const { return weight(shortest(a.x - b.x, nx_), shortest(a.y - b.y, ny_)); }
+
+  std::vector<Neighbour> neighbours() const {
+    std::vector<Neighbour> all;
+    for (std::int64_t dy = -reach_y_; dy <= reach_y_; ++dy)
+      for (std::int64_t dx = -reach_x_; dx <= reach_x_; ++dx)
+        if (const double by = weight(dx, dy); by > 0.0) all.push_back({dx, dy, by});
+    return all;
   }
 
-  bool wraps() const { return wraps_; }
-  int at(std::int64_t x, std::int64_t y) const {
+  // Numbers of the grid's points; -1: outside.
+  std::int64_t number(std::int64_t x, std::int64_t y) const {
     if (wraps_) {
       x = (x + nx_) % nx_;
       y = (y + ny_) % ny_;
     } else if (x < 0 || y < 0 || x >= nx_ || y >= ny_) {
       return -1;
     }
-    return position_[static_cast<std::size_t>(y * nx_ + x)];
+    return y * nx_ + x;
   }
+  std::int64_t points() const { return nx_ * ny_; }
 
  private:
+  std::int64_t shortest(std::int64_t d, std::int64_t period) const {
+    d = std::abs(d);
+    return wraps_ ? std::min(d, period - d) : d;
+  }
+
   std::int64_t nx_, ny_;
   bool wraps_;
-  std::vector<int> position_;
+  double radius_;
+  std::int64_t reach_x_, reach_y_;
 };
 
 }  // namespace
 
-NearField::NearField(Session& session, const rc_common::MemoryLimit& limit, const rc_system& system,
+NearField::NearField(Session& session, const rc_common::MemoryLimit& limit, const rc_operator_spec& spec,
                      const rc_common::Influence& H, std::span<const Point> points, double radius, double shift)
     : session_(session) {
-  const Lookup lookup(system, points);
-  // On a periodic grid a pair has one distance, the shortest, only if the taper ends before its images begin.
-  if (lookup.wraps()) radius = std::min(radius, 0.5 * static_cast<double>(std::min(system.nx, system.ny)));
-  const std::vector<Neighbour> near = neighbours(std::max(radius, 0.5));
+  const Nearness nearness(*spec.system, std::max(radius, 0.5));
   const auto n = static_cast<std::int64_t>(points.size());
-  const double most = static_cast<double>(n) * (static_cast<double>(near.size()) + 1.0) / 2.0;
+  // Either the neighbours of each point are looked up among the points, or all pairs are looked at.
+  const bool by_pairs = nearness.most() >= static_cast<double>(n);
+  const std::vector<Neighbour> near = by_pairs ? std::vector<Neighbour>() : nearness.neighbours();
+  const double most =
+      0.5 * static_cast<double>(n) * (static_cast<double>(by_pairs ? n : static_cast<std::int64_t>(near.size())) + 1.0);
   limit.require("the near field", n, 12.0 * most);
+  std::vector<int> position;
+  if (!by_pairs) {
+    position.assign(static_cast<std::size_t>(nearness.points()), -1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      position[static_cast<std::size_t>(nearness.number(points[i].x, points[i].y))] = static_cast<int>(i);
+  }
   Session::Sparse A = session.sparse(n, n, most, -1);
   int *column = columns_of(*A), *row = rows_of(*A), count = 0;
   column[0] = 0;
   for (std::int64_t j = 0; j < n; ++j) {
+    if (j % 64 == 0) check_for_stop(spec);
     const Point point = points[static_cast<std::size_t>(j)];
-    for (const Neighbour& neighbour : near)
-      if (const int i = lookup.at(point.x + neighbour.dx, point.y + neighbour.dy); i >= j) {
-        H.column(points.subspan(static_cast<std::size_t>(i), 1), point, values_of(*A) + count);
-        values_of(*A)[count] *= neighbour.weight;
-        row[count++] = i;
-      }
+    const auto add = [&](std::int64_t i, double weight) {
+      H.column(points.subspan(static_cast<std::size_t>(i), 1), point, values_of(*A) + count);
+      values_of(*A)[count] *= weight;
+      row[count++] = static_cast<int>(i);
+    };
+    for (std::int64_t i = j; by_pairs && i < n; ++i)
+      if (const double weight = nearness.weight(points[static_cast<std::size_t>(i)], point); weight > 0.0) add(i, weight);
+    for (const Neighbour& neighbour : near) {
+      const std::int64_t number = nearness.number(point.x + neighbour.dx, point.y + neighbour.dy);
+      const std::int64_t i = number < 0 ? -1 : position[static_cast<std::size_t>(number)];
+      if (i >= j) add(i, neighbour.weight);
+    }
     column[j + 1] = count;
   }
+  check_for_stop(spec);
   A->sorted = 0;
   session.order(false);
   L_ = session.analyze(*A);

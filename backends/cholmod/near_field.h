@@ -16,7 +16,7 @@ namespace rc_cholmod {
 class NearField {
  public:
   // Of H[points, points] plus `shift` times the identity, with entries up to `radius` cells apart.
-  NearField(Session&, const rc_common::MemoryLimit&, const rc_system&, const rc_common::Influence&,
+  NearField(Session&, const rc_common::MemoryLimit&, const rc_operator_spec&, const rc_common::Influence&,
             std::span<const rc_common::Point> points, double radius, double shift);
 
   // r = M^-1 r

@@ -20,6 +20,7 @@ constexpr double acceptable = 1e-11;
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
+      spec_(spec),
       system_(spec.system),
       radius_(roughcontact::option_real(host, spec.options, near_field_key)),
       limit_(host, spec, component, memory_limit_key),
@@ -75,12 +76,13 @@ void Operator::iterate(std::span<const Point> points, double rho, const double* 
   if (!near_ || rho != rho_ || !std::equal(points.begin(), points.end(), near_points_.begin(), near_points_.end())) {
     near_.reset();
     near_points_.assign(points.begin(), points.end());
-    near_.emplace(session_, limit_, *system_, H, points, radius_, rho);
+    near_.emplace(session_, limit_, spec_, H, points, radius_, rho);
     rho_ = rho;
   }
   const auto n = static_cast<std::int64_t>(points.size());
   const std::vector<rc_common::Run> runs = rc_common::runs_of(points);
   const auto multiply = [&](const double* in, double* out) {
+    check_for_stop(spec_);
     H.multiply(points, in, runs, out);
     for (std::int64_t i = 0; i < n; ++i) out[i] += rho * in[i];
   };

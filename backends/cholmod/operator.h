@@ -40,6 +40,7 @@ class Operator {
   void forget_factors();
 
   const rc_host* host_;
+  const rc_operator_spec& spec_;
   const rc_system* system_;
   double radius_;  // of the near field; 0: all entries are factored
   rc_common::MemoryLimit limit_;

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "failure.h"
+#include "one_thread.h"
 
 namespace rc_cholmod {
 
@@ -46,12 +47,14 @@ Session::Sparse Session::sparse(std::int64_t rows, std::int64_t columns, double 
 }
 
 Session::Factor Session::analyze(cholmod_sparse& A) {
+  const OneThread one;
   Factor made(cholmod_analyze(&A, &common_), {&common_});
   check();
   return made;
 }
 
 bool Session::factorize(cholmod_sparse& A, double shift, cholmod_factor& L) {
+  const OneThread one;
   double beta[2] = {shift, 0.0};
   cholmod_factorize_p(&A, beta, nullptr, 0, &L, &common_);
   check();
@@ -62,6 +65,7 @@ void Session::to_columns(cholmod_factor& L) {
   // Supernodes are the fast way to the factor; columns are what rows are added to and deleted from, and solves with them have no
   // workspace whose allocation CHOLMOD fails to check.
   if (!L.is_super) return;
+  const OneThread one;
   cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, &L, &common_);
   check();
 }
@@ -73,6 +77,7 @@ void Session::solve(cholmod_factor& L, double* b) {
   right.x = b;
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
+  const OneThread one;
   const Dense x(cholmod_solve(CHOLMOD_A, &L, &right, &common_), {&common_});
   check();
   std::copy_n(static_cast<const double*>(x->x), L.n, b);

@@ -35,11 +35,6 @@ void require_planner_memory(Lengths lengths) {
 }
 
 template <class Real>
-typename Fftw<Real>::Plan plan_columns(int n, int columns, int sign, unsigned effort, std::complex<Real>* z) {
-  return Fftw<Real>::plan_complex(1, &n, columns, as_fftw(z), nullptr, columns, 1, as_fftw(z), nullptr, columns, 1, sign, effort);
-}
-
-template <class Real>
 typename Fftw<Real>::Plan plan_line(int n, std::complex<Real>* in, std::complex<Real>* out, int sign, unsigned effort) {
   return Fftw<Real>::plan_complex(1, &n, 1, as_fftw(in), nullptr, 1, n, as_fftw(out), nullptr, 1, n, sign, effort);
 }
@@ -50,7 +45,7 @@ template <class Real> std::complex<Real>* as_pairs(Real* line) { return reinterp
 
 template <class Real>
 Plans<Real>::Plans(const rc_host* host, Lengths lengths, Planning& planning, Real* line, std::complex<Real>* row,
-                   std::complex<Real>* column)
+                   std::complex<Real>* column, std::complex<Real>* waves)
     : host_(host), length_x_(static_cast<double>(lengths.x)) {
   const int nx = static_cast<int>(lengths.x), ny = static_cast<int>(lengths.y);
   const bool own_columns = has_small_factors(lengths.y);
@@ -68,8 +63,8 @@ Plans<Real>::Plans(const rc_host* host, Lengths lengths, Planning& planning, Rea
       backward_x_ = Fftw<Real>::plan_real_back(nx, as_fftw(row), line, effort | FFTW_DESTROY_INPUT);
     }
     if (!own_columns) {
-      forward_y_ = plan_columns<Real>(ny, 1, FFTW_FORWARD, effort, column);
-      backward_y_ = plan_columns<Real>(ny, 1, FFTW_BACKWARD, effort, column);
+      forward_y_ = plan_line(ny, column, waves, FFTW_FORWARD, effort | FFTW_DESTROY_INPUT);
+      backward_y_ = plan_line(ny, waves, column, FFTW_BACKWARD, effort | FFTW_DESTROY_INPUT);
     }
     planning.remember<Real>();
   } catch (...) {

@@ -15,10 +15,10 @@ namespace rc_fft {
 // Single-threaded plans of one transform, executed on any arrays with the alignment of Buffer.
 template <class Real> class Plans {
  public:
-  // Planning may overwrite `line` (x reals), `row` (x/2+1 complex) and `column` (y complex). Columns that FFTW does not
-  // transform, since their length has small factors only, get no plan.
-  Plans(const rc_host* host, Lengths lengths, Planning& planning, Real* line, std::complex<Real>* row,
-        std::complex<Real>* column);
+  // Planning may overwrite `line` (x reals), `row` (x/2+1 complex), `column` and `waves` (y complex each). Columns that FFTW does
+  // not transform, since their length has small factors only, get no plan. No plan is in place, see EvenPlans.
+  Plans(const rc_host* host, Lengths lengths, Planning& planning, Real* line, std::complex<Real>* row, std::complex<Real>* column,
+        std::complex<Real>* waves);
   ~Plans();
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
@@ -27,8 +27,13 @@ template <class Real> class Plans {
   double gain() const { return half_length_ ? 2 * length_x_ : length_x_; }
   void line_to_row(Real* line, std::complex<Real>* row) const;
   void row_to_line(std::complex<Real>* row, Real* line) const;
-  void forward(std::complex<Real>* column) const { Fftw<Real>::execute_complex(forward_y_, as_fftw(column), as_fftw(column)); }
-  void backward(std::complex<Real>* column) const { Fftw<Real>::execute_complex(backward_y_, as_fftw(column), as_fftw(column)); }
+  // Each destroys what it is given.
+  void column_to_waves(std::complex<Real>* column, std::complex<Real>* waves) const {
+    Fftw<Real>::execute_complex(forward_y_, as_fftw(column), as_fftw(waves));
+  }
+  void waves_to_column(std::complex<Real>* waves, std::complex<Real>* column) const {
+    Fftw<Real>::execute_complex(backward_y_, as_fftw(waves), as_fftw(column));
+  }
 
  private:
   using Plan = typename Fftw<Real>::Plan;
@@ -40,7 +45,7 @@ template <class Real> class Plans {
   std::optional<HalfLength<Real>> half_length_;      // where the length is even: plans along x are complex ones of half of it
   Plan forward_x_ = nullptr;                         // keeps its input
   Plan backward_x_ = nullptr;                        // destroys its input
-  Plan forward_y_ = nullptr, backward_y_ = nullptr;  // in place
+  Plan forward_y_ = nullptr, backward_y_ = nullptr;  // destroy their input
 };
 
 // The transforms in which the eigenvalues of even kernels are computed: lines in double precision, complex, forward. Not in

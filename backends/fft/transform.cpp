@@ -16,7 +16,8 @@ template <class Real> Layout<Real>::Layout(Lengths l) : lengths(l), half_x(l.x /
   row_stride = round_up(half_x, width);
   // Rows a multiple of 4096 bytes apart would compete for the same cache sets.
   if (row_stride % (32 * width) == 0) row_stride += width;
-  scratch = std::max(round_up(l.x, width), width * ColumnProduct<Real>::scratch_rows(l.y));
+  column = round_up(l.y, 16);
+  scratch = std::max({round_up(l.x, width), width * ColumnProduct<Real>::scratch_rows(l.y), 2 * column});
 }
 
 template <class Real>
@@ -26,7 +27,7 @@ Transform<Real>::Transform(const rc_host* host, Lengths lengths, std::int64_t ro
   reserve(rows);
   spectrum_.reserve<Real>(layout_.blocks() * width, layout_.half_y, lengths);
   if (has_small_factors(lengths.y)) own_columns_.emplace(lengths.y);
-  plans_.emplace(host, lengths, planning, line(0), row(0), scratch(0));
+  plans_.emplace(host, lengths, planning, line(0), row(0), scratch(0), scratch(0) + layout_.column);
 }
 
 template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
@@ -105,13 +106,14 @@ template <class Real>
 void Transform<Real>::columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows,
                                       std::int64_t target_rows) {
   const std::int64_t length = layout_.lengths.y;
+  Complex* const waves = column + layout_.column;
   for (std::int64_t c = 0; c < width; ++c) {
     Complex* const at = row(0) + block * width + c;
     std::fill_n(column, length, Complex{});
     for (std::int64_t iy = y0; iy < y0 + source_rows; ++iy) column[iy] = at[iy * layout_.row_stride];
-    plans_->forward(column);
-    for (std::int64_t k = 0; k < length; ++k) column[k] *= eigenvalues(block, std::min(k, length - k))[c];
-    plans_->backward(column);
+    plans_->column_to_waves(column, waves);
+    for (std::int64_t k = 0; k < length; ++k) waves[k] *= eigenvalues(block, std::min(k, length - k))[c];
+    plans_->waves_to_column(waves, column);
     for (std::int64_t iy = 0; iy < target_rows; ++iy) at[iy * layout_.row_stride] = column[iy];
   }
 }

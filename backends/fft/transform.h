@@ -22,6 +22,7 @@ template <class Real> struct Layout {
   Lengths lengths;
   std::int64_t half_x, half_y;  // wave numbers 0..length/2 that determine the others
   std::int64_t row_stride;      // half_x complex values, rounded up to whole blocks [complex values]
+  std::int64_t column;          // room for one column, where FFTW transforms it
   std::int64_t scratch;         // of a thread: a line, or a block of columns [complex values]
 
   std::int64_t blocks() const { return (half_x + columns_per_block<Real> - 1) / columns_per_block<Real>; }

@@ -13,7 +13,7 @@
 #include "roughcontact.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 3u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 4u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,13 +56,17 @@ struct rc_team {
 };
 
 /** What an operator is built for. Valid as long as the operator. */
-typedef struct rc_operator_spec {
+typedef struct rc_operator_spec rc_operator_spec;
+struct rc_operator_spec {
   size_t struct_size;
   const rc_system *system;   /* dimensionless for HALFSPACE; as the caller gave it for DENSE and CALLBACK      */
   const char *kernel;        /* resolved name; "" for DENSE and CALLBACK                                       */
   const rc_options *options; /* read through rc_host                                                           */
   const rc_team *team;       /* the contact's threads                                                          */
-} rc_operator_spec;
+  /** For what takes long, now and then, on the calling thread. Nonzero: the caller has cancelled or the time is up; return
+   *  it at once. NULL: nobody can stop the operator. Since plugin ABI minor 4. */
+  rc_status (*poll)(const rc_operator_spec *);
+};
 
 /** The points that may carry pressure (the trial set T). Valid until the next bind or destroy. */
 typedef struct rc_domain {

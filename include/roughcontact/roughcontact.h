@@ -17,6 +17,10 @@
  * calling thread is rc_last_error(). The library never prints, exits, aborts, throws across this interface or
  * installs a signal handler. The caller owns every array; the library keeps none beyond what is stated.
  *
+ * fork(): no thread of the library's or its backends' stays after a call but those of contacts with option threads above 1. So a
+ * child can make contacts and solve whatever its parent has solved; it leaves the parent's contacts alone, and a fork in one
+ * thread while another one is inside the library leaves the child none of it. Programs linked with -static have no plugins.
+ *
  * Sized structs: set struct_size to sizeof(the struct) (the RC_..._INIT macros and rc_..._init functions do).
  * A smaller struct from an older header is accepted, a larger one from a newer header if the part unknown to
  * the library is all zero; else RC_ERR_ARGUMENT. This holds for structs that are written, too.

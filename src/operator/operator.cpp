@@ -7,7 +7,11 @@ namespace rc {
 Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
                    const rc_options& options, const rc_team& team, double scale)
     : backend_(backend), system_(system), kernel_(kernel), scale_(scale) {
-  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team};
+  const auto poll = [](const rc_operator_spec* spec) -> rc_status {
+    const Operator& op = *static_cast<const Spec*>(spec)->op;
+    return op.ask_ ? op.ask_() : RC_OK;
+  };
+  spec_ = {{sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team, poll}, this};
   clear_message();
   raise_if_failed(backend_.create(&host, &spec_, &self_), "creating the operator");
 }

@@ -69,7 +69,11 @@ class Operator {
   const rc_backend& backend_;
   rc_system system_;
   std::string kernel_;
-  rc_operator_spec spec_{};
+  // What a backend's poll() finds behind its spec.
+  struct Spec : rc_operator_spec {
+    const Operator* op;
+  };
+  Spec spec_{};
   double scale_;
   std::function<rc_status()> ask_;
   void* self_ = nullptr;

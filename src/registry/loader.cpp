@@ -78,6 +78,18 @@ void check_complete(int file, std::int64_t size, const std::string& path) {
   }
 }
 
+// Such a program names no dynamic loader; one that dlopen brings in later finds a half-made process.
+bool program_is_static() {
+  bool has_loader = false;
+  const auto look = [](dl_phdr_info* program, std::size_t, void* found) {
+    for (int i = 0; i < program->dlpi_phnum; ++i)
+      if (program->dlpi_phdr[i].p_type == PT_INTERP) *static_cast<bool*>(found) = true;
+    return 1;  // the program itself comes first
+  };
+  dl_iterate_phdr(look, &has_loader);
+  return !has_loader;
+}
+
 }  // namespace
 
 bool is_component_name(std::string_view name) {
@@ -138,6 +150,10 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
   check_owner(info, path);
   check_complete(file.number, info.st_size, path);
 
+  if (program_is_static())
+    fail(RC_ERR_PLUGIN, "plugin ", path,
+         " is not loaded: this program is linked statically (-static), where libraries that plugins ",
+         "need cannot run; link the C library dynamically, or build the backend into the library (RC_BUILTIN_BACKENDS)");
   void* const code = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (!code) fail(RC_ERR_PLUGIN, "plugin ", path, " cannot be loaded: ", dlerror());
   const auto query = reinterpret_cast<rc_plugin_query_fn>(dlsym(code, "rc_plugin_query"));

@@ -275,7 +275,7 @@ AT(rc_option_spec, minimum, 48);
 AT(rc_option_spec, maximum, 56);
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 3);
+VALUE(RC_PLUGIN_ABI_MINOR, 4);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -312,12 +312,13 @@ AT(rc_team, struct_size, 0);
 AT(rc_team, threads, 8);
 AT(rc_team, share, 16);
 
-SIZE(rc_operator_spec, 40);
+SIZE(rc_operator_spec, 48);
 AT(rc_operator_spec, struct_size, 0);
 AT(rc_operator_spec, system, 8);
 AT(rc_operator_spec, kernel, 16);
 AT(rc_operator_spec, options, 24);
 AT(rc_operator_spec, team, 32);
+AT(rc_operator_spec, poll, 40);
 
 SIZE(rc_domain, 32);
 AT(rc_domain, struct_size, 0);

@@ -78,7 +78,7 @@ Iterations iterations(const rc_backend& tested, std::int32_t boundary, std::int6
   products.bind(domain);
   const rc_common::MemoryLimit limit(&host, spec, rc_cholmod::component, "cholmod.memory_limit");
   rc_cholmod::Session session;
-  rc_cholmod::NearField near(session, limit, system, products.entries(), products.points(), radius, 0.0);
+  rc_cholmod::NearField near(session, limit, spec, products.entries(), products.points(), radius, 0.0);
   const auto multiply = [&](const double* x, double* y) { products.apply(x, y); };
   const Vector b(index.size(), 1.0);
   Vector x(index.size());
@@ -143,7 +143,7 @@ void a_near_field_takes_memory_that_grows_with_the_points(void**) {
   products.bind(domain);
   const rc_common::MemoryLimit limit(&host, spec, rc_cholmod::component, "cholmod.memory_limit");
   rc_cholmod::Session session;
-  const rc_cholmod::NearField near(session, limit, system, products.entries(), products.points(), 3.0, 0.0);
+  const rc_cholmod::NearField near(session, limit, spec, products.entries(), products.points(), 3.0, 0.0);
   print_message("40000 points, radius 3: CHOLMOD's peak %zu bytes\n", session.common()->memory_usage);
   assert_true(session.common()->memory_usage < 128u << 20);
 }
@@ -181,7 +181,7 @@ void indefinite_matrices_are_reported(void**) {
     system.op = RC_OPERATOR_DENSE;
     system.dense = H.data();
     system.dense_ld = 30;
-    const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "", host.options(), host.alone()};
+    const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "", host.options(), host.alone(), nullptr};
     void* self = nullptr;
     const rc_domain domain{sizeof(rc_domain), 30, nullptr, 0.0};
     assert_int_equal(backend().create(&host, &spec, &self), RC_OK);
@@ -204,6 +204,35 @@ void indefinite_matrices_are_reported(void**) {
   }
 }
 
+// Asked between rows of the near field and between iterations.
+void a_near_field_stops_when_it_is_asked_to(void**) {
+  StandInHost host(backend());
+  host.set("cholmod.near_field", "2");
+  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 12, 12, 1.0, 1.0);
+  Index all(144);
+  std::iota(all.begin(), all.end(), 0);
+  const Vector b(144, 1.0);
+  Vector x(144);
+  static int asked, allowed;
+  int needed = 0;
+  for (allowed = 0;; ++allowed) {
+    asked = 0;
+    rc_operator_spec spec = seam::spec_of(system, host);
+    spec.poll = [](const rc_operator_spec*) -> rc_status { return asked++ < allowed ? RC_OK : RC_STOP_CANCELLED; };
+    void* self = nullptr;
+    const rc_domain domain{sizeof(rc_domain), 144, nullptr, 0.0};
+    assert_int_equal(backend().create(&host, &spec, &self), RC_OK);
+    assert_int_equal(backend().bind(self, &domain), RC_OK);
+    const rc_status status = backend().subset(self, 144, all.data(), b.data(), x.data());
+    backend().destroy(self);
+    if (status == RC_OK) break;
+    assert_int_equal(status, RC_STOP_CANCELLED);
+    assert_int_equal(asked, allowed + 1);
+    ++needed;
+  }
+  assert_true(needed > 8);
+}
+
 }  // namespace
 
 int main() {
@@ -212,6 +241,7 @@ int main() {
       cmocka_unit_test(near_field_saves_iterations),
       cmocka_unit_test(near_field_works_where_a_full_factor_does_not_fit),
       cmocka_unit_test(a_near_field_takes_memory_that_grows_with_the_points),
+      cmocka_unit_test(a_near_field_stops_when_it_is_asked_to),
       cmocka_unit_test(rows_are_added_and_deleted),
       cmocka_unit_test(indefinite_matrices_are_reported),
   };

@@ -59,7 +59,7 @@ Operator::Operator(const rc_backend& backend, StandInHost& host, const rc_system
       system_(system),
       kernel_(system.op == RC_OPERATOR_HALFSPACE ? kernel_name(system.boundary) : ""),
       team_(host.threads()),
-      spec_{sizeof(rc_operator_spec), &system_, kernel_.c_str(), host.options(), &team_} {
+      spec_{sizeof(rc_operator_spec), &system_, kernel_.c_str(), host.options(), &team_, nullptr} {
   check(backend.create(&host, &spec_, &self_));
 }
 
@@ -134,7 +134,7 @@ std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed) {
 }
 
 rc_operator_spec spec_of(const rc_system& system, const StandInHost& host) {
-  return {sizeof(rc_operator_spec), &system, kernel_name(system.boundary), host.options(), host.alone()};
+  return {sizeof(rc_operator_spec), &system, kernel_name(system.boundary), host.options(), host.alone(), nullptr};
 }
 
 rc_status status_of_operations(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,

@@ -37,7 +37,7 @@ void any_allocation_may_fail(void**) {
   const Vector x{1.0, 2.0};
   seam::StandInHost host(backend());
   host.set("split.spacing", "16");
-  const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "love", host.options(), host.alone()};
+  const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "love", host.options(), host.alone(), nullptr};
   Vector y(static_cast<std::size_t>(system.nx * system.ny));
   const Vector gap(y.size(), 0.0);
   bool failed = true;

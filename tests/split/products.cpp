@@ -211,7 +211,7 @@ namespace {
 
 rc_status creation(const rc_system& system, const char* kernel) {
   seam::StandInHost host(backend());
-  const rc_operator_spec spec{sizeof(rc_operator_spec), &system, kernel, host.options(), host.alone()};
+  const rc_operator_spec spec{sizeof(rc_operator_spec), &system, kernel, host.options(), host.alone(), nullptr};
   void* self = nullptr;
   const rc_status status = backend().create(&host, &spec, &self);
   if (status == RC_OK) backend().destroy(self);

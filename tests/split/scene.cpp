@@ -60,7 +60,7 @@ Vector Reference::product(const Index& points, const Index& domain, const Vector
 Operator::Operator(const Grid& grid, const std::string& spacing, const std::string& threads)
     : host_(backend()), system_(system_of(grid)), kernel_(grid.kernel), team_(std::stoll(threads)) {
   host_.set("split.spacing", spacing);
-  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), host_.options(), &team_};
+  spec_ = {sizeof(rc_operator_spec), &system_, kernel_.c_str(), host_.options(), &team_, nullptr};
   check(backend().create(&host_, &spec_, &self_));
 }
 

@@ -1,0 +1,74 @@
+/* After a solve, a child solves again: every backend with every solver. A child that hangs is ended by its alarm. */
+#define _POSIX_C_SOURCE 200809L
+#include <dirent.h>
+#include <roughcontact/roughcontact.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { N = 20 };
+static double gap[N * N];
+
+static rc_status solve(const char* backend, const char* solver) {
+  rc_system system = RC_SYSTEM_INIT;
+  system.nx = system.ny = N;
+  rc_options* options = NULL;
+  rc_step step = RC_STEP_INIT;
+  rc_result result;
+  rc_result_init(&result);
+  step.gap = gap;
+  step.target = 0.5;
+  rc_status status = rc_options_create(NULL, &options);
+  if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);
+  if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, solver);
+  if (status == RC_OK) status = rc_pair_supported(NULL, solver, backend, &system, RC_CONTROL_DISPLACEMENT, options);
+  if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
+  rc_options_destroy(options);
+  return status;
+}
+
+static int threads(void) {
+  DIR* const tasks = opendir("/proc/self/task");
+  int count = -2; /* "." and ".." */
+  while (tasks && readdir(tasks)) ++count;
+  if (tasks) closedir(tasks);
+  return count;
+}
+
+static rc_component described(rc_status (*describe)(rc_context*, int64_t, rc_component*), int64_t i) {
+  rc_component component;
+  memset(&component, 0, sizeof component);
+  component.struct_size = sizeof component;
+  if (describe(NULL, i, &component) != RC_OK) exit(3);
+  return component;
+}
+
+int main(void) {
+  unsigned random = 1;
+  int pairs = 0, failures = 0;
+  for (int i = 0; i < N * N; ++i) gap[i] = (double)((random = random * 1664525u + 1013904223u) >> 8) / 16777216;
+  const int64_t backends = rc_backend_count(NULL), solvers = rc_solver_count(NULL);
+  for (int64_t b = 0; b < backends; ++b)
+    for (int64_t s = 0; s < solvers; ++s) {
+      const rc_component backend = described(rc_backend_describe, b), solver = described(rc_solver_describe, s);
+      const rc_status expected = solve(backend.name, solver.name);
+      if (expected < 0) continue; /* a pair that does not go together */
+      ++pairs;
+      const pid_t child = fork();
+      if (child == 0) {
+        alarm(30);
+        _exit(solve(backend.name, solver.name) == expected ? 0 : 1);
+      }
+      int end = -1;
+      if (child < 0 || waitpid(child, &end, 0) != child) return 3;
+      if (end != 0) {
+        printf("%s with %s: the child %s\n", solver.name, backend.name, WIFSIGNALED(end) ? "hangs" : "fails");
+        ++failures;
+      }
+    }
+  printf("%d pairs, %d threads\n", pairs, threads());
+  if (threads() > 1) puts("a thread has stayed");
+  return failures > 0 || pairs < 10 || threads() > 1;
+}

@@ -1,0 +1,52 @@
+/* solve_once BACKEND SOLVER N BOUNDARY: presses noise on N x N points, once by approach and once by load. Exit status 0:
+   certified; 1: a failed call, whose status and text are printed; 2: anything else. */
+#include <roughcontact/roughcontact.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static int refused(rc_status status) {
+  if (status < 0) printf("%s: %s\n", rc_status_name(status), rc_last_error());
+  return status < 0 ? rc_last_error()[0] != '\0' ? 1 : 2 : status == RC_OK ? 0 : 2;
+}
+
+static int solve(rc_contact* contact, const double* gap) {
+  rc_step step = RC_STEP_INIT;
+  rc_result result;
+  int ended = 0;
+  rc_result_init(&result);
+  step.gap = gap;
+  step.target = 2e-7;
+  if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;
+  step.gap = NULL;
+  step.control = RC_CONTROL_LOAD;
+  step.target = 0.7 * result.load;
+  return refused(rc_contact_solve(contact, &step, &result));
+}
+
+int main(int argc, char** argv) {
+  if (argc != 5) return 2;
+  rc_system system = RC_SYSTEM_INIT;
+  system.nx = system.ny = atol(argv[3]);
+  system.hx = system.hy = 1e-6;
+  system.modulus = 1e11;
+  system.boundary = atoi(argv[4]);
+  const size_t n = (size_t)(system.nx * system.ny);
+  double* const gap = malloc(n * sizeof *gap);
+  if (!gap) {
+    puts("no memory for the gap");
+    return 1;
+  }
+  uint32_t random = 1;
+  for (size_t i = 0; i < n; ++i) gap[i] = 1e-6 / 4294967296.0 * (double)(random = random * 1664525u + 1013904223u);
+  rc_options* options = NULL;
+  rc_contact* contact = NULL;
+  int ended = refused(rc_options_create(NULL, &options));
+  if (!ended) ended = refused(rc_options_set_text(options, RC_OPT_BACKEND, argv[1]));
+  if (!ended) ended = refused(rc_options_set_text(options, RC_OPT_SOLVER, argv[2]));
+  if (!ended) ended = refused(rc_contact_create(&system, options, &contact));
+  if (!ended) ended = solve(contact, gap);
+  rc_contact_destroy(contact);
+  rc_options_destroy(options);
+  free(gap);
+  return ended;
+}

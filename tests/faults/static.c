@@ -1,0 +1,34 @@
+/* In a program linked with -static: plugins are refused with the reason, what is linked in solves. */
+#include <roughcontact/roughcontact.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { N = 8 };
+
+static rc_status solve(const char* backend) {
+  static double gap[N * N];
+  for (int i = 0; i < N * N; ++i) gap[i] = 0.01 * ((i % N - 3) * (i % N - 3) + (i / N - 3) * (i / N - 3));
+  rc_system system = RC_SYSTEM_INIT;
+  system.nx = system.ny = N;
+  rc_step step = RC_STEP_INIT;
+  step.gap = gap;
+  step.target = 0.1;
+  rc_result result;
+  rc_result_init(&result);
+  rc_options* options = NULL;
+  rc_status status = rc_options_create(NULL, &options);
+  if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);
+  if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
+  rc_options_destroy(options);
+  return status;
+}
+
+int main(void) {
+  if (rc_backend_count(NULL) < 1 || solve("dense") != RC_OK || solve("auto") != RC_OK) {
+    puts(rc_last_error());
+    return 1;
+  }
+  const rc_status status = solve("fft");
+  printf("%s: %s\n", rc_status_name(status), rc_last_error());
+  return status != RC_ERR_PLUGIN || !strstr(rc_last_error(), "-static");
+}
