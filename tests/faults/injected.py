@@ -1,9 +1,9 @@
-"""Every k-th allocation of a program fails: whatever the backend, the program must end with a status and a text.
+"""One allocation of a program after the other fails: whatever the backend, the program must end with a status and a text.
 
 Usage: injected.py INJECT_LIBRARY PROGRAM PLUGIN_DIRECTORY [--full]
 
-FFTW's planner ends the process where one of its small allocations fails, and frees none of what a later one needs: those ends are
-counted and told apart. Its allocations of 64 KiB and more must all be survived.
+FFTW's planner ends the process where one of its small allocations fails although larger ones just succeeded: those ends are counted.
+All allocations of 64 KiB and more must be survived.
 """
 import os
 import pathlib
@@ -23,9 +23,8 @@ def run(arguments, **fault):
     log.unlink(missing_ok=True)
     settings = {f"RC_FAULT_{key.upper()}": str(value) for key, value in fault.items()}
     environment = {**os.environ, "LD_PRELOAD": inject, "RC_FAULT": "alloc", "RC_FAULT_LOG": str(log), "RC_PLUGIN_PATH": plugins}
-    done = subprocess.run(
-        [program, *arguments], env={**environment, **settings}, capture_output=True, text=True, timeout=120
-    )
+    environment.update(settings)
+    done = subprocess.run([program, *arguments], env=environment, capture_output=True, text=True, timeout=120)
     lines = log.read_text().split("\n") if log.exists() else []
     return done, lines
 
@@ -47,12 +46,10 @@ def sweep(arguments, least, most_runs):
         if done.returncode < 0 and "fftw: alloc.c" in done.stderr and least == 0:
             planner += 1
             continue
-        assert done.returncode in (
-            0,
-            1,
-        ), f"{arguments}, allocation {k} of {count} from {least} bytes on: {done.returncode}: {done.stdout}{done.stderr}"
+        what = f"{arguments}, {k} of {count} from {least} bytes on: {done.returncode}: {done.stdout}{done.stderr}"
+        assert done.returncode in (0, 1), what
         # The run-time library of Fortran, which LAPACK brings along, ends the process with a line of its own while it is loaded.
-        assert done.returncode == 0 or done.stdout or done.stderr, f"{arguments}, allocation {k}: no text"
+        assert done.returncode == 0 or done.stdout or done.stderr, what
     return runs, planner
 
 
