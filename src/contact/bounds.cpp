@@ -46,14 +46,14 @@ class Proof {
         answer_(answer),
         given_(answer.p()),
         product_(answer.product) {
-    if (!all_listed()) candidates_ = surface_.extent_below(surface_.limit_of(compression_ + rounding_));
+    if (!all_listed()) candidates_ = surface_.extent_below(surface_.limit_of(compression_));
     measure();
     residual();
   }
 
   Bounds bounds() {
     Bounds result;
-    if (!std::isfinite(beta_ + delta_square_ + doubt_)) return result;
+    if (!std::isfinite(delta_square_ + doubt_)) return result;
     Extent support = not_proven_open();  // no proof yet
     SumBound sum_bound = system_.periodic() ? better(sum_bound_below_mean(), sum_bound_of(support)) : sum_bound_of(support);
     for (int round = 0; round < most_rounds; ++round) {
@@ -84,7 +84,7 @@ class Proof {
   double w(std::size_t i) const { return distance_to_surface(i) / length_; }
   double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
   // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0.
-  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ + rounding_ > height(i)); }
+  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ > height(i)); }
 
   // Sizes, and the doubt about every w_i: round-off of the product, that of the approach as it is returned, and what the negative
   // entries of the given pressures would have changed in the product (no entry of H is larger than its largest diagonal entry).

@@ -8,7 +8,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t most_samples = 64;  // a side
+constexpr std::int64_t most_samples = 32;  // a side
 constexpr std::size_t least_points = 16;
 constexpr double most_mean_pressure = 0.1;  // over E*
 constexpr double most_tilt = 0.5;
@@ -20,6 +20,7 @@ struct Sample {
 std::vector<Sample> samples_of(const SurfaceState& surface, std::int64_t nx, std::int64_t ny) {
   const std::int64_t mx = std::min(nx, most_samples), my = std::min(ny, most_samples);
   std::vector<Sample> samples;
+  samples.reserve(static_cast<std::size_t>(mx * my));
   for (std::int64_t j = 0; j < my; ++j)
     for (std::int64_t i = 0; i < mx; ++i) {
       const std::int64_t x = (2 * i + 1) * nx / (2 * mx), y = (2 * j + 1) * ny / (2 * my);
@@ -44,7 +45,8 @@ double plane_share(const SurfaceState& surface, std::int64_t nx, std::int64_t ny
   if (samples.size() < least_points) return 0;
   const double n = static_cast<double>(samples.size());
   Sample mean{};
-  for (const Sample& s : samples) mean = {mean.x + s.x / n, mean.y + s.y / n, mean.z + s.z / n};
+  for (const Sample& s : samples) mean = {mean.x + s.x, mean.y + s.y, mean.z + s.z};
+  mean = {mean.x / n, mean.y / n, mean.z / n};
   double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
   for (const Sample& s : samples) {
     const double x = s.x - mean.x, y = s.y - mean.y, z = s.z - mean.z;

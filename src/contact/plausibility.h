@@ -9,7 +9,7 @@
 
 namespace rc {
 
-// The share of the heights' variance that a plane explains, 0 .. 1: of at most 64 x 64 points, evenly spread; 0 for fewer
+// The share of the heights' variance that a plane explains, 0 .. 1: of at most 32 x 32 points, evenly spread; 0 for fewer
 // than 16.
 double plane_share(const SurfaceState& surface, std::int64_t nx, std::int64_t ny);
 

@@ -1,0 +1,52 @@
+// Small problems as the insides of the library see them.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "contact/pressures.h"
+#include "contact/surface_state.h"
+#include "contact/system.h"
+#include "core/team.h"
+
+namespace mutants {
+
+// The same numbers on every machine.
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : state_(seed * 2654435761u + 12345) {}
+  double uniform() {  // 0 .. 1, 24 bits
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 40) / 16777216.0;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+struct Small {
+  rc_system given = RC_SYSTEM_INIT;
+  std::string kernel = "auto";
+  std::vector<double> gap, matrix;
+  std::vector<std::uint8_t> mask;
+  double compression = 0;
+  rc::Deflected answer;
+
+  Small(std::int64_t nx, std::int64_t ny);
+  std::size_t points() const { return gap.size(); }
+  rc::System system() const { return rc::checked_system(given, kernel, true); }
+  rc::SurfaceState surface() const {
+    static const rc::Team team(1);
+    return rc::SurfaceState({given.nx, given.ny, gap, mask, true}, team);
+  }
+  // Pressures on the points below the compression, and a product that leaves gaps of the size `off` of the compression there.
+  void press(double depth, double off, std::uint64_t seed);
+  // Only these points are listed; the others are apart by `beyond`.
+  void list(const std::vector<std::int64_t>& points, double beyond);
+  void make_dense(double weakest);
+};
+
+}  // namespace mutants
