@@ -12,6 +12,8 @@
 #include "dilute.h"
 #include "failures.h"
 #include "goal.h"
+#include "goal_surfaces.h"
+#include "goal_trial.h"
 #include "histories.h"
 #include "machine_limits.h"
 #include "paper.h"
@@ -145,6 +147,19 @@ int main(int argc, char** argv) try {
   goals->add_option("--goals", goal.goals, "values of option accuracy")->delimiter(',')->check(CLI::Range(1e-6, 0.5));
   goals->add_option("--threads", goal.threads, "threads")->check(CLI::Range(1, 1024));
 
+  bench::GoalTrialRequest trial;
+  CLI::App* const trials =
+      app.add_subcommand("goal-trial", "option accuracy on surfaces made to mislead it: answers beyond their goal");
+  trials->add_option("--kinds", trial.surfaces, "what is pressed")
+      ->delimiter(',')
+      ->check(CLI::IsMember(bench::goal_surface_names()));
+  trials->add_option("--points", trial.points, "points per side, about")->check(CLI::Range(32, 2048));
+  trials->add_option("--first", trial.first, "seed of each kind")->check(CLI::Range(1, 1000000));
+  trials->add_option("--last", trial.last, "seed of each kind")->check(CLI::Range(1, 1000000));
+  trials->add_option("--goals", trial.goals, "values of option accuracy")->delimiter(',')->check(CLI::Range(1e-6, 0.5));
+  trials->add_option("--threads", trial.threads, "threads")->check(CLI::Range(1, 1024));
+  trials->add_flag("--times", trial.times, "solve the whole grid to the goal's tolerance as well, for its time");
+
   bench::HistoriesRequest histories;
   CLI::App* const history = app.add_subcommand("histories", "loading histories: warm starts against cold ones");
   history->add_option("--levels", histories.levels, "2^levels points a side")->check(CLI::Range(4, 13));
@@ -225,7 +240,7 @@ int main(int argc, char** argv) try {
   rough->add_flag("--quick", quick, "two surfaces of 16 waves a side on up to 256^2");
   CLI::App* const who = app.add_subcommand("provenance", "what is measured here: library, compiler, machine, as JSON");
   for (CLI::App* const command :
-       {scale, product, limit, beside, repeatable, tradeoff, goals, history, failure, many, sparse, figures, rough})
+       {scale, product, limit, beside, repeatable, tradeoff, goals, trials, history, failure, many, sparse, figures, rough})
     command->add_option("--json", file, "also write the results to this file");
   CLI11_PARSE(app, argc, argv);
 
@@ -304,6 +319,9 @@ int main(int argc, char** argv) try {
   } else if (goals->parsed()) {
     goal.file = file;
     bench::run_goal(goal);
+  } else if (trials->parsed()) {
+    trial.file = file;
+    bench::run_goal_trial(trial);
   } else if (history->parsed()) {
     bench::Json document = {{"benchmark", "histories"}, {"provenance", bench::provenance(histories.threads)}};
     document.update(bench::run_histories(histories));

@@ -100,6 +100,7 @@ void Summary::add(const StepRecord& step) {
                  {"model_ny", r.model_ny},
                  {"error_estimate", r.error_estimate},
                  {"left_out", r.left_out},
+                 {"area_estimate", r.area_estimate},
                  {"note", r.note},
                  {"message", step.message}});
   document_.end();

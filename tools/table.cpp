@@ -26,6 +26,9 @@ void print_table_row(const StepRecord& step) {
               r.load, r.mean_pressure, step.area_fraction(), r.stiffness, step.worst_residual(),
               static_cast<long long>(r.iterations), static_cast<long long>(r.applications), static_cast<long long>(r.candidates),
               r.seconds, names.c_str(), rc_status_name(r.status));
+  if (r.status == RC_WITHIN_GOAL)
+    std::printf("%4s estimated errors: %.2g %% of what accuracy is of, %.2g %% of the area\n", "", 100 * r.error_estimate,
+                100 * r.area_estimate);
   std::fflush(stdout);
 }
 

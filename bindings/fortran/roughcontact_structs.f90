@@ -41,7 +41,7 @@ module roughcontact_structs
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
     real(c_double) :: tolerance = 0
     integer(c_int64_t) :: model_nx = 0, model_ny = 0
-    real(c_double) :: error_estimate = 0, left_out = 0
+    real(c_double) :: error_estimate = 0, left_out = 0, area_estimate = 0
   end type
 
   type, bind(c) :: rc_level

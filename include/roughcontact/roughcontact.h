@@ -61,8 +61,8 @@ enum {
   RC_STOP_CANCELLED = 3,   /* the progress callback or rc_contact_cancel asked to stop                       */
   RC_STOP_STALLED = 4,     /* no further progress is possible in double precision                            */
   RC_STOP_UNCERTIFIED = 5, /* the solver claimed success, the library's own check disagrees                  */
-  RC_WITHIN_GOAL = 6,      /* option accuracy is met, by the library's estimate, on a coarser grid, where the answer
-                              is certified; see rc_result.model_nx                                           */
+  RC_WITHIN_GOAL = 6,      /* option accuracy is met, by the library's estimate, without a solve of the whole grid:
+                              a coarser grid's certified answer, corrected on it; see rc_result.model_nx     */
   RC_ERR_ARGUMENT = -1,    /* a null pointer, NaN, a value out of range, a bad struct_size                   */
   RC_ERR_SHAPE = -2,       /* array shape: nx, ny, dense_ld, or nx*ny too large                              */
   RC_ERR_OPTION = -3,      /* unknown option key, wrong type, value out of range                             */
@@ -171,13 +171,18 @@ typedef struct rc_result {
   int64_t levels;      /* coarse solutions kept, see rc_contact_level                                       */
   double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger    */
   int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or with RC_WITHIN_GOAL those of a
-                          coarser one whose cells are the means over blocks of 2^k by 2^k points. Then all points of a
-                          block have its pressure (so that the load is kept where a block is cut by the grid's end or the
-                          mask) and its gap (infinite: all masked); contacts, area, load are those of p; modelled, candidates,
-                          energy, stiffness and kkt_* are the coarser grid's. A stop gives the last such grid */
-  double error_estimate; /* with accuracy: estimated relative error of the load or the area, against the answer on
-                          the whole grid; 0 on it; NaN without accuracy, and where a coarser grid was stopped at */
+                          coarser one whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer
+                          after a few steps of a solve of the whole grid, p >= 0, in load control times what makes the
+                          load that asked for, and displacement the approach at which the mean of the gap, weighted by p,
+                          vanishes. All else is what p has on the whole grid, the kkt_* residuals, too, which then exceed
+                          the tolerance; but stiffness, solver, backend and tolerance are the coarser grid's.
+                          A stop among coarser grids gives the last that was solved: all points of a block have its
+                          pressure (so that the load is kept where a block is cut by the grid's end or the mask) and its
+                          gap (infinite: all masked); contacts, area, load are those of p, the rest the coarser grid's */
+  double error_estimate; /* with accuracy: estimated relative error of what it is of, against the answer on the
+                          whole grid; 0 on it; NaN without accuracy, and where a coarser grid was stopped at    */
   double left_out;     /* rms of gap less its block's mean, over the points in contact [length]; 0 on the whole grid */
+  double area_estimate; /* as error_estimate, of contact_area, whatever accuracy is of: a goal of the load does not hold it */
 } rc_result;
 
 /** A solution on a coarser grid that a multilevel solver left behind. The caller sets struct_size and p. */

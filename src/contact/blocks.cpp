@@ -34,39 +34,37 @@ CoarseGrid halved(const SurfaceState& surface, std::int64_t nx, std::int64_t ny,
                     });
 }
 
+// Blocks come in rows, and points go out in rows.
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const SurfaceState& fine, Cut cut) {
-  std::vector<std::pair<std::int64_t, double>> all;
-  for (std::size_t k = 0; k < coarse.p.size(); ++k) {
-    double p = coarse.p[k];
-    if (!(p > 0)) continue;
-    const std::int64_t block = coarse.on.point(static_cast<std::int64_t>(k));
-    if (cut == Cut::same_force)
-      p *= static_cast<double>(blocks.factor * blocks.factor) / static_cast<double>(blocks.included(block, fine));
-    each_point(blocks, block, fine, [&](std::int64_t point) { all.emplace_back(point, p); });
-  }
-  std::sort(all.begin(), all.end());
   Pressures result;
-  result.on.n = static_cast<std::int64_t>(all.size());
-  result.on.index.reserve(all.size());
-  result.p.reserve(all.size());
-  for (const auto& [point, p] : all) {
-    result.on.index.push_back(point);
-    result.p.push_back(p);
+  const auto loaded = std::count_if(coarse.p.begin(), coarse.p.end(), [](double p) { return p > 0; });
+  const auto room = static_cast<std::size_t>(loaded * blocks.factor * blocks.factor);
+  result.on.index.reserve(room);
+  result.p.reserve(room);
+  std::vector<std::pair<std::int64_t, double>> row;  // first column and pressure of blocks side by side
+  for (std::size_t k = 0; k < coarse.p.size();) {
+    const std::int64_t y = coarse.on.point(static_cast<std::int64_t>(k)) / blocks.coarse_nx();
+    row.clear();
+    for (; k < coarse.p.size(); ++k) {
+      const std::int64_t block = coarse.on.point(static_cast<std::int64_t>(k));
+      if (block / blocks.coarse_nx() != y) break;
+      double p = coarse.p[k];
+      if (!(p > 0)) continue;
+      if (cut == Cut::same_force)
+        p *= static_cast<double>(blocks.factor * blocks.factor) / static_cast<double>(blocks.included(block, fine));
+      row.emplace_back(block % blocks.coarse_nx() * blocks.factor, p);
+    }
+    for (std::int64_t iy = y * blocks.factor; iy < std::min((y + 1) * blocks.factor, blocks.ny); ++iy)
+      for (const auto& [x, p] : row)
+        for (std::int64_t point = iy * blocks.nx + x; point < iy * blocks.nx + std::min(x + blocks.factor, blocks.nx); ++point) {
+          if (!fine.included(static_cast<std::size_t>(point))) continue;
+          result.on.index.push_back(point);
+          result.p.push_back(p);
+        }
   }
+  result.on.n = static_cast<std::int64_t>(result.p.size());
   if (result.on.n == blocks.nx * blocks.ny) result.on.index.clear();
   return result;
-}
-
-double cut_share(const Pressures& coarse, const Blocks& blocks, const SurfaceState& fine) {
-  const auto whole = static_cast<double>(blocks.factor * blocks.factor);
-  double sum = 0, cut = 0;
-  for (std::size_t k = 0; k < coarse.p.size(); ++k) {
-    if (!(coarse.p[k] > 0)) continue;
-    sum += coarse.p[k];
-    const std::int64_t block = coarse.on.point(static_cast<std::int64_t>(k));
-    cut += coarse.p[k] * (1 - static_cast<double>(blocks.included(block, fine)) / whole);
-  }
-  return sum > 0 ? cut / sum : 0;
 }
 
 double left_out(const Pressures& p, const Blocks& blocks, const SurfaceState& fine, std::span<const double> coarse_gap) {

@@ -32,9 +32,6 @@ enum class Cut {  // of blocks at the end of the grid or of the mask
 // Positive pressures of blocks, each on its included points.
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const SurfaceState& fine, Cut cut);
 
-// The part of the force that blocks carry of which some points do not count.
-double cut_share(const Pressures& coarse, const Blocks& blocks, const SurfaceState& fine);
-
 // Rms of gap less that of its block, over the points that carry pressure.
 double left_out(const Pressures& p, const Blocks& blocks, const SurfaceState& fine, std::span<const double> coarse_gap);
 

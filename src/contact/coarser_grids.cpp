@@ -1,5 +1,5 @@
-// No more than the scene needs: where an accuracy of load or area is asked for, grids are solved from coarse to fine until the
-// estimated error of one is within the goal.
+// No more than the scene needs: where an accuracy of load or area is asked for, grids are solved from coarse to fine until one
+// may be within the goal, which a look at the given grid then decides.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,7 +62,7 @@ rc_status Contact::solve_model(std::size_t k, const rc_step& step, const Monitor
   rc_options options = options_;
   const auto set = [&](const char* key, const OptionValue& value) { options.values.set(options.context->option(key), value); };
   // It tells what the next finer grid's difference of approach is in load.
-  if (k > 1 && step.control == RC_CONTROL_LOAD && !goal_.of_area) set(RC_OPT_STIFFNESS, std::int64_t{1});
+  if (k > 1 && step.control == RC_CONTROL_LOAD) set(RC_OPT_STIFFNESS, std::int64_t{1});
   set(RC_OPT_BOUNDS, std::int64_t{0});
   set(RC_OPT_TIME_LIMIT, monitor.time_left());
   contact.set_options(options);
@@ -80,9 +80,8 @@ rc_status Contact::solve_model(std::size_t k, const rc_step& step, const Monitor
   return contact.solve_begun(on_model, model.result, std::move(estimate));
 }
 
-// Difference of an answer from the next coarser grid's, in what the goal is of.
-double Contact::difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) const {
-  if (goal_.of_area) return relative(fine.contact_area - coarse.contact_area, fine.contact_area);
+// Difference of an answer's load from the next coarser grid's; in load control that of the loads at their approaches.
+double Contact::difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) {
   if (control == RC_CONTROL_DISPLACEMENT) return relative(fine.load - coarse.load, fine.load);
   const double difference = coarse.stiffness * (fine.displacement - coarse.displacement);
   return std::isfinite(difference) ? relative(difference, fine.load) : std::numeric_limits<double>::infinity();
@@ -112,7 +111,7 @@ Contact::OnCoarserGrids Contact::on_coarser_grids(const rc_step& step, const Mon
     if (const rc_status asked = monitor.ask(); asked != RC_OK || status == RC_STOP_CANCELLED) {
       // The last grid that was solved is better than nothing.
       const rc_status stop = asked != RC_OK ? asked : status;
-      return {levels.empty() ? 0 : k + 1, std::numeric_limits<double>::quiet_NaN(), stop, {}};
+      return {levels.empty() ? 0 : k + 1, stop, {}};
     }
     if (status != RC_OK || model.result.contacts == 0) {
       levels.clear();
@@ -122,23 +121,16 @@ Contact::OnCoarserGrids Contact::on_coarser_grids(const rc_step& step, const Mon
     if (coarsest) levels.resize(k + 1);
     if (!coarsest) levels[k].difference = difference(model.result, models_[k].result, step.control);
     const double approach = model.result.displacement;
-    found.estimate = Estimate{
-        spread(model.contact->last_.pressures, {system(k - 1).nx, system(k - 1).ny, 2}, surface(k - 1), Cut::same_pressure),
-        approach};
+    const auto spread_to = [&](std::size_t finer, const Blocks& blocks) {
+      return Estimate{spread(model.contact->last_.pressures, blocks, surface(finer), Cut::same_pressure), approach};
+    };
+    found.estimate = spread_to(k - 1, {system(k - 1).nx, system(k - 1).ny, 2});
     if (k + 2 >= levels.size()) continue;
     if (levels[k + 1].texture.points == 0)
       for (std::size_t j = 0; j < levels.size(); ++j)
         levels[j].texture = texture_below(approach, approach - surface_.lowest(), surface(j), system(j));
-    GridErrors errors = estimated_errors(levels, k, goal_.of_area);
-    if (goal_.of_area) {
-      const rc_system& on = system(k);
-      const double nominal = static_cast<double>(levels[k].texture.points) * on.hx * on.hy;
-      errors.here = std::max(errors.here, area_excess(levels, k, model.result.load / (nominal * on.modulus)));
-    }
-    errors.here += cut_share(model.contact->last_.pressures, blocks_of(k), surface_);
-    if (errors.here <= goal_.error) {
-      return {k, errors.here, RC_WITHIN_GOAL, {}};
-    }
+    const GridErrors errors = guessed_errors(levels, k);
+    if (errors.here <= goal_.error) return {k, RC_WITHIN_GOAL, spread_to(0, blocks_of(k))};
     if (k > 1 && !(errors.finest <= goal_.error)) return {};  // near starts that the whole grid makes for itself
   }
   return found;
@@ -155,11 +147,12 @@ void Contact::count_models(rc_result& result) const {
   }
 }
 
-rc_status Contact::deliver_model(const rc_step& step, const OnCoarserGrids& found, const Monitor& monitor, rc_result& result) {
+// The last coarser grid that was solved, each block with its pressure.
+rc_status Contact::deliver_stopped(const rc_step& step, const OnCoarserGrids& found, const Monitor& monitor, rc_result& result) {
   Model& model = models_[found.grid - 1];
   const rc_system& coarse = model.contact->system_.given;
   const Blocks blocks = blocks_of(found.grid);
-  Pressures p = spread(model.contact->last_.pressures, blocks, surface_, Cut::same_force);
+  const Pressures p = spread(model.contact->last_.pressures, blocks, surface_, Cut::same_force);
   double *const to_p = result.p, *const to_gap = result.gap;
   const std::size_t size = result.struct_size;
   result = model.result;
@@ -183,20 +176,16 @@ rc_status Contact::deliver_model(const rc_step& step, const OnCoarserGrids& foun
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
   result.model_nx = coarse.nx;
   result.model_ny = coarse.ny;
-  result.error_estimate = found.error;
+  result.error_estimate = result.area_estimate = std::numeric_limits<double>::quiet_NaN();
   result.left_out = left_out(p, blocks, surface_, model.contact->surface_.gap());
   result.status = found.status;
-  set_message(join(rc_status_text(found.status), ": accuracy ", goal_.error, ", estimated error of the ",
-                   goal_.of_area ? "area " : "load ", found.error, " on ", coarse.nx, "x", coarse.ny, " of ", system_.given.nx,
+  set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", system_.given.nx,
                    "x", system_.given.ny, " points")
                   .c_str());
   if (to_p) p.write(to_p, system_.points());
   if (to_gap)
     for (std::int64_t i = 0; i < system_.points(); ++i) to_gap[i] = model.gap[static_cast<std::size_t>(blocks.of(i))];
-  if (found.status != RC_WITHIN_GOAL) return found.status;
-  before_ = std::move(last_);
-  last_ = {std::move(p), result.displacement, result.load, true};
-  return RC_WITHIN_GOAL;
+  return found.status;
 }
 
 }  // namespace rc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 
@@ -193,7 +194,8 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result, std::opti
   bool on_models = false;
   if (goal_.error > 0 && system_.halfspace()) {
     OnCoarserGrids found = on_coarser_grids(step, monitor, result.gap != nullptr);
-    if (found.grid > 0) return deliver_model(step, found, monitor, result);
+    if (found.status == RC_WITHIN_GOAL && within_goal(step, found, monitor, result)) return RC_WITHIN_GOAL;
+    if (found.status != RC_OK && found.grid > 0) return deliver_stopped(step, found, monitor, result);
     if (found.status != RC_OK) {
       Answer stopped;
       stopped.status = found.status;
@@ -243,6 +245,7 @@ Choice Contact::choose_for(const TrialSet& trial, std::int32_t control) {
   const Counts counts{trial.n, box_points(trial, system_.given.nx, system_.given.ny), system_.points(),
                       options_.real(RC_OPT_TOL)};
   choice_ = choose(options_, system_, control, counts, failed_);
+  if (look_ > 0) choice_.solver = &options_.context->solver(suited(false, true));
   return choice_;
 }
 
@@ -338,7 +341,9 @@ SolverRun Contact::run(const Answer& answer, Monitor& monitor) {
             const std::string from = text.substr(0, text.find(':'));
             std::erase_if(remarks_, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
             remarks_.push_back(text);
-          }};
+          },
+          look_ > 0 ? look_ : std::numeric_limits<std::int64_t>::max(),
+          look_ > 0};
 }
 
 // How far along the line through the last two steps the new one lies, beyond the last; 0 where there is no such line.

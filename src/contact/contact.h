@@ -95,10 +95,9 @@ class Contact {
     std::vector<double> gap;
   };
   struct OnCoarserGrids {
-    std::size_t grid = 0;              // the answer is this one's; 0: none's
-    double error = 0;                  // estimated, relative; NaN: not known
-    rc_status status = RC_OK;          // why: within the goal, or stopped
-    std::optional<Estimate> estimate;  // for the whole grid, where the goal is not met
+    std::size_t grid = 0;              // the last that was solved, if it is of use; 0: none
+    rc_status status = RC_OK;          // a stop, or RC_WITHIN_GOAL: it is worth a look at the given grid
+    std::optional<Estimate> estimate;  // for the whole grid
   };
 
   // Influence coefficients, dimensionless.
@@ -147,10 +146,11 @@ class Contact {
   // Grid k, 1: the finest of the coarser ones.
   rc_status solve_model(std::size_t k, const rc_step& step, const Monitor& monitor, std::optional<Estimate> estimate,
                         bool with_gap);
-  double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) const;
+  static double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control);
+  bool within_goal(const rc_step& step, OnCoarserGrids& found, Monitor& monitor, rc_result& result);
   Blocks blocks_of(std::size_t k) const;
   void count_models(rc_result& result) const;
-  rc_status deliver_model(const rc_step& step, const OnCoarserGrids& found, const Monitor& monitor, rc_result& result);
+  rc_status deliver_stopped(const rc_step& step, const OnCoarserGrids& found, const Monitor& monitor, rc_result& result);
 
   // nearer: from a coarser grid, where there is one; so for the next two.
   std::optional<Answer> at_few_points(const rc_step& step, Monitor& monitor, std::optional<Estimate> nearer);
@@ -196,6 +196,7 @@ class Contact {
   Goal goal_;
   std::vector<Model> models_;         // the finest first
   bool models_current_ = false;       // they show the current surface
+  std::int64_t look_ = 0;             // iterations of a look at the given grid, by the solver for it; 0: this is a solve
   Table table_;                       // the last that a solver asked for
   std::vector<std::string> remarks_;  // of this step's solver
   Choice choice_;                     // the latest of this step

@@ -54,14 +54,7 @@ std::optional<Estimate> Contact::last_estimate(const rc_step& step) const {
   const double before = by_load ? last_.load : last_.approach - surface_.lowest();
   const double now = by_load ? step.target : step.target - surface_.lowest();
   if (!(std::abs(now - before) <= near * before)) return std::nullopt;
-  Estimate estimate{{}, by_load ? last_.approach : step.target};
-  const Pressures& last = last_.pressures;
-  for (std::size_t k = 0; k < last.p.size(); ++k) {
-    if (!(last.p[k] > 0)) continue;
-    estimate.pressures.on.index.push_back(last.on.point(static_cast<std::int64_t>(k)));
-    estimate.pressures.p.push_back(last.p[k]);
-  }
-  estimate.pressures.on.n = static_cast<std::int64_t>(estimate.pressures.p.size());
+  Estimate estimate{last_.pressures.positive(), by_load ? last_.approach : step.target};
   if (!few(estimate.pressures.on.n, system_.points())) return std::nullopt;
   return estimate;
 }

@@ -166,7 +166,7 @@ rc_status Contact::certify_and_fill(const rc_step& step, const Deflected& answer
   result.tolerance = options_.real(RC_OPT_TOL);
   result.model_nx = system_.given.nx;
   result.model_ny = system_.given.ny;
-  result.error_estimate = goal_.error > 0 ? 0 : nan;
+  result.error_estimate = result.area_estimate = goal_.error > 0 ? 0 : nan;
   result.left_out = 0;
   bounds.write(result);
   write_note(compression, result);
@@ -181,7 +181,7 @@ void Contact::write_gap(const Deflected& answer, double compression, double* gap
 void Contact::deliver(Deflected&& answer, double compression, rc_result& result) {
   if (result.p) answer.pressures.write(result.p, system_.points());
   if (result.gap) write_gap(answer, compression, result.gap);
-  if (result.status != RC_OK) return;
+  if (result.status != RC_OK && result.status != RC_WITHIN_GOAL) return;
   before_ = std::move(last_);
   last_ = {std::move(answer.pressures), result.displacement, result.load, true};
 }

@@ -1,5 +1,5 @@
-// How far an answer on a coarser grid is from the one on the grid given, estimated from two coarser grids and from what the
-// coarser grids do not show of the surface.
+// How far an answer on a coarser grid may be from the one on the grid given, guessed from two coarser grids and from what they do
+// not show of the surface: enough to tell which grid is worth a look at the given one, which decides.
 #pragma once
 
 #include <cstdint>
@@ -23,30 +23,25 @@ Goal goal_of(const rc_options& options);
 // What a grid shows of the surface where the approach exceeds the gap.
 struct Texture {
   double roughness = 0;  // rms of second differences of neighbouring gaps, over a length; infinite: not known
-  double slope = 0;      // rms gradient
   std::int64_t points = 0;
 };
 
 // One grid of 2^k times the cell size, k from 0.
 struct GridLevel {
   Texture texture;
-  double difference = 0;  // of load or area from the next coarser grid's, relative
+  double difference = 0;  // of the load from the next coarser grid's, relative
 };
 
 // Of the points with a gap below the limit.
 Texture texture_below(double limit, double length, const SurfaceState& surface, const rc_system& system);
 
-// How much too large the contact area is on grid k for the slopes that grid 0 has more, under this pressure over E*: Persson
-// (2001), A/A0 = erf(sqrt2 p/(E* slope)). It tells where all of a coarser grid touches and differences between grids do not.
-double area_excess(std::span<const GridLevel> levels, std::size_t k, double pressure);
-
-// Relative errors.
+// Relative errors of the load.
 struct GridErrors {
   double here = 0;
   double finest = 0;  // what that of grid 1 will be
 };
 
 // From grid k >= 1: needs the differences of grids k and k+1 and the roughness of all up to k+1.
-GridErrors estimated_errors(std::span<const GridLevel> levels, std::size_t k, bool of_area);
+GridErrors guessed_errors(std::span<const GridLevel> levels, std::size_t k);
 
 }  // namespace rc

@@ -33,4 +33,15 @@ void Pressures::write(double* everywhere, std::int64_t points) const {
   for (std::size_t k = 0; k < p.size(); ++k) everywhere[on.index[k]] = p[k];
 }
 
+Pressures Pressures::positive() const {
+  Pressures result;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (!(p[k] > 0)) continue;
+    result.on.index.push_back(on.point(static_cast<std::int64_t>(k)));
+    result.p.push_back(p[k]);
+  }
+  result.on.n = static_cast<std::int64_t>(result.p.size());
+  return result;
+}
+
 }  // namespace rc

@@ -16,6 +16,8 @@ struct Pressures {
   // At the points of another set.
   std::vector<double> at(const TrialSet& other) const;
   void write(double* everywhere, std::int64_t points) const;
+  // Those that are.
+  Pressures positive() const;
 };
 
 // H p, for a proof about all points: at those listed, and the others are apart by more than `beyond` or lie where the

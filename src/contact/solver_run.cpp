@@ -225,7 +225,7 @@ rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d)
   require(solver, session.run, "warmup");
   problem.most_iterations = session.run.options.integer(RC_OPT_WARMUP_ITERATIONS);
   const rc_status status = session.solve(solver, problem, p, d);
-  problem.most_iterations = std::numeric_limits<std::int64_t>::max();
+  problem.most_iterations = session.run.most_iterations;
   raise_if_failed(status, solver.name);
   session.run.monitor.next_call();
   return status == RC_STOP_CANCELLED || status == RC_STOP_TIME ? status : RC_OK;
@@ -250,6 +250,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.tol = tol;
   problem.where = grid;
   problem.where.approach = approach;
+  problem.most_iterations = most_iterations;
   session.connect(problem);
   struct Watch {
     Operator& watched;

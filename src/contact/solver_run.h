@@ -29,7 +29,8 @@ struct SolverRun {
   std::function<rc_status(rc_coarse&)> coarse;
   std::function<rc_status(std::int64_t mx, std::int64_t my, double* out)> coefficients;
   std::function<void(const std::string&)> note;
-  bool warmed_up = false;  // the warm-up runs once, however often the solver does
+  std::int64_t most_iterations;  // of each run
+  bool warmed_up = false;        // the warm-up runs once, however often the solver does
 
   // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
   // p and d: start in, answer out. `approach`: the grid's. u may be empty for a solver that reads the gap.

@@ -78,7 +78,7 @@ AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
 
-SIZE(rc_result, 544);
+SIZE(rc_result, 552);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -120,6 +120,7 @@ AT(rc_result, model_nx, 512);
 AT(rc_result, model_ny, 520);
 AT(rc_result, error_estimate, 528);
 AT(rc_result, left_out, 536);
+AT(rc_result, area_estimate, 544);
 
 SIZE(rc_level, 88);
 AT(rc_level, struct_size, 0);

@@ -1,5 +1,4 @@
-// Option accuracy: what a result on a coarser grid says, that the coarser grid's answer is certified, and where the whole grid is
-// solved.
+// Option accuracy: what a result from a coarser grid says, and where the whole grid is solved.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "hidden_tests.h"
 #include "statistics_tests.h"
 
 namespace accuracy {
@@ -32,7 +32,6 @@ void result_says_what_was_modelled() {
     check(factor >= 2 && factor * r.model_nx == problem.system.nx && factor * r.model_ny == problem.system.ny, "model_nx");
     check(r.error_estimate > 0 && r.error_estimate <= wanted, "error_estimate");
     check_near(r.tolerance, wanted / 100, 1e-12, "tolerance");
-    check(found.worst_residual() <= r.tolerance, "residuals on the coarser grid");
     check(found.message.find("within accuracy") != std::string::npos, found.message);
     check(std::isnan(r.duality_gap) && r.proven_contacts == -1 && r.undecided == -1, "nothing is proven");
     check_equal(r.points, problem.system.nx * problem.system.ny, "points");
@@ -40,24 +39,24 @@ void result_says_what_was_modelled() {
     check_equal(r.contacts, std::count_if(found.p.begin(), found.p.end(), [](double p) { return p > 0; }), "contacts");
     check_near(r.contact_area, static_cast<double>(r.contacts) * problem.cell_area(), 1e-9 * r.contact_area, "contact_area");
 
-    // The blocks' pressures are a certified answer of the means of the gap.
+    check(r.area_estimate > 0, "area_estimate");
+
+    // All but the estimates is what the pressures have on the grid given.
+    const Answer judged = Contact(problem, automatic, {{RC_OPT_TOL, text(wanted)}}).certify(problem.step(), found.p);
+    check_near(found.gap, judged.gap, 1e-5, "gap");
+    check_near(r.kkt_dual, judged.result.kkt_dual, 1e-4, "kkt_dual");
+    check_near(r.kkt_complementarity, judged.result.kkt_complementarity, 1e-4, "kkt_complementarity");
+    check_near(r.energy, judged.result.energy, 1e-4 * std::abs(r.energy), "energy");
+    check(r.kkt_primal == 0, "no pressure is negative");
+
     const Problem coarse = block_means(problem, factor);
-    Field p(coarse.points()), gap(coarse.points());
     double details = 0;
     for (std::int64_t iy = 0; iy < problem.system.ny; ++iy)
       for (std::int64_t ix = 0; ix < problem.system.nx; ++ix) {
         const auto fine = static_cast<std::size_t>(iy * problem.system.nx + ix);
         const auto block = static_cast<std::size_t>(iy / factor * coarse.system.nx + ix / factor);
-        if (ix % factor == 0 && iy % factor == 0) {
-          p[block] = found.p[fine];
-          gap[block] = found.gap[fine];
-        }
-        check(found.p[fine] == p[block] && found.gap[fine] == gap[block], "all points of a block are equal");
-        if (p[block] > 0) details += std::pow(problem.gap[fine] - coarse.gap[block], 2);
+        if (found.p[fine] > 0) details += std::pow(problem.gap[fine] - coarse.gap[block], 2);
       }
-    const Answer judged = Contact(coarse, automatic, {{RC_OPT_TOL, text(r.tolerance)}}).certify(coarse.step(), p);
-    check_status(judged, RC_OK, "the coarser grid's answer");
-    check_near(gap, judged.gap, 1e-5, "gap");
     check_near(r.left_out, std::sqrt(details / static_cast<double>(r.contacts)), 1e-9 * r.left_out, "left_out");
   }
 }
@@ -357,6 +356,6 @@ int main(int argc, char** argv) {
                              {"batches_go_on_within_their_goal", batches_go_on_within_their_goal},
                              {"goal_is_fixed", goal_is_fixed},
                              {"cancelled_is_cancelled", cancelled_is_cancelled}};
-  for (const Test& test : statistics_tests()) tests.push_back(test);
+  for (const auto& group : {hidden_tests(), statistics_tests()}) tests.insert(tests.end(), group.begin(), group.end());
   return run_group("accuracy", tests, argc, argv);
 }

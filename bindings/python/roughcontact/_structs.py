@@ -109,6 +109,7 @@ class rc_result(Sized):
         ("model_ny", c_int64),
         ("error_estimate", c_double),
         ("left_out", c_double),
+        ("area_estimate", c_double),
     ]
 
 

@@ -93,10 +93,12 @@ class Result:
     #: points of the grid that was solved
     model_nx: int
     model_ny: int
-    #: with option accuracy: estimated relative error of the load or the area
+    #: with option accuracy: estimated relative error of what it is of, load or area
     error_estimate: float
     #: roughness that the solved grid does not see, rms over the points in contact [length]
     left_out: float
+    #: with option accuracy: estimated relative error of the area, which a goal of the load does not hold
+    area_estimate: float
 
     @property
     def certified(self) -> bool:
