@@ -24,11 +24,11 @@ struct Remaining {
   double changes = 0;  // points that come into contact or out of it when the gap closes
 };
 
-Remaining remaining_of(const Deflected& found, const SurfaceState& surface, double approach, const System& system) {
+Remaining remaining_of(const Deflected& found, const SurfaceState& surface, double compression, const System& system) {
   const auto each = [&](const auto& visit) {
     for (std::size_t k = 0; k < found.size(); ++k)
       if (const std::size_t i = found.point(k); surface.included(i))
-        visit(found.p()[k], found.product[k], found.product[k] - (approach - surface.gap()[i]));
+        visit(found.p()[k], found.product[k], found.product[k] - (compression - surface.height(i)));
   };
   Remaining rest;
   double force = 0, work = 0, open = 0, deflected = 0;
@@ -85,7 +85,8 @@ bool Contact::within_goal(const rc_step& step, OnCoarserGrids& found, Monitor& m
     found.status = stop != RC_OK ? stop : ended;
     return false;
   }
-  const Remaining rest = remaining_of(corrected, surface_, at.target, system_);
+  double depth = answer.compression;
+  const Remaining rest = remaining_of(corrected, surface_, depth, system_);
   if (!(rest.load > 0)) return false;
 
   // In load control the area is that of a load as far off as the one at the coarser grid's approach.
@@ -96,24 +97,23 @@ bool Contact::within_goal(const rc_step& step, OnCoarserGrids& found, Monitor& m
   const double of_area = counted + rest.gap + (by_load ? change : 0);
   const double error = goal_.of_area ? of_area : of_load;
 
-  double approach = at.target;
   if (by_load) {
     const double factor = step.target / rest.load;
     for (double& p : answer.p) p *= factor;
     for (double& p : corrected.pressures.p) p *= factor;
     for (double& deflection : corrected.product) deflection *= factor;
-    approach = fitting_approach(corrected);
+    depth = fitting_compression(corrected);
     // The points that a larger approach reaches.
     const bool all = static_cast<std::int64_t>(corrected.size()) == system_.points();
-    if (!all && approach > at.target + (screened ? corrected.beyond : 0)) corrected = deflected(answer, true);
+    if (!all && depth > answer.compression + (screened ? corrected.beyond : 0)) corrected = deflected(answer, true);
   }
   if (!(error <= goal_.error)) {
-    found.estimate = Estimate{corrected.pressures.positive(), approach};
+    found.estimate = Estimate{corrected.pressures.positive(), surface_.lowest() + depth};
     return false;
   }
   const rc_system& coarse = model.contact->system_.given;
   name_components(answer, result);
-  certify_and_fill(step, corrected, approach, result);
+  certify_and_fill(step, corrected, depth, result);
   std::copy(std::begin(model.result.solver), std::end(model.result.solver), result.solver);
   std::copy(std::begin(model.result.backend), std::end(model.result.backend), result.backend);
   result.status = RC_WITHIN_GOAL;
@@ -134,7 +134,7 @@ bool Contact::within_goal(const rc_step& step, OnCoarserGrids& found, Monitor& m
                    goal_.of_area ? "area " : "load ", error, " from ", coarse.nx, "x", coarse.ny, " of ", system_.given.nx, "x",
                    system_.given.ny, " points")
                   .c_str());
-  deliver(std::move(corrected), approach, result);
+  deliver(std::move(corrected), depth, result);
   return true;
 }
 
