@@ -27,7 +27,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 544
+    integer(c_size_t) :: struct_size = 552
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
