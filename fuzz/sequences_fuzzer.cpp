@@ -79,6 +79,7 @@ class Sequence {
           break;
         case 12:
           rc_contact_cancel(contact_);
+          cancelled_ = true;
           break;
         case 13:
           as_a_new_one();
@@ -111,6 +112,7 @@ class Sequence {
 
   // A step that failed may have been refused at once or later: whose gap the contact has is then not known.
   void took(const Problem& problem, rc_status status) {
+    cancelled_ = cancelled_ && status < 0;
     gap_ = status >= 0 ? problem.gap : nullptr;
     mask_ = status >= 0 ? problem.mask : nullptr;
   }
@@ -225,13 +227,14 @@ class Sequence {
       there.took(rc_contact_solve(other, &step.given, &there.result));
       oracle_.check(problem, here);
       oracle_.check(problem, there);
-      took(problem, here.status);
       double limit = 0;
       const bool timed = rc_options_get_real(options_, RC_OPT_TIME_LIMIT, &limit) == RC_OK && limit > 0;
-      if (here.status != RC_STOP_CANCELLED && !timed) {
+      // A step that is stopped before it begins may still have a certified start.
+      if (!cancelled_ && !timed) {
         require(here.status == there.status, "after a reset a step ends as in a new contact");
         require(here.status < 0 || here.p == there.p, "after a reset a step has the bits of a new contact's");
       }
+      took(problem, here.status);
     }
     rc_contact_destroy(other);
   }
@@ -277,7 +280,8 @@ class Sequence {
   std::vector<std::unique_ptr<Step>> steps_;
   const double* gap_ = nullptr;  // the contact's; null: it has none, or one that is not known
   const std::uint8_t* mask_ = nullptr;
-  rc_result last_{};  // of the last certified step, with its pressures; none after a path
+  bool cancelled_ = false;  // and no step has begun since
+  rc_result last_{};        // of the last certified step, with its pressures; none after a path
   Reals last_p_;
   Problem last_problem_{};
 };
