@@ -85,7 +85,7 @@ else
   if full; then
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
   else
-    families="batch errors faults formats inject plugins seam threads options"
+    families="batch errors faults formats honesty options plugins seam threads"
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
   fi
 
@@ -99,6 +99,10 @@ if full; then
   check build clang
   stage "clang-tidy"
   check .ci/tidy.sh build-asan
+  stage "fuzzing, a minute each"
+  verify fuzz "" -L full
+  stage "mutants of the certificate and the bounds"
+  check scripts/mutants.py build-gcc --jobs "$(nproc)"
 fi
 
 took
