@@ -106,7 +106,7 @@ class Operator {
     state() = State{};
     state().memory_limit = memory_limit;
     const rc_operator_spec spec = {sizeof(rc_operator_spec), &system_, system_.op == RC_OPERATOR_HALFSPACE ? "stand-in" : "",
-                                   nullptr, nullptr};
+                                   nullptr, nullptr, nullptr};
     created_ = backend().create(&host(), &spec, &self_);
   }
   ~Operator() {

@@ -44,7 +44,7 @@ struct Walk {
 
 void every_failed_allocation_is_reported(void**) {
   const rc_system system = stand_in::half_space(nx, ny);
-  const rc_operator_spec spec = {sizeof(rc_operator_spec), &system, "stand-in", nullptr, nullptr};
+  const rc_operator_spec spec = {sizeof(rc_operator_spec), &system, "stand-in", nullptr, nullptr, nullptr};
   Walk walk;
   long reported = 0;
   for (long k = 0;; ++k) {
