@@ -36,7 +36,7 @@ Count count_failures(const std::string& kernel, std::int64_t side, std::int64_t 
     if (!wrong) continue;
     ++count.failures;
     check(found.result.kkt_dual > 1e-10, "the overlap is not in the certificate");
-    check(std::string(found.result.note).starts_with("greedy:"), "no note says what is wrong");
+    check(std::string(found.result.note).find("greedy:") != std::string::npos, "no note says what is wrong");
   }
   return count;
 }

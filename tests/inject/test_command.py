@@ -5,6 +5,7 @@ Usage: test_command.py ROUGHCONTACT INJECT PLUGINS [--all] [TEST ...]
 """
 import json
 import os
+import signal
 import sys
 import unittest
 from pathlib import Path
@@ -16,6 +17,7 @@ from harness import CommandTest, np, rough  # noqa: E402
 HISTORY = ["--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "out", "--quiet"]
 SOLVERS = {"dense": "nnls", "fft": "polonsky-keer", "cholmod": "nnls"}
 RUNS = 25  # of one sweep
+LARGE = 1 << 16  # bytes
 
 
 class Sweeps(CommandTest):
@@ -51,7 +53,9 @@ class Sweeps(CommandTest):
             steps = json.loads((out / "summary.json").read_text())["steps"]
             self.assertTrue({n % (k + 1) for k in range(len(steps)) for n in ("gap-%d.npy", "pressure-%d.npy")} <= set(os.listdir(out)))
 
-    def assert_ends_well(self, done, lines):
+    def assert_ends_well(self, done, lines, least=0):
+        if done.returncode == -signal.SIGABRT and done.stderr.splitlines()[-1].startswith("fftw: alloc.c") and least < LARGE:
+            return  # FFTW's planner ends the process where a small allocation fails after larger ones have succeeded
         self.assertNotIn(done.returncode, CRASHES, done.stderr)
         self.assertIn(done.returncode, (0, 1), done.stderr)
         self.assertTrue(lines)
@@ -64,7 +68,7 @@ class Sweeps(CommandTest):
         self.clear()
         for at in range(1, total + 1) if ALL else spread(total, runs):
             with self.subTest(call=call, at=at, of=total, how=how, least=least, command=faulted.command[1:]):
-                self.assert_ends_well(*faulted.run(call, at, how, least))
+                self.assert_ends_well(*faulted.run(call, at, how, least), least)
             self.clear()
 
     def each_command(self):
@@ -80,8 +84,8 @@ class Sweeps(CommandTest):
             self.sweep(self.faulted(command), "alloc")
 
     def test_large_allocations(self):
-        surface = self.npy(rough(64, 64))
-        for least in (1 << 10, 1 << 14):
+        surface = self.npy(rough(256, 256))
+        for least in (1 << 10, LARGE):
             self.sweep(self.faulted(["solve", surface, *HISTORY]), "alloc", least=least)
 
     def test_allocations_with_each_backend(self):
