@@ -246,7 +246,7 @@ class Proof {
     for (std::size_t i = 0; i < given_.size(); ++i) {
       may += may_carry(i);
       if (!may_carry(i) || distance_to_surface(i) > reach) continue;
-      ++(given_[i] > 0 && p(i) > margin ? contacts : undecided);
+      ++(p(i) > margin ? contacts : undecided);
     }
     if (!all_listed() && !(reach < answer_.beyond)) undecided += candidates_.n - may;
     result.proven_contacts = contacts;

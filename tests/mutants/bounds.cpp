@@ -167,6 +167,9 @@ void near_the_mean_plane(Figures& figures) {
       small.press(small.surface().mean_height() - below, off, 2);
       const std::string name = "mean/" + std::to_string(below * 1e6) + "/" + std::to_string(off * 1e6);
       put(figures, name, small);
+      Small stray = small;
+      stray.answer.pressures.p[5] = stray.answer.pressures.p[20] = 1e-3 * off;
+      put(figures, name + "/stray", stray);
       for (double& h : small.gap) h += 3e7;
       put(figures, name + "/far_datum", small);
     }
