@@ -37,6 +37,7 @@ SOURCES = {
         "Contact::certify_given",
     ),
 }
+TRAPS = ("-fsanitize=bounds", "-fsanitize-undefined-trap-on-error")  # places beyond the end of an array
 TIMEOUT = 20  # seconds: a mutant that never ends is found, too
 
 OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
@@ -156,7 +157,7 @@ class Workshop:
         self.folder = build / "mutants"
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir()
-        self.compiler = [os.environ.get("CXX", "g++"), "-std=c++20", "-w", f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}", f"-I{TESTS}"]
+        self.compiler = [os.environ.get("CXX", "g++"), "-std=c++20", "-w", *TRAPS, f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}", f"-I{TESTS}"]
         self.library = build / "lib/libroughcontact.a"
         if not self.library.exists():
             sys.exit(f"{self.library} is missing: build it first")

@@ -209,6 +209,9 @@ void unlisted_points(Figures& figures) {
         small.gap[45] = 50;
         put(figures, name + "/high", small);
         small.gap[45] = small.gap[44];
+        small.compression = 20;
+        put(figures, name + "/all_below", small);
+        small.compression = 0.35;
       }
 }
 

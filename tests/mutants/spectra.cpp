@@ -35,6 +35,22 @@ void figures_of_spectra(Figures& figures) {
       small.make_dense(weakest);
       put("matrix" + std::to_string(weakest) + "/" + std::to_string(n), small);
     }
+  Small rows(3, 2);
+  rows.make_dense(0.3);
+  put("rows", rows);
+  Small singular(2, 1);
+  singular.make_dense(0);
+  singular.matrix = {1, 1, 1, 1};
+  singular.given.dense = singular.matrix.data();
+  put("singular", singular);
+  // Inverse iteration begins on the eigenvector (1, -1/2) and does not see the smaller eigenvalue of (1, 2).
+  for (const double smaller : {0.95, 0.7, 0.55}) {
+    Small unseen(2, 1);
+    unseen.make_dense(1);
+    unseen.matrix = {smaller + 4, 2 * smaller - 2, 2 * smaller - 2, 4 * smaller + 1};
+    unseen.given.dense = unseen.matrix.data();
+    put("unseen" + std::to_string(smaller), unseen);
+  }
   // Rows of the matrix further apart, and an eigenvector that alternates.
   Small strided(4, 1);
   strided.matrix.assign(4 * 6, 0.0);
