@@ -22,8 +22,8 @@ namespace {
 
 using namespace options;
 
-constexpr rlim_t most_memory = rlim_t{2} << 30;  // of address space [bytes]
-constexpr int most_seconds = 10;                 // of processor time for one value: solves that take milliseconds
+[[maybe_unused]] constexpr rlim_t most_memory = rlim_t{2} << 30;  // of address space [bytes]
+constexpr int most_seconds = 10;  // of processor time for one value: solves that take milliseconds
 const char* program = nullptr;
 
 struct Case {
