@@ -105,8 +105,8 @@ class Operator {
   explicit Operator(const rc_system& system, double memory_limit = 8192.0) : system_(system) {
     state() = State{};
     state().memory_limit = memory_limit;
-    const rc_operator_spec spec = {sizeof(rc_operator_spec), &system_, system_.op == RC_OPERATOR_HALFSPACE ? "stand-in" : "",
-                                   nullptr, nullptr, nullptr};
+    const rc_operator_spec spec = {
+        sizeof(rc_operator_spec), &system_, system_.op == RC_OPERATOR_HALFSPACE ? "stand-in" : "", nullptr, nullptr, nullptr};
     created_ = backend().create(&host(), &spec, &self_);
   }
   ~Operator() {
