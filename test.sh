@@ -109,7 +109,7 @@ took
 echo
 cat "$times"
 echo "slowest:"
-cat build-*/ctest-*.log | sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec$|\2 s  \1|p' | sort -rn | head -10
+cat build-*/ctest-*.log | sed -nE 's|^ *[0-9]+/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec$|\2 s  \1|p' | sort -rn | sed -n 1,10p
 echo
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed = 0 ]
