@@ -17,9 +17,9 @@
  * calling thread is rc_last_error(). The library never prints, exits, aborts, throws across this interface or
  * installs a signal handler. The caller owns every array; the library keeps none beyond what is stated.
  *
- * fork(): no thread of the library's or its backends' stays after a call but those of contacts with option threads above 1. So a
- * child can make contacts and solve whatever its parent has solved; it leaves the parent's contacts alone, and a fork in one
- * thread while another one is inside the library leaves the child none of it. Programs linked with -static have no plugins.
+ * fork(): after a call only contacts with option threads above 1 keep threads, and OpenBLAS where it serves the backend cholmod
+ * (docs/errors.md). A child may make contacts of its own; it must not use its parent's. It must not use the library at all if
+ * another thread of the parent was inside it at the fork. Programs linked with -static have no plugins.
  *
  * Sized structs: set struct_size to sizeof(the struct) (the RC_..._INIT macros and rc_..._init functions do).
  * A smaller struct from an older header is accepted, a larger one from a newer header if the part unknown to
@@ -172,17 +172,17 @@ typedef struct rc_result {
   double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger    */
   int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or with RC_WITHIN_GOAL those of a
                           coarser one whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer
-                          after a few steps of a solve of the whole grid, p >= 0, in load control times what makes the
-                          load that asked for, and displacement the approach at which the mean of the gap, weighted by p,
-                          vanishes. All else is what p has on the whole grid, the kkt_* residuals, too, which then exceed
-                          the tolerance; but stiffness, solver, backend and tolerance are the coarser grid's.
+                          after a few steps of a solve of the whole grid, p >= 0. Under load control p is scaled to the load
+                          asked for, and displacement is an estimate: the approach at which the mean of the gap, weighted
+                          by p, vanishes. All else is computed from p on the whole grid. So are the kkt_* residuals, which
+                          then exceed the tolerance. Stiffness, solver, backend and tolerance are the coarser grid's.
                           A stop among coarser grids gives the last that was solved: all points of a block have its
                           pressure (so that the load is kept where a block is cut by the grid's end or the mask) and its
                           gap (infinite: all masked); contacts, area, load are those of p, the rest the coarser grid's */
   double error_estimate; /* with accuracy: estimated relative error of what it is of, against the answer on the
                           whole grid; 0 on it; NaN without accuracy, and where a coarser grid was stopped at    */
   double left_out;     /* rms of gap less its block's mean, over the points in contact [length]; 0 on the whole grid */
-  double area_estimate; /* as error_estimate, of contact_area, whatever accuracy is of: a goal of the load does not hold it */
+  double area_estimate; /* as error_estimate, of contact_area; a goal of the load does not bound it */
 } rc_result;
 
 /** A solution on a coarser grid that a multilevel solver left behind. The caller sets struct_size and p. */
