@@ -24,11 +24,11 @@ TESTS = ROOT / "tests/mutants"
 ALL = None  # every line of the file
 # Of finish.cpp, what certifies.
 SOURCES = {
-    "src/contact/certificate.cpp": ALL,
-    "src/contact/bounds.cpp": ALL,
-    "src/contact/spectrum.cpp": ALL,
+    "src/contact/proof/certificate.cpp": ALL,
+    "src/contact/proof/bounds.cpp": ALL,
+    "src/contact/proof/spectrum.cpp": ALL,
     "src/kernel/lowest_eigenvalue.cpp": ALL,
-    "src/contact/finish.cpp": (
+    "src/contact/step/certified_result.cpp": (
         "Contact::residual_scale",
         "Contact::certify_and_fill",
         "Contact::write_gap",

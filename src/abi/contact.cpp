@@ -2,6 +2,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
+#include "contact/history/path.h"
 
 namespace {
 
@@ -73,7 +74,7 @@ rc_status rc_contact_solve(rc_contact* contact, const rc_step* step, rc_result* 
 
 rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result* result) {
   return exclusively("rc_contact_certify", contact, [&](Contact& c) {
-    return with_step(c, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.certify_given(s, r); });
+    return with_step(c, step, result, [](Contact& each, const rc_step& s, rc_result& r) { return each.certify(s, r); });
   });
 }
 
@@ -81,7 +82,7 @@ rc_status rc_contact_solve_path(rc_contact* contact, rc_path* path) {
   return exclusively("rc_contact_solve_path", contact, [&](Contact& c) {
     const rc_path today = read<rc_path>(path, "rc_path", RC_PATH_INIT);
     path->completed = 0;
-    return c.solve_path(today, path->completed);
+    return solve_path(c, today, path->completed);
   });
 }
 
@@ -89,7 +90,7 @@ rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
   return exclusively("rc_contact_level", contact, [&](Contact& c) {
     rc_level level{};
     level = read(out, "rc_level", level);
-    c.level(i, level);
+    c.work().solver_grids.describe(i, level);
     write(out, level);
     return RC_OK;
   });
@@ -99,7 +100,7 @@ rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, d
   return exclusively("rc_contact_points", contact, [&](Contact& c) {
     if (!n) fail(RC_ERR_ARGUMENT, "n is null");
     if (room < 0) fail(RC_ERR_ARGUMENT, "room = ", room, " must be >= 0");
-    *n = c.contact_points(room, index, p);
+    *n = c.memory().contact_points(room, index, p);
     return RC_OK;
   });
 }

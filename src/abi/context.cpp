@@ -4,7 +4,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "contact/selection.h"
+#include "contact/step/auto_choice.h"
 #include "kernel/kernel.h"
 
 namespace {

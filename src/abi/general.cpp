@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "contact/bounds.h"
+#include "contact/proof/bounds.h"
 #include "core/error.h"
 
 namespace {

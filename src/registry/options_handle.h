@@ -13,4 +13,5 @@ struct rc_options {
   std::int64_t integer(std::string_view key) const { return values.integer(context->option(key)); }
   double real(std::string_view key) const { return values.real(context->option(key)); }
   const std::string& text(std::string_view key) const { return values.text(context->option(key)); }
+  void set(std::string_view key, const rc::OptionValue& value) { values.set(context->option(key), value); }
 };

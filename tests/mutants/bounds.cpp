@@ -1,4 +1,4 @@
-#include "contact/bounds.h"
+#include "contact/proof/bounds.h"
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@ namespace {
 
 void put(Figures& figures, const std::string& name, const Small& small) {
   const rc::System system = small.system();
-  const rc::SurfaceState surface = small.surface();
+  const rc::StepSurface surface = small.surface();
   const rc::Bounds bounds = prove_bounds(system, spectrum_of(system), surface, small.compression, small.answer);
   figures.section(name);
   figures.exact("gap", bounds.duality_gap);

@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "contact/certificate.h"
+#include "contact/proof/certificate.h"
 #include "known_answers.h"
 #include "problems.h"
 

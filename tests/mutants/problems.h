@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/pressures.h"
-#include "contact/surface_state.h"
+#include "contact/step_surface.h"
 #include "contact/system.h"
 #include "core/team.h"
 
@@ -38,9 +38,9 @@ struct Small {
   Small(std::int64_t nx, std::int64_t ny);
   std::size_t points() const { return gap.size(); }
   rc::System system() const { return rc::checked_system(given, kernel, true); }
-  rc::SurfaceState surface() const {
+  rc::StepSurface surface() const {
     static const rc::Team team(1);
-    return rc::SurfaceState({given.nx, given.ny, gap, mask, true}, team);
+    return rc::StepSurface({given.nx, given.ny, gap, mask, true}, team);
   }
   // Pressures on the points below the compression, and a product that leaves gaps of the size `off` of the compression there.
   void press(double depth, double off, std::uint64_t seed);

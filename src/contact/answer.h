@@ -1,0 +1,41 @@
+// What a step finds before it is certified, and what it may start from.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "contact/pressures.h"
+#include "contact/step/auto_choice.h"
+#include "operator/operator.h"
+
+namespace rc {
+
+// A solution on a trial set, before it is certified.
+struct Answer {
+  rc_status status = RC_OK;
+  Choice choice;
+  Operator* op = nullptr;                                   // bound to the trial set
+  std::vector<double> p;                                    // on the trial set, dimensionless
+  double length_unit = 1;                                   // [length]
+  double pressure_unit = 1;                                 // [force/length^2]
+  double compression = 0;                                   // [length] approach less the lowest gap
+  double limit = -std::numeric_limits<double>::infinity();  // [length] the trial set holds every point of a smaller height
+  std::optional<Deflected> checked;                         // H p over all points, where the operator screened them
+  bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
+  double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
+
+  Pressures pressures() const {
+    Pressures result{op->trial(), p};
+    for (double& value : result.p) value *= pressure_unit;
+    return result;
+  }
+};
+
+// What a coarser grid or an earlier step tells of a solution.
+struct Estimate {
+  Pressures pressures;  // of the points that carry some
+  double approach = 0;  // [length]
+};
+
+}  // namespace rc

@@ -1,0 +1,120 @@
+#include "contact/grid_contact.h"
+
+#include <cmath>
+#include <utility>
+
+#include "contact/step/certified_result.h"
+#include "contact/step/solve_step.h"
+#include "contact/step/target.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+const Monitor& monitor_of(void* user) { return *static_cast<const Monitor*>(user); }
+
+std::int32_t ask(const rc_progress*, void* monitor) { return monitor_of(monitor).ask() != RC_OK; }
+
+std::int32_t pass_on(const rc_progress* progress, void* monitor) {
+  return monitor_of(monitor).ask() != RC_OK || monitor_of(monitor).report(*progress) != 0;
+}
+
+// The surface as this step describes it; nothing where it is that of the step before.
+std::optional<StepSurface> given_surface(const rc_step& step, const Workspace& work) {
+  const auto n = static_cast<std::size_t>(work.system.points());
+  if (!step.gap && work.surface.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");
+  if (!step.gap && !step.mask) return std::nullopt;
+  const rc_system& system = work.system.given;
+  GivenSurface given{system.nx, system.ny, work.surface.gap(), {step.mask, step.mask ? n : 0}, false};
+  if (step.gap) given.gap = {step.gap, n};
+  given.borrowed = step.gap && step.borrow != 0;
+  return StepSurface(given, work.team());
+}
+
+}  // namespace
+
+void GridContact::watched_by(const Monitor& monitor, bool report) {
+  progress_ = {report ? pass_on : ask, const_cast<Monitor*>(&monitor), 1};
+}
+
+Monitor GridContact::monitor() const {
+  return {cancelled_, progress_, work_.options.real(RC_OPT_TIME_LIMIT), work_.options.integer(RC_OPT_MAX_ITER)};
+}
+
+void GridContact::begin(const rc_step& step) {
+  std::optional<StepSurface> given = given_surface(step, work_);
+  check_target(step, work_, given ? *given : work_.surface);
+  if (given) adopt(std::move(*given));
+  if (work_.options.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
+  work_.solver_grids.begin_step();
+  work_.record = {};
+  work_.record.warm = step.warm_start != 0;
+  work_.record.applications_before = work_.applications();
+}
+
+rc_status GridContact::solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer) {
+  Finished finished = nothing_touches(step, work_) ? certified_result(work_, step, {}, monitor, result)
+                                                   : solve_step(work_, memory_, step, monitor, result, std::move(nearer));
+  if (finished.status == RC_OK) remember(std::move(finished), result);
+  return result.status;
+}
+
+rc_status GridContact::solve(const rc_step& step, rc_result& result) {
+  begin(step);
+  Monitor watch = monitor();
+  return solve_begun(step, watch, result);
+}
+
+rc_status GridContact::certify(const rc_step& step, rc_result& result) {
+  if (!result.p) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
+  const StepSurface& last = work_.surface;
+  for (std::int64_t k = 0; k < work_.system.points(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!std::isfinite(result.p[i])) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " is not finite");
+    if (result.p[i] != 0 && (step.mask ? step.mask[i] == 0 : !step.gap && !last.empty() && !last.included(i)))
+      fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " but this point is excluded by the mask");
+  }
+  begin(step);
+  return certify_given(work_, step, Monitor(cancelled_, {}, 0, 1), result);
+}
+
+void GridContact::remember(Finished&& finished, const rc_result& result) {
+  memory_.record({std::move(finished.pressures), result.displacement, result.load, true});
+}
+
+void GridContact::adopt(StepSurface&& given) {
+  const bool same = !work_.surface.empty() && given.equals(work_.surface, work_.team());
+  memory_.surface_is(same);
+  if (!same) {
+    work_.facts.tilt.reset();
+    ++surfaces_;
+  }
+  work_.surface = std::move(given);
+}
+
+void GridContact::reset() {
+  work_.surface.clear();
+  memory_ = {};
+  work_.solver_grids.clear();
+  work_.forget_operators();
+}
+
+void GridContact::forget_operators() {
+  work_.forget_operators();
+  work_.solver_grids.forget();
+}
+
+void GridContact::forget() {
+  forget_operators();
+  work_.surface.clear();
+  memory_ = {};
+}
+
+void GridContact::restore(Memory&& memory, StepSurface&& surface) {
+  forget();
+  adopt(std::move(surface));
+  memory_ = std::move(memory);
+}
+
+}  // namespace rc

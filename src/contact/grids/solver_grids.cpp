@@ -1,0 +1,86 @@
+#include "contact/grids/solver_grids.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "contact/grid_contact.h"
+#include "contact/grids/grid_pyramid.h"
+#include "contact/step/monitor.h"
+#include "contact/workspace.h"
+#include "core/error.h"
+
+namespace rc {
+
+SolverGrids::SolverGrids() = default;
+SolverGrids::~SolverGrids() = default;
+
+rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Monitor& monitor) {
+  const rc_system system = coarser_system(work.system.given, request.nx, request.ny, request.factor);
+  rc_options options = coarse_options(work.options, monitor);
+  options.set(RC_OPT_SOLVER, std::string(request.solver));
+  options.set(RC_OPT_STIFFNESS, std::int64_t{0});
+  if (request.tol > 0) options.set(RC_OPT_TOL, request.tol);
+
+  Level& level = levels_[system.nx * system.ny];
+  if (level.contact && level.summary.nx == system.nx)
+    level.contact->set_options(options);
+  else
+    level.contact = std::make_unique<GridContact>(system, options, &work.team());
+  level.contact->watched_by(monitor, false);
+
+  rc_step step = RC_STEP_INIT;
+  step.control = request.control;
+  step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
+  step.warm_start = work.record.warm;
+  step.gap = request.gap;
+  step.mask = request.mask;
+  rc_result result{};
+  result.p = request.p;
+  level.current = false;
+  const rc_status status = level.contact->solve(step, result);
+  if (const rc_status stop = monitor.ask(); stop != RC_OK) return stop;
+  request.approach = result.displacement;
+  if (!request.keep) {
+    levels_.erase(system.nx * system.ny);
+    return status;
+  }
+  level.summary = {
+      sizeof(rc_level), nullptr,           status,         0, system.nx, system.ny, system.hx, system.hy, result.displacement,
+      result.load,      result.candidates, result.contacts};
+  level.p.assign(request.p, request.p + system.nx * system.ny);
+  level.current = true;
+  return status;
+}
+
+void SolverGrids::clear() { levels_.clear(); }
+
+std::int64_t SolverGrids::current() const {
+  return std::count_if(levels_.begin(), levels_.end(), [](const auto& entry) { return entry.second.current; });
+}
+
+void SolverGrids::describe(std::int64_t i, rc_level& out) const {
+  const std::int64_t count = current();
+  if (i < 0 || i >= count)
+    fail(RC_ERR_ARGUMENT, "level ", i, " is not in 0 .. ", count - 1, ": the last step left ", count, " coarse solutions");
+  for (const auto& [points, level] : levels_) {
+    if (!level.current || i-- > 0) continue;
+    double* const p = out.p;
+    out = level.summary;
+    out.p = p;
+    if (p) std::copy(level.p.begin(), level.p.end(), p);
+    return;
+  }
+}
+
+void SolverGrids::begin_step() {
+  for (auto& [points, level] : levels_) level.current = false;
+}
+
+void SolverGrids::forget() {
+  for (auto& [points, level] : levels_) {
+    if (level.contact) level.contact->forget();
+    level.current = false;
+  }
+}
+
+}  // namespace rc

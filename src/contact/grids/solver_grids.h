@@ -1,0 +1,42 @@
+// Solutions on coarser grids that a solver asks for: each is a contact of its own, and the next step needs it again.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace rc {
+
+class GridContact;
+class Monitor;
+class Workspace;
+
+class SolverGrids {
+ public:
+  SolverGrids();
+  ~SolverGrids();
+
+  // work: of the finest grid, whose step `monitor` watches.
+  rc_status solve(rc_coarse& request, const Workspace& work, const Monitor& monitor);
+  // Solution i of the current step, the coarsest first. Throws Error(ARGUMENT).
+  void describe(std::int64_t i, rc_level& out) const;
+  std::int64_t current() const;  // how many there are
+
+  void begin_step();  // what there is belongs to an earlier step
+  void forget();      // contacts stay, as new
+  void clear();
+
+ private:
+  struct Level {
+    std::unique_ptr<GridContact> contact;
+    rc_level summary{};
+    std::vector<double> p;
+    bool current = false;  // of this step
+  };
+  std::map<std::int64_t, Level> levels_;  // by number of points
+};
+
+}  // namespace rc

@@ -1,0 +1,246 @@
+// Contact at few of the points: a coarser grid tells where, whole tiles around become the unknowns, and the operator screens all
+// other points, with no product over the grid. What overlaps is added and the step solved again, so the answer is that of all
+// points.
+#include "contact/grids/sparse_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/grid_contact.h"
+#include "contact/grids/grid_pyramid.h"
+#include "contact/step/displacement.h"
+#include "contact/step/load_control.h"
+#include "contact/step/problem_services.h"
+#include "contact/step/target.h"
+#include "contact/step/trial_set.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double coarse_tol = 1e-2;  // of an estimate: more digits are lost when the pressures are spread
+constexpr double halo = 0.02;        // of the depth: tiles that are no further apart under the estimate become unknowns
+constexpr double headroom = 0.1;     // of the depth, by which the approach may exceed its estimate in load control
+constexpr int most_rounds = 8;       // of adding tiles
+constexpr double near = 0.02;        // relative change of the target for which the last step serves as an estimate
+constexpr std::int64_t least_side = 64;
+constexpr std::int64_t compact = 16;  // boxes of one part in so many of the grid are served best by transforms of the box
+
+std::int64_t count_positive(const std::vector<double>& values) {
+  return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
+}
+
+// Keeps `tiles` ascending.
+void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points, const Workspace& work) {
+  const std::int64_t nx = work.system.given.nx;
+  for (const std::int64_t point : points) {
+    const std::int64_t tile = point / nx / StepSurface::tile * work.surface.tiles_x() + point % nx / StepSurface::tile;
+    if (tiles.empty() || tiles.back() != tile) tiles.push_back(tile);
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+}
+
+// The points at which the answer deflects the surface, and those outside that stay apart by less than the margin.
+Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
+  const StepSurface& surface = work.surface;
+  const TrialSet& trial = answer.op->trial();
+  Deflected result;
+  std::vector<double> y(answer.p.size()), depth;
+  std::vector<std::int64_t> found;
+  rc_screen request{};
+  request.struct_size = sizeof request;
+  request.approach = surface.limit_of(compression + margin);
+  request.gap = surface.gap().data();
+  request.mask = surface.mask();
+  request.tile_lowest = surface.tile_lowest().data();
+  request.y = y.data();
+  request.room = std::max<std::int64_t>(1 << 16, 4 * trial.n);
+  for (;;) {
+    found.resize(static_cast<std::size_t>(request.room));
+    depth.resize(found.size());
+    request.found = found.data();
+    request.depth = depth.data();
+    request.unit = answer.length_unit;
+    answer.op->screen(answer.p, request);
+    if (request.n_found <= request.room) break;
+    request.room = request.n_found;
+  }
+  std::vector<std::size_t> order(static_cast<std::size_t>(request.n_found));
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return found[a] < found[b]; });
+
+  const std::size_t n = y.size() + order.size();
+  result.pressures.on.n = static_cast<std::int64_t>(n);
+  result.pressures.on.index.reserve(n);
+  result.pressures.p.reserve(n);
+  result.product.reserve(n);
+  const auto put = [&](std::int64_t point, double p, double product) {
+    result.pressures.on.index.push_back(point);
+    result.pressures.p.push_back(p);
+    result.product.push_back(product);
+  };
+  std::size_t next = 0;
+  const auto put_found_below = [&](std::int64_t limit) {
+    for (; next < order.size() && found[order[next]] < limit; ++next) {
+      const std::int64_t point = found[order[next]];
+      // As the backend took it, so that the approach and its round-off drop out.
+      put(point, 0, request.approach - surface.gap()[static_cast<std::size_t>(point)] - depth[order[next]]);
+    }
+  };
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const std::int64_t point = trial.point(static_cast<std::int64_t>(i));
+    put_found_below(point);
+    put(point, answer.p[i] * answer.pressure_unit, y[i] * answer.length_unit);
+  }
+  put_found_below(work.system.points());
+  if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
+  result.beyond = request.approach - surface.lowest() - compression;
+  return result;
+}
+
+// Unknowns around an estimated contact that lies in a small part of the grid: every point that the approach can reach.
+TrialSet reachable(const Workspace& work, const Estimate& estimate, double limit) {
+  const std::int64_t box = work.surface.extent_below(limit).box();
+  return estimate.pressures.empty() || compact * box > work.system.points() ? TrialSet{} : work.surface.below(limit);
+}
+
+// Tiles that carry pressure or overlap under an estimate.
+std::vector<std::int64_t> tiles_under(Workspace& work, const Estimate& estimate, const Choice& choice) {
+  Answer guess;
+  guess.choice = choice;
+  guess.length_unit = estimate.approach - work.surface.lowest();
+  guess.pressure_unit = guess.length_unit / work.system.length_per_pressure;
+  guess.op = &work.bound_operator(*choice.backend, estimate.pressures.on);
+  guess.p = estimate.pressures.p;
+  for (double& value : guess.p) value /= guess.pressure_unit;
+  std::vector<std::int64_t> tiles;
+  add_tiles(tiles, screened(work, guess, guess.length_unit, halo * guess.length_unit).on().index, work);
+  return tiles;
+}
+
+// What overlaps by more than the certificate allows at points without pressure.
+std::vector<std::int64_t> overlapping(const Workspace& work, const Deflected& found, double compression) {
+  const double allowed = 0.9 * work.options.real(RC_OPT_TOL) * compression;
+  std::vector<std::int64_t> points;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (!(found.p()[k] > 0) && found.product[k] - (compression - work.surface.height(found.point(k))) < -allowed)
+      points.push_back(static_cast<std::int64_t>(found.point(k)));
+  return points;
+}
+
+std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_step& step, const Choice& choice, Estimate estimate,
+                                Monitor& monitor) {
+  const StepSurface& surface = work.surface;
+  const System& system = work.system;
+  const bool by_load = step.control == RC_CONTROL_LOAD;
+  const double lowest = surface.lowest(), load = step.target / system.cell_area();
+  std::vector<std::int64_t> tiles;
+  for (int round = 0;; ++round) {
+    const double depth = estimate.approach - lowest;
+    if (!(depth > 0) || estimate.pressures.empty()) return std::nullopt;
+    const double limit = by_load ? estimate.approach + headroom * depth : step.target;
+    TrialSet trial = reachable(work, estimate, limit);
+    const bool whole = trial.n > 0;
+    if (!whole && round == 0) tiles = tiles_under(work, estimate, choice);
+    if (!whole) trial = surface.below(limit, tiles);
+    if (trial.n == 0) return std::nullopt;
+    Answer answer;
+    if (whole) {
+      answer.choice = choose_for(trial, step.control, work);
+      if (by_load && !(answer.choice.solver->controls & RC_CONTROL_LOAD)) return std::nullopt;
+      answer.limit = limit - lowest;
+      trial = widened(std::move(trial), answer.choice, work);
+    } else {
+      answer.choice = work.record.choice = choice;
+    }
+    answer.length_unit = depth;
+    answer.pressure_unit = depth / system.length_per_pressure;
+    answer.op = &work.bound_operator(*answer.choice.backend, trial);
+    answer.p = memory.start(step, trial, answer.pressure_unit, &estimate.pressures);
+    const double datum = by_load ? lowest : step.target;
+    const std::vector<double> u = compenetrations(answer, datum, work);
+    double d = by_load ? 1 : 0;
+    const double wanted = by_load ? load / answer.pressure_unit : 0;
+    answer.status = solver_run(work, answer, monitor)(step.control, u, wanted, solver_tol(work), datum, answer.p, d);
+    answer.compression = by_load ? d * depth : compression_of(step, work);
+    if (!std::isfinite(answer.compression)) return std::nullopt;
+
+    estimate = {answer.pressures(), by_load ? lowest + answer.compression : step.target};
+    const bool last = answer.status != RC_OK || round == most_rounds;
+    if (whole) {
+      if (last || answer.compression <= limit - lowest) return answer;
+      continue;
+    }
+    const double contacts = static_cast<double>(count_positive(answer.p));
+    const double margin = std::min(halo, 30 * work.options.real(RC_OPT_TOL) * std::sqrt(contacts)) * depth;
+    Deflected all = screened(work, answer, answer.compression, margin);
+    const std::vector<std::int64_t> more = overlapping(work, all, answer.compression);
+    const std::size_t before = tiles.size();
+    add_tiles(tiles, more, work);
+    // Points of the tiles that a larger approach reaches are unknowns of the next round.
+    const bool new_unknowns = tiles.size() > before || answer.compression > limit - lowest;
+    if (more.empty() || last || !new_unknowns) {
+      answer.checked = std::move(all);
+      return answer;
+    }
+  }
+}
+
+std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep& last, const rc_step& step) {
+  if (!step.warm_start || last.pressures.empty() || !last.same_gap) return std::nullopt;
+  const bool by_load = step.control == RC_CONTROL_LOAD;
+  const double before = by_load ? last.load : last.approach - work.surface.lowest();
+  const double now = by_load ? step.target : step.target - work.surface.lowest();
+  if (!(std::abs(now - before) <= near * before)) return std::nullopt;
+  Estimate estimate{last.pressures.positive(), by_load ? last.approach : step.target};
+  if (!few(estimate.pressures.on.n, work.system.points())) return std::nullopt;
+  return estimate;
+}
+
+// From a grid of half as many points a side, which has its own from a coarser one where it is large itself.
+std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor) {
+  const rc_system& system = work.system.given;
+  if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
+  rc_options options = coarse_options(work.options, monitor);
+  options.set(RC_OPT_TOL, std::max(coarse_tol, work.options.real(RC_OPT_TOL)));
+  const HalvedGrid grid(work, options);
+  Workspace& half = grid.contact().work();
+  rc_step at = RC_STEP_INIT;
+  at.control = step.control;
+  at.target = step.target;
+  if (nothing_touches(at, half)) return std::nullopt;
+
+  Monitor watch = monitor.silent();
+  std::optional<Answer> answer;
+  if (const auto choice = choose_for_few(options, half.system, at.control, {})) {
+    std::optional<Estimate> estimate = coarse_estimate(half, at, monitor);
+    if (!estimate) return std::nullopt;
+    answer = solve_few(half, {}, at, *choice, std::move(*estimate), watch);
+    if (!answer) return std::nullopt;
+  } else {
+    answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, coarse_estimate(half, at, monitor))
+                                           : at_displacement(half, {}, at, watch);
+  }
+  if (!few(count_positive(answer->p), half.system.points())) return std::nullopt;
+  const Blocks blocks{system.nx, system.ny, 2};
+  return Estimate{spread(answer->pressures(), blocks, work.surface, Cut::same_pressure),
+                  half.surface.lowest() + answer->compression};
+}
+
+}  // namespace
+
+std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                                     std::optional<Estimate> estimate) {
+  if (step.p0) return std::nullopt;
+  const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control, work.record.failed);
+  if (!choice) return std::nullopt;
+  if (estimate && !few(count_positive(estimate->pressures.p), work.system.points())) return std::nullopt;
+  if (!estimate) estimate = last_estimate(work, memory.last, step);
+  if (!estimate) estimate = coarse_estimate(work, step, monitor);
+  if (!estimate) return std::nullopt;
+  return solve_few(work, memory, step, *choice, std::move(*estimate), monitor);
+}
+}  // namespace rc

@@ -1,0 +1,17 @@
+// Steps whose contact is far sparser than the grid.
+#pragma once
+
+#include <optional>
+
+#include "contact/answer.h"
+#include "contact/memory.h"
+#include "contact/step/monitor.h"
+#include "contact/workspace.h"
+
+namespace rc {
+
+// Nothing where contact is not sparse, or the options leave no backend that screens. estimate: what a coarser grid tells.
+std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                                     std::optional<Estimate> estimate);
+
+}  // namespace rc

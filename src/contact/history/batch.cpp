@@ -1,0 +1,325 @@
+#include "contact/history/batch.h"
+
+#include <cxxabi.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "contact/contact.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_text = 640;
+constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(double));
+
+// The distance from one contact's values to the next one's.
+std::int64_t resolved_stride(std::int64_t stride, std::int64_t values, std::int64_t n, const char* name, const char* least) {
+  if (stride == RC_BATCH_SHARED) return 0;
+  if (stride != 0 && stride < values)
+    fail(RC_ERR_SHAPE, "rc_batch.", name, " = ", stride, " must be 0, RC_BATCH_SHARED (-1) or at least ", least, " = ", values);
+  const std::int64_t result = std::max(stride, values);
+  if (result > 0 && n > most / result)
+    fail(RC_ERR_SHAPE, "rc_batch: n = ", n, " contacts of ", result, " values are more than ", most, " values");
+  return result;
+}
+
+// The batch with its strides resolved, and where its outputs go.
+struct Request {
+  rc_batch given;
+  std::int64_t points;
+
+  Request(const rc_batch& batch, std::int64_t n_points) : given(batch), points(n_points) {
+    if (given.n < 0) fail(RC_ERR_ARGUMENT, "rc_batch.n = ", given.n, " must be >= 0");
+    if (given.steps < 0) fail(RC_ERR_ARGUMENT, "rc_batch.steps = ", given.steps, " must be >= 0");
+    if (given.control != RC_CONTROL_DISPLACEMENT && given.control != RC_CONTROL_LOAD)
+      fail(RC_ERR_ARGUMENT, "rc_batch.control = ", given.control,
+           " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+    given.target_stride = resolved_stride(given.target_stride, given.steps, given.n, "target_stride", "steps");
+    given.gap_stride = resolved_stride(given.gap_stride, points, given.n, "gap_stride", "nx*ny");
+    given.mask_stride = resolved_stride(given.mask_stride, points, given.n, "mask_stride", "nx*ny");
+    if (given.n == 0 || given.steps == 0) return;
+    if (given.n > most / std::max(given.steps, points))
+      fail(RC_ERR_SHAPE, "rc_batch: n = ", given.n, " contacts of ", std::max(given.steps, points), " values are more than ",
+           most, " values");
+    if (!given.targets) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
+    if (!given.gap) fail(RC_ERR_ARGUMENT, "rc_batch.gap is null but n = ", given.n);
+  }
+
+  double target(std::int64_t i, std::int64_t k) const { return given.targets[i * given.target_stride + k]; }
+
+  rc_step step(std::int64_t i, std::int64_t k) const {
+    rc_step step = RC_STEP_INIT;
+    step.control = given.control;
+    step.warm_start = given.warm_start;
+    step.target = target(i, k);
+    if (k > 0) return step;  // later steps find the surface as this one left it
+    step.gap = given.gap + i * given.gap_stride;
+    step.mask = given.mask ? given.mask + i * given.mask_stride : nullptr;
+    step.borrow = 1;  // the caller's arrays outlive the contacts
+    step.p0 = given.p0 ? given.p0 + i * points : nullptr;
+    return step;
+  }
+  double* pressures(std::int64_t i) const { return given.p ? given.p + i * points : nullptr; }
+
+  void write(std::int64_t i, std::int64_t k, const rc_result& result) const {
+    const std::int64_t at = i * given.steps + k;
+    put(given.load, at, result.load);
+    put(given.displacement, at, result.displacement);
+    put(given.contact_area, at, result.contact_area);
+    put(given.stiffness, at, result.stiffness);
+    put(given.certificate, at, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
+    put(given.status, at, result.status);
+    put(given.iterations, at, result.iterations);
+    put(given.applications, at, result.applications);
+  }
+  // Steps from `k` on have no answer.
+  void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
+    rc_result none{};
+    none.status = status;
+    none.load = none.displacement = none.contact_area = none.stiffness = nan;
+    none.kkt_primal = nan;  // the first of a maximum that compares false with all others
+    none.iterations = none.applications = -1;
+    for (; k < given.steps; ++k) write(i, k, none);
+  }
+
+ private:
+  template <class Number> static void put(Number* to, std::int64_t at, Number value) {
+    if (to) to[at] = value;
+  }
+};
+
+// What the threads share: the next contact, why the batch ends early, and whose message the call returns.
+class Progress {
+ public:
+  Progress(std::int64_t n, double time_limit)
+      : endings_(static_cast<std::size_t>(n), RC_OK),
+        time_limit_(time_limit),
+        out_of_time_(join("time_limit = ", time_limit, " s is over")) {}
+
+  std::int64_t next() { return next_.fetch_add(1, std::memory_order_relaxed); }
+
+  rc_status stopped() {
+    if (time_limit_ > 0 && seconds_since(start_) > time_limit_) stop(RC_STOP_TIME);
+    return stop_.load(std::memory_order_relaxed);
+  }
+  void stop(rc_status why) {
+    rc_status none = RC_OK;
+    stop_.compare_exchange_strong(none, why, std::memory_order_relaxed);
+  }
+  const char* why_stopped() const { return stop_ == RC_STOP_TIME ? out_of_time_.c_str() : "rc_batch.fn ended the batch"; }
+
+  // Contact i, which is one thread's, ended at step k. Free of allocations: it may be one that failed.
+  void ended(std::int64_t i, std::int64_t k, double target, rc_status status, const char* message) {
+    endings_[static_cast<std::size_t>(i)] = status;
+    const std::lock_guard lock(mutex_);
+    const bool worse = first_ < 0 || (status < 0) > (first_status_ < 0);
+    if (!worse && ((status < 0) < (first_status_ < 0) || i > first_)) return;
+    first_ = i;
+    first_step_ = k;
+    first_target_ = target;
+    first_status_ = status;
+    std::snprintf(first_message_, sizeof first_message_, "%s", message);
+  }
+
+  // Contact i, every step of which is certified, on a coarser grid where its goal of accuracy allowed that.
+  void ended_within_goal(std::int64_t i) { endings_[static_cast<std::size_t>(i)] = RC_WITHIN_GOAL; }
+
+  // When all threads have ended.
+  BatchOutcome outcome() const {
+    BatchOutcome result;
+    std::map<rc_status, std::int64_t> counts;
+    for (const rc_status status : endings_) ++counts[status];
+    result.certified = counts[RC_OK];
+    counts.erase(RC_OK);
+    const auto n = static_cast<std::int64_t>(endings_.size());
+    if (first_ < 0) {
+      const std::int64_t within_goal = n - result.certified;
+      result.status = stop_ != RC_OK || within_goal == 0 ? stop_.load() : RC_WITHIN_GOAL;
+      if (stop_ != RC_OK)
+        result.message = join(why_stopped(), "; ", within_goal > 0 ? "" : "all ", result.certified, " contacts are certified");
+      if (within_goal > 0)
+        result.message +=
+            join(result.message.empty() ? "" : ", ", within_goal, " of ", n, " contacts within accuracy on coarser grids");
+      return result;
+    }
+    result.status = first_status_;
+    result.first = first_;
+    std::string list;
+    for (const auto& [status, count] : counts) list += join(list.empty() ? "" : ", ", count, " ", rc_status_name(status));
+    result.message = join(n - result.certified, " of ", n, " contacts are not certified (", list, "); first contact ", first_,
+                          ", step ", first_step_, ", target ", first_target_, ": ", first_message_);
+    return result;
+  }
+
+ private:
+  std::vector<rc_status> endings_;
+  const double time_limit_;
+  const std::string out_of_time_;
+  const Clock::time_point start_ = Clock::now();
+  std::atomic<std::int64_t> next_{0};
+  std::atomic<rc_status> stop_{RC_OK};
+  std::mutex mutex_;  // of the rest
+  std::int64_t first_ = -1, first_step_ = 0;
+  double first_target_ = 0;
+  rc_status first_status_ = RC_OK;
+  char first_message_[most_text] = "";
+};
+
+// One thread's contact, which serves one history after the other.
+class Worker {
+ public:
+  Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress)
+      : contact_(std::move(contact)), request_(request), progress_(progress) {
+    contact_->on_progress({ask, &progress_, 1});
+    if (!request_.given.fn) return;
+    p_.resize(static_cast<std::size_t>(request_.points));
+    gap_.resize(p_.size());
+  }
+
+  void work() {
+    for (std::int64_t i; (i = progress_.next()) < request_.given.n;) follow(i);
+  }
+
+ private:
+  static std::int32_t ask(const rc_progress*, void* progress) { return static_cast<Progress*>(progress)->stopped() != RC_OK; }
+
+  void follow(std::int64_t i) {
+    contact_->forget();
+    bool within_goal = false;
+    for (std::int64_t k = 0; k < request_.given.steps; ++k) {
+      if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
+      rc_result result{};
+      result.struct_size = sizeof(rc_result);
+      const rc_status status = solve(i, k, result);
+      if (status >= 0) deliver(i, k, result);
+      within_goal = within_goal || status == RC_WITHIN_GOAL;
+      if (status != RC_OK && status != RC_WITHIN_GOAL) return end(i, k, status < 0 ? k : k + 1, status, message_);
+    }
+    if (within_goal) progress_.ended_within_goal(i);
+  }
+
+  // At step k, with no answer from step `unanswered` on.
+  void end(std::int64_t i, std::int64_t k, std::int64_t unanswered, rc_status status, const char* message) {
+    request_.write_none(i, unanswered, status);
+    progress_.ended(i, k, request_.target(i, k), status, message);
+  }
+
+  void deliver(std::int64_t i, std::int64_t k, const rc_result& result) {
+    request_.write(i, k, result);
+    if (!request_.given.fn || progress_.stopped() != RC_OK) return;
+    if (request_.given.fn(i, k, &result, request_.given.user) != 0) progress_.stop(RC_STOP_CANCELLED);
+  }
+
+  rc_status solve(std::int64_t i, std::int64_t k, rc_result& result) {
+    const auto ended = [&](rc_status status, const char* text) {
+      std::snprintf(message_, sizeof message_, "%s", text);
+      return status;
+    };
+    result.p = request_.pressures(i);
+    if (request_.given.fn) {
+      if (!result.p) result.p = p_.data();
+      result.gap = gap_.data();
+    }
+    clear_message();
+    try {
+      const rc_status status = contact_->solve(request_.step(i, k), result);
+      if (status == RC_OK) return status;
+      if (const rc_status stop = progress_.stopped(); status == RC_STOP_CANCELLED && stop != RC_OK)
+        return ended(result.status = stop, progress_.why_stopped());
+      return ended(status, last_message()[0] != '\0' ? last_message() : rc_status_text(status));
+    } catch (const Error& error) {
+      return ended(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+      return ended(RC_ERR_MEMORY, "out of memory");
+    } catch (const abi::__forced_unwind&) {
+      throw;  // the thread is being cancelled
+    } catch (const std::exception& error) {
+      return ended(RC_ERR_INTERNAL, error.what());
+    } catch (...) {
+      return ended(RC_ERR_INTERNAL, "an unknown exception");
+    }
+  }
+
+  std::unique_ptr<Contact> contact_;
+  const Request& request_;
+  Progress& progress_;
+  std::vector<double> p_, gap_;
+  char message_[most_text] = "";
+};
+
+// Helpers, joined whatever happens to the calling thread.
+class Helpers {
+ public:
+  // As many as the system allows.
+  template <class Body> Helpers(std::int64_t count, Progress& progress, const Body& body) : progress_(progress) {
+    threads_.reserve(static_cast<std::size_t>(count));
+    try {
+      for (std::int64_t i = 0; i < count; ++i) threads_.emplace_back(body);
+    } catch (const std::system_error&) {
+    } catch (const std::bad_alloc&) {
+    }
+  }
+  ~Helpers() {
+    if (!finished_) progress_.stop(RC_STOP_CANCELLED);
+    join();
+  }
+  Helpers(const Helpers&) = delete;
+  Helpers& operator=(const Helpers&) = delete;
+
+  void finish() {
+    finished_ = true;
+    join();
+  }
+
+ private:
+  void join() {
+    for (std::thread& thread : threads_)
+      if (thread.joinable()) thread.join();
+  }
+
+  Progress& progress_;
+  std::vector<std::thread> threads_;
+  bool finished_ = false;
+};
+
+}  // namespace
+
+BatchOutcome solve_batch(const rc_system& system, const rc_options& options, const rc_batch& batch) {
+  rc_options each = options;
+  each.set(RC_OPT_THREADS, std::int64_t{1});
+  each.set(RC_OPT_TIME_LIMIT, 0.0);
+  if (batch.stiffness) each.set(RC_OPT_STIFFNESS, std::int64_t{1});
+  if (!batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{0});  // nobody would see them
+
+  const auto contact = [&] { return std::make_unique<Contact>(system, each); };
+  std::unique_ptr<Contact> first = contact();  // checks the system and the options
+  const Request request(batch, system.nx * system.ny);
+  Progress progress(batch.n, options.real(RC_OPT_TIME_LIMIT));
+  Worker own(std::move(first), request, progress);
+  Helpers helpers(std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS)) - 1, progress, [&] {
+    try {
+      Worker(contact(), request, progress).work();
+    } catch (const abi::__forced_unwind&) {
+      throw;
+    } catch (...) {
+      // It had no memory to begin with: the others do its share.
+    }
+  });
+  own.work();
+  helpers.finish();
+  return progress.outcome();
+}
+
+}  // namespace rc

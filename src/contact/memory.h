@@ -1,0 +1,39 @@
+// What a contact remembers: its last two certified steps. GridContact alone writes it.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/pressures.h"
+#include "contact/step_surface.h"
+
+namespace rc {
+
+struct CertifiedStep {
+  Pressures pressures;  // empty: there was none
+  double approach = 0;  // [length]
+  double load = 0;      // [force]
+  bool same_gap = false;  // its surface is the current one
+};
+
+struct Memory {
+  CertifiedStep last, before;  // the last certified step, and the one before it
+
+  void record(CertifiedStep&& step);
+  // The surface changed, or `same`: it did not.
+  void surface_is(bool same);
+
+  // How far beyond the last step the new one lies, on the line through the last two; 0 where there is no such line.
+  double ahead(const rc_step& step) const;
+  // Dimensionless pressures to start from. nearer: better ones than the step's and the last step's, or null.
+  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, const Pressures* nearer) const;
+  // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.
+  std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;
+};
+
+// The memory that a state describes. Throws Error(ARGUMENT) on what is not finite or masked. surface: the state's.
+Memory memory_of(const rc_state& state, const StepSurface& surface, std::int64_t points);
+
+}  // namespace rc

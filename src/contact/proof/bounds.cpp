@@ -1,0 +1,308 @@
+#include "contact/proof/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rc {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double product_error = 4;  // round-off of a product, in units of epsilon log2(n) times its size
+constexpr int most_rounds = 3;       // of leaving out what the round before proved open
+
+double square(double x) { return x * x; }
+
+// |sum of x| <= by_distance |x|_H + by_work x'w.
+struct SumBound {
+  double by_distance = infinity, by_work = 0;
+};
+
+// How far the given pressures are from the exact ones: x = p - p*.
+struct Distance {
+  double energy = infinity;  // f(p) - f(p*) is at most this
+  double norm = infinity;    // |x|_H = sqrt(x'Hx)
+  double sum = infinity;     // |sum of x|
+
+  void tighten(const Distance& other) {
+    energy = std::min(energy, other.energy);
+    norm = std::min(norm, other.norm);
+    sum = std::min(sum, other.sum);
+  }
+};
+
+// In units of `length` and of the dimensionless operator: p >= 0, the given one without its negative entries; u = d - h; w = H p
+// - u.
+class Proof {
+ public:
+  Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer)
+      : system_(system),
+        spectrum_(spectrum),
+        surface_(surface),
+        compression_(compression),
+        rounding_(surface.included_points() > 0 ? rounding_of(surface.lowest(), compression) : 0),
+        answer_(answer),
+        given_(answer.p()),
+        product_(answer.product) {
+    if (!all_listed()) candidates_ = surface_.extent_below(surface_.limit_of(compression_));
+    measure();
+    residual();
+  }
+
+  Bounds bounds() {
+    Bounds result;
+    if (!std::isfinite(delta_square_ + doubt_)) return result;
+    Extent support = not_proven_open();  // no proof yet
+    SumBound sum_bound = system_.periodic() ? better(sum_bound_below_mean(), sum_bound_of(support)) : sum_bound_of(support);
+    for (int round = 0; round < most_rounds; ++round) {
+      distance_.tighten(distance(sum_bound, support, beta_, 0));
+      distance_.tighten(distance_without_stray(sum_bound, support));
+      const double before = points_of(support);
+      support = not_proven_open();
+      sum_bound = sum_bound_of(support);
+      distance_.sum = std::min(distance_.sum, sum_bound.by_distance * distance_.norm);
+      if (points_of(support) > 0.9 * before) break;
+    }
+    count(result);
+    convert(support, result);
+    return result;
+  }
+
+ private:
+  double n() const { return static_cast<double>(system_.points()); }
+  bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == system_.points(); }
+  static double rounding_of(double lowest, double compression) { return std::abs(lowest + compression - lowest - compression); }
+  static double points_of(const Extent& support) { return static_cast<double>(support.n); }
+
+  // Of the points listed, by their place in the list.
+  double height(std::size_t i) const { return surface_.height(answer_.point(i)); }
+  bool included(std::size_t i) const { return surface_.included(answer_.point(i)); }
+  double p(std::size_t i) const { return std::max(0.0, given_[i] * system_.length_per_pressure / length_); }
+  double u(std::size_t i) const { return (compression_ - height(i)) / length_; }
+  double w(std::size_t i) const { return distance_to_surface(i) / length_; }
+  double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
+  // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0.
+  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ > height(i)); }
+
+  // Sizes, and the doubt about every w_i: round-off of the product, that of the approach as it is returned, and what the negative
+  // entries of the given pressures would have changed in the product (no entry of H is larger than its largest diagonal entry).
+  void measure() {
+    double largest_product = 0, largest_w = 0;
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      largest_product = std::max(largest_product, std::abs(product_[i]));
+      if (included(i)) largest_w = std::max(largest_w, std::abs(distance_to_surface(i)));
+    }
+    if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.range() - compression_));
+    const bool none = surface_.included_points() == 0;
+    const double depth = none ? 0 : std::max(0.0, compression_ + rounding_);
+    if (depth + largest_product > 0) length_ = depth + largest_product;
+    depth_ = depth / length_;
+    largest_w_ = largest_w / length_;
+
+    double p_square = 0;
+    long double sum = 0;
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      if (given_[i] == 0) continue;
+      negative_ += std::max(0.0, -given_[i] * system_.length_per_pressure / length_);
+      p_square += square(p(i));
+      sum += p(i);
+    }
+    sum_ = static_cast<double>(sum);
+    const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
+    double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
+    if (system_.periodic()) {  // load control shifts the datum of H by this much while it solves
+      const rc_system& unit = system_.unit;
+      const double longest = std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny));
+      size += longest / std::numbers::pi * sum_ / n();
+    }
+    doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
+  }
+
+  // x'w <= beta + delta'x: a point with w > 0 gives at most w p, and none with w >= 0 where p is 0.
+  void residual() {
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
+      const double wi = w(i), pi = p(i);
+      if (!may_carry(i) || (wi > 0 && 2 * spectrum_.lowest * pi < wi)) {  // then w p < w^2 / (2 lowest)
+        beta_ += (std::max(0.0, wi) + doubt_) * pi;
+        stray_ += pi;
+      } else {
+        delta_sum_ += wi;
+        delta_square_ += square(wi);
+      }
+      work_ += std::abs(product_[i] / length_ * pi) + std::abs(u(i)) * pi;
+    }
+  }
+
+  // |(Hx)_i| <= |x|_H sqrt(H_ii).
+  double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
+
+  // Points that may carry pressure or were given one, but for those proven open: outside x is 0.
+  Extent not_proven_open() const {
+    const double reach = open_beyond();
+    const std::int64_t nx = system_.unit.nx;
+    Extent support;
+    if (!(reach < answer_.beyond) && !all_listed()) {  // the points that are not listed may be any candidates
+      support = candidates_;
+      for (std::size_t i = 0; i < given_.size(); ++i)
+        if (given_[i] > 0 && !may_carry(i)) add(support, i);
+      return support;
+    }
+    if (!all_listed()) {
+      for (std::size_t i = 0; i < given_.size(); ++i)
+        if (not_open(i, reach)) add(support, i);
+      return support;
+    }
+    std::size_t i = 0;
+    for (std::int64_t y = 0; y < system_.unit.ny; ++y)
+      for (std::int64_t x = 0; x < nx; ++x, ++i)
+        if (not_open(i, reach)) support.add(x, y);
+    return support;
+  }
+  bool not_open(std::size_t i, double reach) const { return given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach); }
+  void add(Extent& support, std::size_t i) const {
+    const auto point = static_cast<std::int64_t>(answer_.point(i));
+    support.add(point % system_.unit.nx, point / system_.unit.nx);
+  }
+  // Of the bounding box, cells included.
+  double diagonal(const Extent& support) const {
+    return std::hypot(static_cast<double>(support.width()) * system_.unit.hx,
+                      static_cast<double>(support.height()) * system_.unit.hy);
+  }
+
+  // (sum of x)^2 <= 1'H^-1 1 x'Hx on the support.
+  double flat_punch(const Extent& support) const {
+    double least = points_of(support) / spectrum_.lowest;
+    if (spectrum_.flat_punch > 0) least = std::min(least, spectrum_.flat_punch);
+    // A flat punch on cells of the kernel galerkin is a constrained state of a disc around them, whose stiffness is its diameter.
+    if (spectrum_.galerkin_share > 0) least = std::min(least, diagonal(support) / spectrum_.galerkin_share);
+    return least;
+  }
+
+  SumBound sum_bound_of(const Extent& support) const {
+    if (!system_.periodic()) return {std::sqrt(flat_punch(support)), 0};
+    // x is 0 off the support, so its part without mean has the mean's size there.
+    const double free = n() - points_of(support);
+    return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
+  }
+
+  // Periodic, no mask, d below the mean plane: with e = u + eps of mean 0 and H q = e,  eps sum(x) = x'H(q - p) + x'w.
+  SumBound sum_bound_below_mean() const {
+    if (!surface_.whole() || !all_listed()) return {};
+    long double u_sum = 0;  // [length]
+    for (const double h : surface_.gap()) u_sum += compression_ - (h - surface_.lowest());
+    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())), eps = (mean_gap - rounding_) / length_;
+    if (!(eps > 0)) return {};
+    double e_square = 0, ep = 0, php = 0;
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      const double e = (compression_ - height(i) + mean_gap) / length_;
+      e_square += square(e);
+      if (!(given_[i] > 0)) continue;
+      ep += e * p(i);
+      php += product_[i] / length_ * p(i);
+    }
+    const double doubt = doubt_ * sum_ + epsilon * n() * (e_square / spectrum_.lowest + work_);
+    return {std::sqrt(std::max(0.0, e_square / spectrum_.lowest - 2 * ep + php) + doubt) / eps, 1 / eps};
+  }
+  static SumBound better(const SumBound& a, const SumBound& b) { return a.by_distance < b.by_distance ? a : b; }
+
+  // |x|_H^2 <= x'w <= beta + R |x|_H + a x'w, R and a from delta's constant part c and the rest.
+  Distance distance(const SumBound& sum_bound, const Extent& support, double beta, double stray) const {
+    const double root = std::sqrt(spectrum_.lowest), points = system_.periodic() ? n() : points_of(support);
+    const double noise = doubt_ * std::sqrt(points);
+    const double c = points > 0 ? std::abs(delta_sum_) / points + doubt_ : 0, a = c * sum_bound.by_work;
+    const double rest = std::sqrt(std::max(0.0, delta_square_ - square(delta_sum_) / std::max(points, 1.0))) + noise;
+    double R = (rest + 1e-8 * std::sqrt(delta_square_)) / root + c * sum_bound.by_distance;
+    if (const double plain = (std::sqrt(delta_square_) + noise) / root; !system_.periodic()) R = std::min(R, plain);
+    if (!(a < 1 && R < infinity)) return {};
+    R = (R + stray) / (1 - a);
+    beta /= 1 - a;
+    Distance result;
+    result.energy = beta + square(R) / 2;
+    result.norm = (R + std::sqrt(square(R) + 4 * beta)) / 2;
+    result.sum = sum_bound.by_distance * result.norm + sum_bound.by_work * (beta + R * result.norm);
+    return result;
+  }
+
+  // The points in beta may also be taken out of p: without them it is at the distance that R alone gives, and their pressures y
+  // change H p by H y, whose dual norm is |y|_H <= sum(y) sqrt(max H_ii). Of first order in y where sqrt(beta) is of order 1/2.
+  Distance distance_without_stray(SumBound sum_bound, const Extent& support) const {
+    const double norm = stray_ * std::sqrt(spectrum_.diagonal);
+    sum_bound.by_distance += norm * sum_bound.by_work;
+    Distance result = distance(sum_bound, support, 0, norm);
+    result.energy = infinity;
+    result.norm += norm;
+    result.sum += stray_;
+    return result;
+  }
+
+  void count(Bounds& result) const {
+    const double mean = system_.periodic() ? distance_.sum / n() : 0;
+    const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
+    const double reach = open_beyond();
+    std::int64_t contacts = 0, may = 0, undecided = 0;
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      may += may_carry(i);
+      if (!may_carry(i) || distance_to_surface(i) > reach) continue;
+      ++(p(i) > margin ? contacts : undecided);
+    }
+    if (!all_listed() && !(reach < answer_.beyond)) undecided += candidates_.n - may;
+    result.proven_contacts = contacts;
+    result.proven_open = system_.points() - contacts - undecided;
+    result.undecided = undecided;
+    result.area_lower = static_cast<double>(contacts) * system_.cell_area();
+    result.area_upper = static_cast<double>(contacts + result.undecided) * system_.cell_area();
+  }
+
+  void convert(const Extent& support, Bounds& result) const {
+    // One factor after the other: their product may be less than the least double where the load is not.
+    const double pressure = length_ / system_.length_per_pressure, area = system_.cell_area();
+    const double sum_error = distance_.sum + 4 * epsilon * sum_;
+    double most = sum_ + sum_error;
+    if (!system_.periodic()) most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
+    result.load_lower = std::max(0.0, sum_ - sum_error) * pressure * area;
+    result.load_upper = most < infinity ? most * pressure * area : infinity;
+    if (distance_.energy == infinity) return;
+    // What the negative entries change, and the round-off of the energy itself.
+    const double energy = distance_.energy + negative_ * (largest_w_ + doubt_ + spectrum_.diagonal * negative_) + doubt_ * sum_ +
+                          (4 + std::sqrt(n())) * epsilon * work_;
+    result.duality_gap = energy * length_ * pressure * area;
+  }
+
+  const System& system_;
+  const Spectrum& spectrum_;
+  const StepSurface& surface_;
+  const double compression_;
+  const double rounding_;  // [length] of the approach, which is a double, against the lowest gap and the compression
+  const Deflected& answer_;
+  const std::span<const double> given_, product_;
+  Extent candidates_;                                               // points that may carry pressure
+  double length_ = 1, depth_ = 0;                                   // [length]; largest compenetration
+  double sum_ = 0, negative_ = 0, largest_w_ = 0, doubt_ = 0;       // of p; of what was cut off; of |w|; about every w_i
+  double beta_ = 0, stray_ = 0, delta_sum_ = 0, delta_square_ = 0;  // see residual(); stray: the pressures in beta
+  double work_ = 0;                                                 // p'|Hp| + p'|u|
+  Distance distance_;
+};
+
+}  // namespace
+
+void Bounds::write(rc_result& result) const {
+  result.duality_gap = duality_gap;
+  result.load_lower = load_lower;
+  result.load_upper = load_upper;
+  result.area_lower = area_lower;
+  result.area_upper = area_upper;
+  result.proven_contacts = proven_contacts;
+  result.proven_open = proven_open;
+  result.undecided = undecided;
+}
+
+Bounds prove_bounds(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression,
+                    const Deflected& answer) {
+  if (!(spectrum.lowest > 0)) return {};
+  return Proof(system, spectrum, surface, compression, answer).bounds();
+}
+
+}  // namespace rc

@@ -1,0 +1,27 @@
+// Proofs about the exact solution at the given compression, from one product with H: docs/certificate.md has the derivation.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "contact/pressures.h"
+#include "contact/proof/spectrum.h"
+#include "contact/step_surface.h"
+#include "contact/system.h"
+
+namespace rc {
+
+struct Bounds {
+  double duality_gap = std::numeric_limits<double>::quiet_NaN();  // [force length]
+  double load_lower = duality_gap, load_upper = duality_gap;      // [force]
+  double area_lower = duality_gap, area_upper = duality_gap;      // [length^2]
+  std::int64_t proven_contacts = -1, proven_open = -1, undecided = -1;
+
+  void write(rc_result& result) const;
+};
+
+// compression: the approach less the lowest gap. p is 0 on excluded points. Where not all points are listed, H has no negative
+// entries.
+Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer);
+
+}  // namespace rc

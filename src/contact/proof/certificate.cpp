@@ -1,0 +1,46 @@
+#include "contact/proof/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rc {
+
+namespace {
+
+// 0/0 is no violation; anything else over 0 is an infinite one.
+double relative(double violation, double scale) {
+  if (violation == 0) return 0;
+  return scale > 0 ? violation / scale : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+bool Certificate::within(double tol) const { return primal <= tol && dual <= tol && complementarity <= tol && control <= tol; }
+
+double load_imbalance(double load, double wanted) { return relative(std::abs(load - wanted), wanted); }
+
+Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale) {
+  const std::span<const double> p = answer.p();
+  double largest_p = 0, least_p = 0, least_gap = 0, worst = 0;
+  bool finite = true;
+  for (const double value : p) {
+    largest_p = std::max(largest_p, std::abs(value));
+    least_p = std::min(least_p, value);
+  }
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const std::size_t i = answer.point(k);
+    if (!surface.included(i)) continue;
+    const double gap = answer.product[k] - (compression - surface.height(i));
+    finite = finite && std::isfinite(p[k]) && std::isfinite(gap);
+    least_gap = std::min(least_gap, gap);
+    if (p[k] > 0) worst = std::max(worst, std::min(p[k] / largest_p, relative(std::abs(gap), scale)));
+  }
+  if (!finite) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan, nan, 0};
+  }
+  return {relative(-least_p, largest_p), relative(-least_gap, scale), worst, 0};
+}
+
+}  // namespace rc

@@ -1,0 +1,25 @@
+// The library's own check of an answer, from one fresh product with H over all points.
+#pragma once
+
+#include "contact/pressures.h"
+#include "contact/step_surface.h"
+
+namespace rc {
+
+struct Certificate {
+  double primal = 0;           // max(0, -min p) / max|p|
+  double dual = 0;             // max(0, -min g) / s over all points
+  double complementarity = 0;  // max over all points of min(p / max p, |g| / s)
+  double control = 0;          // |load - W| / W
+
+  bool within(double tol) const;  // false if any is NaN
+};
+
+// Excluded points have p = 0 and do not count; points that are not listed have p = 0 and g >= 0. scale: s [length], which the
+// problem tells and the answer does not.
+Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale);
+
+// |load - wanted| / wanted; 0 if both are 0.
+double load_imbalance(double load, double wanted);
+
+}  // namespace rc

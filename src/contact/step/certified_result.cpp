@@ -1,0 +1,259 @@
+#include "contact/step/certified_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "contact/proof/bounds.h"
+#include "contact/proof/certificate.h"
+#include "contact/proof/plausibility.h"
+#include "contact/step/stiffness.h"
+#include "contact/step/target.h"
+#include "contact/step/trial_set.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
+
+std::string explain(rc_status status, const rc_result& result, double tol, const std::vector<std::string>& remarks) {
+  std::string whole;
+  for (const std::string& remark : remarks) whole += "; " + remark;
+  return join(rc_status_text(status), ": kkt_primal ", result.kkt_primal, ", kkt_dual ", result.kkt_dual,
+              ", kkt_complementarity ", result.kkt_complementarity, ", kkt_control ", result.kkt_control, ", tol ", tol,
+              ", after ", result.iterations, " iterations", whole);
+}
+
+// Whole remarks only, the gravest first.
+void write_note(Workspace& work, double compression, rc_result& result) {
+  const System& system = work.system;
+  std::vector<std::string> all;
+  if (system.halfspace() && result.contacts > 0) {
+    if (!work.facts.tilt) work.facts.tilt = system.periodic() ? 0 : plane_share(work.surface, system.given.nx, system.given.ny);
+    all = doubts(system, result, compression, *work.facts.tilt);
+  }
+  if (std::isinf(result.load_upper)) all.emplace_back("no upper bound of the load is proven");
+  all.insert(all.end(), work.record.remarks.begin(), work.record.remarks.end());
+  std::string note;
+  for (const std::string& remark : all) {
+    if (note.size() + remark.size() + 6 > sizeof result.note) {
+      note += note.empty() ? remark : "; ...";
+      break;
+    }
+    note += (note.empty() ? "" : "; ") + remark;
+  }
+  copy_text(result.note, note.c_str());
+}
+
+// Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
+bool only_unknowns_matter(const Workspace& work, const Answer& answer) {
+  return answer.op && work.system.positive && answer.status == RC_OK && answer.compression <= answer.limit &&
+         std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
+}
+
+}  // namespace
+
+void name_components(Workspace& work, const Answer& answer, rc_result& result) {
+  copy_text(result.kernel, work.system.kernel.c_str());
+  copy_text(result.solver, answer.choice.solver ? answer.choice.solver->name : "none");
+  copy_text(result.backend, answer.choice.backend ? answer.choice.backend->name : "none");
+  const std::uint64_t needs = answer.choice.solver ? answer.choice.solver->needs : 0;
+  const auto replaced = [&](std::uint64_t operation, const char* systems) {
+    if (answer.op && !(answer.op->capabilities() & operation))
+      work.record.remarks.push_back(join(systems, " by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor"));
+  };
+  if (answer.handed_over) work.record.remarks.push_back("load control of the solver stalled: iteration on the approach instead");
+  if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
+  if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
+}
+
+rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result) {
+  const System& system = work.system;
+  const StepSurface& surface = work.surface;
+  const std::span<const double> p = answer.p();
+  double sum = 0, energy = 0, curved = 0, largest_p = 0, largest_product = 0;
+  std::int64_t contacts = 0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
+    const std::size_t i = answer.point(k);
+    if (!surface.included(i)) continue;
+    sum += p[k];
+    contacts += p[k] > 0;
+    energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
+    largest_p = std::max(largest_p, std::abs(p[k]));
+    largest_product = std::max(largest_product, std::abs(answer.product[k]));
+  }
+  if (!system.halfspace() && largest_p > 0) {
+    // In units that cannot underflow.
+    for (std::size_t k = 0; k < p.size() && largest_product > 0; ++k)
+      curved += p[k] / largest_p * (answer.product[k] / largest_product);
+    if (curved <= 0)
+      fail(RC_ERR_NUMERIC, system.given.op == RC_OPERATOR_DENSE ? "the dense matrix" : "the caller's apply function",
+           " is not positive definite: p'Hp = ", curved * largest_p * largest_product, " for the pressures p found, must be > 0");
+  }
+  const double area = system.cell_area();
+  Bounds bounds;
+  // Proofs need more digits than a goal of accuracy leaves.
+  if (work.options.integer(RC_OPT_BOUNDS) != 0 && work.goal.error == 0) {
+    std::optional<Spectrum>& spectrum = work.facts.spectrum;
+    if (!spectrum) spectrum = spectrum_of(system);
+    bounds = prove_bounds(system, *spectrum, surface, compression, answer);
+  }
+  Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression));
+  if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
+  if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(energy * area))
+    fail(RC_ERR_NUMERIC,
+         "the answer is not finite: the operator returned values that are not finite, or the units are such that ",
+         "pressures, load or energy exceed double precision");
+
+  result.reserved = 0;
+  result.points = system.points();
+  result.contacts = contacts;
+  result.load = sum * area;
+  const bool given = step.control == RC_CONTROL_DISPLACEMENT;
+  const double limit = given ? step.target : surface.limit_of(compression);
+  result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
+  result.displacement = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
+  result.mean_pressure = sum / static_cast<double>(system.points());
+  result.contact_area = static_cast<double>(contacts) * area;
+  result.energy = energy * area;
+  result.kkt_primal = certificate.primal;
+  result.kkt_dual = certificate.dual;
+  result.kkt_complementarity = certificate.complementarity;
+  result.kkt_control = certificate.control;
+  result.tolerance = work.options.real(RC_OPT_TOL);
+  result.model_nx = system.given.nx;
+  result.model_ny = system.given.ny;
+  result.error_estimate = result.area_estimate = work.goal.error > 0 ? 0 : nan;
+  result.left_out = 0;
+  bounds.write(result);
+  write_note(work, compression, result);
+  return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
+}
+
+void count_work(const Workspace& work, const Monitor& monitor, rc_result& result) {
+  result.iterations = monitor.iterations();
+  result.levels = work.solver_grids.current();
+  result.applications = work.applications() - work.record.applications_before;
+  result.setup_seconds = work.record.setup_seconds;
+  result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
+}
+
+void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result) {
+  if (result.p) answer.pressures.write(result.p, work.system.points());
+  if (!result.gap) return;
+  for (std::size_t i = 0; i < answer.size(); ++i)
+    result.gap[i] = answer.product[i] - (compression - work.surface.height(i));
+}
+
+Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
+  const System& system = work.system;
+  if (answer.checked && !everywhere) return std::move(*answer.checked);
+  Deflected result;
+  if (!answer.op) {
+    result.pressures.on.n = system.points();
+    result.pressures.p.assign(static_cast<std::size_t>(system.points()), 0.0);
+    result.product.assign(result.size(), 0.0);
+    return result;
+  }
+  const std::string& certifier = work.options.text(RC_OPT_CERTIFY_BACKEND);
+  Operator& op =
+      certifier.empty() ? *answer.op : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
+  if (!everywhere && only_unknowns_matter(work, answer)) {
+    result.product.resize(answer.p.size());
+    raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
+    for (double& value : result.product) value = value * answer.length_unit - answer.datum_shift;
+    result.pressures = answer.pressures();
+    return result;
+  }
+  result.product.resize(static_cast<std::size_t>(system.points()));
+  op.field(answer.p, result.product);
+  for (double& value : result.product) value = value * answer.length_unit - answer.datum_shift;
+  result.pressures.on.n = system.points();
+  Pressures own = answer.pressures();
+  answer.p = {};
+  if (own.on.index.empty()) {
+    result.pressures.p = std::move(own.p);
+  } else {
+    result.pressures.p.resize(result.product.size());
+    own.write(result.pressures.p.data(), system.points());
+  }
+  return result;
+}
+
+double fitting_compression(const Workspace& work, const Deflected& answer) {
+  double sum = 0, moment = 0;
+  for (std::size_t k = 0; k < answer.size(); ++k) {
+    const double p = answer.p()[k];
+    if (p == 0) continue;
+    sum += p;
+    moment += p * (answer.product[k] + work.surface.height(answer.point(k)));
+  }
+  return sum > 0 ? moment / sum : 0;
+}
+
+Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
+  const double rate = work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
+  Deflected found = deflected(work, answer, result.gap != nullptr);
+  double depth = step.control == RC_CONTROL_LOAD ? 0 : compression_of(step, work);
+  result.modelled = 0;
+  if (answer.op) {
+    // Screening holds for its own approach alone.
+    const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK && !answer.checked;
+    depth = stopped ? fitting_compression(work, found) : answer.compression;
+    result.modelled = answer.op->modelled();
+  }
+  name_components(work, answer, result);
+  const rc_status checked = certify_and_fill(work, step, found, depth, result);
+  result.stiffness = rate;
+  result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
+  count_work(work, monitor, result);
+  if (result.status != RC_OK)
+    set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
+  write_arrays(work, found, depth, result);
+  return {result.status, std::move(found.pressures)};
+}
+
+rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {
+  const System& system = work.system;
+  const std::span<const double> p(result.p, static_cast<std::size_t>(system.points()));
+  TrialSet trial;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p[i] == 0) continue;
+    trial.index.push_back(static_cast<std::int64_t>(i));
+  }
+  trial.n = static_cast<std::int64_t>(trial.index.size());
+  if (trial.n == system.points()) trial.index.clear();
+
+  Deflected given;
+  given.pressures.on.n = system.points();
+  given.pressures.p.assign(p.begin(), p.end());
+  given.product.assign(p.size(), 0.0);
+  std::vector<double>& product = given.product;
+  Answer answer;
+  if (trial.n > 0) {
+    answer = prepared(trial, RC_CONTROL_DISPLACEMENT, 1, work);
+    answer.pressure_unit = 1;
+    answer.op = &work.bound_operator(*answer.choice.backend, trial);
+    for (std::int64_t i = 0; i < trial.n; ++i) answer.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
+    answer.op->field(answer.p, product);
+    for (double& value : product) value *= system.length_per_pressure;
+  }
+  const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(work, given) : compression_of(step, work);
+  name_components(work, answer, result);
+  copy_text(result.solver, "none");
+  result.modelled = answer.op ? answer.op->modelled() : 0;
+  result.status = certify_and_fill(work, step, given, depth, result);
+  result.stiffness = work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
+  count_work(work, monitor, result);
+  if (result.status != RC_OK) set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
+  write_arrays(work, given, depth, result);
+  return result.status;
+}
+
+}  // namespace rc

@@ -1,0 +1,27 @@
+#include "contact/step/displacement.h"
+
+#include <utility>
+
+#include "contact/step/problem_services.h"
+#include "contact/step/target.h"
+#include "contact/step/trial_set.h"
+
+namespace rc {
+
+Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                       const std::optional<Estimate>& nearer) {
+  TrialSet trial = trial_below(step.target, work);
+  const double depth = compression_of(step, work);
+  Answer answer = prepared(trial, step.control, depth, work);
+  trial = widened(std::move(trial), answer.choice, work);
+  answer.op = &work.bound_operator(*answer.choice.backend, trial);
+  answer.p = memory.start(step, trial, answer.pressure_unit, nearer ? &nearer->pressures : nullptr);
+  answer.compression = answer.limit = depth;
+  const std::vector<double> u = compenetrations(answer, step.target, work);
+  const double tol = solver_tol(work) * (residual_scale(step, work, depth) / depth);
+  double unused = 0;
+  answer.status = solver_run(work, answer, monitor)(step.control, u, 0, tol, step.target, answer.p, unused);
+  return answer;
+}
+
+}  // namespace rc

@@ -1,0 +1,17 @@
+// A step with a prescribed approach.
+#pragma once
+
+#include <optional>
+
+#include "contact/answer.h"
+#include "contact/memory.h"
+#include "contact/step/monitor.h"
+#include "contact/workspace.h"
+
+namespace rc {
+
+// nearer: what a coarser grid tells.
+Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                       const std::optional<Estimate>& nearer = std::nullopt);
+
+}  // namespace rc

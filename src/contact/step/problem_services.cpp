@@ -1,0 +1,298 @@
+#include "contact/step/problem_services.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "contact/step/auto_choice.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+// Throws where this solver cannot run inside this run.
+void require(const rc_solver& solver, const SolverRun& run, const char* as) {
+  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.gap)
+    fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
+  if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
+    fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
+}
+
+struct Session;
+
+// rc_problem, and the state that its callbacks need.
+struct BoundProblem : rc_problem {
+  Session* session = nullptr;
+  TrialSet trial;
+  rc_grid where{};
+  std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
+
+  BoundProblem() = default;
+  BoundProblem(const BoundProblem&) = delete;
+  BoundProblem& operator=(const BoundProblem&) = delete;
+  ~BoundProblem();
+};
+
+// The problem of a step and those that its solver opens inside it take turns on one operator.
+struct Session {
+  const SolverRun& run;
+  const BoundProblem* owner = nullptr;
+
+  Operator& op_for(const BoundProblem& problem) {
+    if (owner != &problem) {
+      owner = nullptr;
+      run.op.bind(problem.trial);
+      owner = &problem;
+    }
+    return run.op;
+  }
+  void connect(BoundProblem& problem);
+  rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d);
+};
+
+// Another problem may come to stand at its address.
+BoundProblem::~BoundProblem() {
+  if (session && session->owner == this) session->owner = nullptr;
+}
+
+const BoundProblem& bound(const rc_problem* problem) { return *static_cast<const BoundProblem*>(problem); }
+const SolverRun& run_of(const rc_problem* problem) { return bound(problem).session->run; }
+
+// The solver may be C: no exception passes through it.
+template <class Action> rc_status contained(const Action& action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    set_message(error.what());
+    return error.code();
+  } catch (const std::bad_alloc&) {
+    set_message("out of memory");
+    return RC_ERR_MEMORY;
+  }
+}
+
+Operator& op_of(const rc_problem* problem) { return bound(problem).session->op_for(bound(problem)); }
+
+rc_status apply(const rc_problem* problem, const double* x, double* y) {
+  return contained([&] { return op_of(problem).apply(x, y); });
+}
+
+rc_status apply_float(const rc_problem* problem, const float* x, float* y) {
+  return contained([&] { return op_of(problem).apply_float(x, y); });
+}
+
+rc_status subset(const rc_problem* problem, std::int64_t na, const std::int64_t* a, const double* b, double* x) {
+  return contained([&] { return op_of(problem).subset({a, static_cast<std::size_t>(na)}, b, x, 1e-3 * problem->tol); });
+}
+
+rc_status shifted(const rc_problem* problem, double rho, double tol, const double* b, double* x) {
+  return contained([&] { return op_of(problem).shifted(rho, tol, b, x); });
+}
+
+rc_status norm(const rc_problem* problem, double* out) {
+  return contained([&] { return op_of(problem).norm(*out); });
+}
+
+rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
+  const SolverRun& run = run_of(problem);
+  if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.applications()); status != RC_OK) return status;
+  return iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : RC_OK;
+}
+
+rc_status coarse(const rc_problem* problem, rc_coarse* request) {
+  // A solver may be older than the members after p.
+  rc_coarse today{};
+  today.control = RC_CONTROL_DISPLACEMENT;
+  today.keep = 1;
+  std::memcpy(&today, request, std::min(request->struct_size, sizeof today));
+  return contained([&] {
+    const rc_status status = run_of(problem).coarse(today);
+    request->approach = today.approach;
+    return status;
+  });
+}
+
+rc_status coefficients(const rc_problem* problem, std::int64_t mx, std::int64_t my, double* out) {
+  return contained([&] { return run_of(problem).coefficients(mx, my, out); });
+}
+
+void note(const rc_problem* problem, const char* text) {
+  contained([&] {
+    run_of(problem).note(text);
+    return RC_OK;
+  });
+}
+
+// Pressure at some of the unknowns only, by another solver.
+rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<const std::int64_t> a, double tol, double* p,
+                      double* product) {
+  Session& session = *outer.session;
+  const SolverRun& run = session.run;
+  if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
+  const rc_solver& solver =
+      run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
+  require(solver, run, "a solver inside a solver");
+
+  BoundProblem problem{};
+  problem.session = &session;
+  problem.trial.zero_mode = outer.trial.zero_mode;
+  problem.trial.n = static_cast<std::int64_t>(a.size());
+  if (problem.trial.n < outer.n || !outer.trial.index.empty())
+    for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
+  std::vector<double> u, start;
+  const auto compenetration = [&](std::int64_t i) {
+    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.gap[outer.trial.point(i)]) / outer.length;
+  };
+  for (const std::int64_t i : a) {
+    u.push_back(compenetration(i));
+    start.push_back(p[i]);
+  }
+  problem.n = problem.trial.n;
+  problem.control = outer.control;
+  problem.u = u.data();
+  problem.tol = tol;
+  problem.where = outer.where;
+  session.connect(problem);
+
+  rc_status status = RC_OK;
+  if (problem.n > 0) {
+    const std::int64_t iteration = run.monitor.begin_call();
+    double unused = 0;
+    status = session.solve(solver, problem, start.data(), &unused);
+    run.monitor.end_call(iteration);
+    if (status < 0) return status;
+  }
+  std::fill(p, p + outer.n, 0.0);
+  for (std::size_t k = 0; k < a.size(); ++k) p[a[k]] = start[k];
+  if (product) {
+    std::fill(product, product + outer.n, 0.0);
+    if (problem.n > 0) {
+      std::vector<double> everywhere(static_cast<std::size_t>(run.op.points()));
+      session.op_for(problem).field(start, everywhere);
+      for (std::int64_t i = 0; i < outer.n; ++i) product[i] = everywhere[static_cast<std::size_t>(outer.trial.point(i))];
+    }
+  }
+  return status;
+}
+
+rc_status inner(const rc_problem* problem, const char* solver, std::int64_t na, const std::int64_t* a, double tol, double* p,
+                double* product) {
+  return contained([&] { return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product); });
+}
+
+void Session::connect(BoundProblem& problem) {
+  const std::uint64_t caps = run.op.capabilities();
+  problem.struct_size = sizeof(rc_problem);
+  problem.session = this;
+  problem.apply = apply;
+  problem.subset = run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
+  problem.poll = poll;
+  problem.lambda_min = run.lambda_min;
+  problem.positive = run.positive;
+  problem.factors = (caps & RC_CAP_SUBSET) != 0;
+  problem.shifted = run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
+  problem.norm = (caps & RC_CAP_NORM) ? norm : nullptr;
+  problem.inner = inner;
+  problem.apply_float = (caps & RC_CAP_FLOAT) ? apply_float : nullptr;
+  problem.team = &run.team;
+  problem.length = run.length_unit;
+  problem.pressure = run.pressure_unit;
+  problem.note = note;
+  if (run.grid.gap) {
+    problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
+    problem.grid = &problem.where;
+    problem.coarse = coarse;
+    problem.coefficients = coefficients;
+  }
+}
+
+rc_status Session::solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
+  op_for(problem);
+  return solver.solve(&run.context.host(), &problem, &run.options, p, d);
+}
+
+// The steps of another solver that come first. It need not converge.
+rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d) {
+  const std::string& name = session.run.options.text(RC_OPT_WARMUP);
+  if (name == "none" || name == session.run.solver.name) return RC_OK;
+  const rc_solver& solver = session.run.context.solver(name);
+  if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
+    session.run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
+    return RC_OK;
+  }
+  require(solver, session.run, "warmup");
+  problem.most_iterations = session.run.options.integer(RC_OPT_WARMUP_ITERATIONS);
+  const rc_status status = session.solve(solver, problem, p, d);
+  problem.most_iterations = session.run.most_iterations;
+  raise_if_failed(status, solver.name);
+  session.run.monitor.next_call();
+  return status == RC_STOP_CANCELLED || status == RC_STOP_TIME ? status : RC_OK;
+}
+
+}  // namespace
+
+bool takes_gap(const rc_solver& solver, const rc_options& options) {
+  const std::string& first = options.text(RC_OPT_WARMUP);
+  return (solver.needs & RC_READS_GAP) && (first == "none" || first == solver.name);
+}
+
+rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
+                                std::vector<double>& p, double& d) {
+  Session session{*this};
+  BoundProblem problem{};
+  problem.trial = op.trial();
+  problem.n = static_cast<std::int64_t>(p.size());
+  problem.control = control;
+  problem.u = u.empty() ? nullptr : u.data();
+  problem.load = load;
+  problem.tol = tol;
+  problem.where = grid;
+  problem.where.approach = approach;
+  problem.most_iterations = most_iterations;
+  session.connect(problem);
+  struct Watch {
+    Operator& watched;
+    ~Watch() { watched.watch(nullptr); }
+  } watch{op};
+  op.watch([this] { return monitor.ask(); });
+  monitor.next_call();
+  clear_message();
+  if (!warmed_up) {
+    warmed_up = true;
+    if (const rc_status status = warm_up(session, problem, p.data(), &d); status != RC_OK) return status;
+  }
+  const rc_status status = session.solve(solver, problem, p.data(), &d);
+  raise_if_failed(status, solver.name);
+  session.op_for(problem);
+  return status;
+}
+
+SolverRun solver_run(Workspace& work, const Answer& answer, Monitor& monitor) {
+  const bool grid_units = work.system.halfspace();
+  const std::int64_t look = work.record.look;
+  return {*answer.choice.solver,
+          *work.options.context,
+          work.options,
+          work.team(),
+          *answer.op,
+          monitor,
+          work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0,
+          work.system.lambda_min,
+          work.system.positive,
+          grid_units ? work.grid() : rc_grid{},
+          grid_units ? answer.length_unit : 0,
+          grid_units ? answer.pressure_unit : 0,
+          [&work, &monitor](rc_coarse& request) { return work.solver_grids.solve(request, work, monitor); },
+          [&work](std::int64_t mx, std::int64_t my, double* out) { return work.coefficients(mx, my, out); },
+          [&remarks = work.record.remarks](const std::string& text) {
+            const std::string from = text.substr(0, text.find(':'));
+            std::erase_if(remarks, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
+            remarks.push_back(text);
+          },
+          look > 0 ? look : std::numeric_limits<std::int64_t>::max(),
+          look > 0};
+}
+
+}  // namespace rc

@@ -1,0 +1,68 @@
+#include "contact/step/solve_step.h"
+
+#include <string>
+#include <utility>
+
+#include "contact/grids/sparse_contact.h"
+#include "contact/step/displacement.h"
+#include "contact/step/load_control.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+// Whether "auto" may stand for another component than this one.
+bool pass_over(Workspace& work, const char* name, const char* option, const std::string& reason) {
+  if (work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
+  work.record.failed.emplace_back(name);
+  try {
+    choose(work.options, work.system, RC_CONTROL_DISPLACEMENT, {}, work.record.failed);
+  } catch (const Error&) {
+    return false;
+  }
+  work.record.remarks.push_back(join("auto: passed over ", name, ", ", reason));
+  return true;
+}
+
+Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                 const std::optional<Estimate>& nearer) {
+  if (std::optional<Answer> sparse = sparse_contact(work, memory, step, monitor, nearer)) return std::move(*sparse);
+  return step.control == RC_CONTROL_LOAD ? at_load(work, memory, step, monitor, nearer)
+                                         : at_displacement(work, memory, step, monitor, nearer);
+}
+
+}  // namespace
+
+Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
+                    std::optional<Estimate> nearer) {
+  const Choice& choice = work.record.choice;
+  std::optional<Error> first;  // what "auto" passed over a backend for
+  bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows
+  for (;;) {
+    work.record.choice = {};
+    try {
+      Finished finished = certified_result(work, step, answer_of(work, memory, step, monitor, nearer), monitor, result);
+      const rc_status status = finished.status;
+      const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
+      if (!hopeless ||
+          !pass_over(work, choice.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
+        return finished;
+      delivered = true;
+      clear_message();
+    } catch (const Error& error) {
+      const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
+      if (lacking && choice.backend && pass_over(work, choice.backend->name, RC_OPT_BACKEND, error.what())) {
+        work.drop_operator(choice.backend->name);
+        if (!first) first = error;
+        continue;
+      }
+      if (!delivered && first) fail(first->code(), first->what(), "; the next choice of auto failed, too: ", error.what());
+      if (!delivered) throw;
+      set_message(join(rc_status_text(result.status), "; the next choice of auto failed: ", error.what()).c_str());
+      return {result.status, {}};
+    }
+  }
+}
+
+}  // namespace rc

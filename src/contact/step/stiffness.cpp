@@ -1,0 +1,52 @@
+#include "contact/step/stiffness.h"
+
+#include <cmath>
+#include <limits>
+
+#include "contact/step/contact_set_solve.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double stiffness_error = 1e-10;  // relative, where it is found by iteration
+constexpr double subset_tol = 1e-12;       // residual without a preconditioner or a bound: the error is quadratic in it
+
+}  // namespace
+
+double stiffness(Workspace& work, const Answer& answer) {
+  const System& system = work.system;
+  if (!answer.op) return 0;
+  std::vector<std::int64_t> contact;
+  for (std::size_t i = 0; i < answer.p.size(); ++i)
+    if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
+  if (contact.empty()) return 0;
+  const bool full = static_cast<std::int64_t>(contact.size()) == system.points();
+  if (system.periodic() && full) return std::numeric_limits<double>::infinity();
+  const std::vector<double> ones(contact.size(), 1.0);
+  std::vector<double> rate(contact.size());
+  double sum = 0, mean = answer.op->trial().zero_mode / static_cast<double>(system.points());
+  rc_status status = RC_OK;
+  if (const double lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
+      system.halfspace() && !answer.op->has_subset() && lowest > 0) {
+    ContactSetSolve solve(*answer.op, contact, work.grid(), lowest, work.team(), [&work](std::int64_t mx, std::int64_t my, auto& out) {
+      out.resize(static_cast<std::size_t>(mx * my));
+      raise_if_failed(work.coefficients(mx, my, out.data()), "the stiffness");
+    });
+    mean += solve.mean();
+    // The division below multiplies the relative error by 1 / (1 - mean sum).
+    const auto enough = [&](double form, double error) { return error <= stiffness_error * form * (1 - mean * form); };
+    status = solve(ones, enough, rate, sum);
+  } else {
+    status = answer.op->subset(contact, ones.data(), rate.data(), subset_tol);
+    for (const double value : rate) sum += value;
+  }
+  raise_if_failed(status, "the stiffness");
+  if (status != RC_OK) return std::numeric_limits<double>::quiet_NaN();
+  // Without the rank-one zero mode (Sherman & Morrison 1950).
+  sum /= 1 - mean * sum;
+  return sum * system.cell_area() / system.length_per_pressure;
+}
+
+}  // namespace rc

@@ -1,0 +1,57 @@
+#include "contact/step/target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace rc {
+
+void check_target(const rc_step& step, const Workspace& work, const StepSurface& surface) {
+  const bool by_load = step.control == RC_CONTROL_LOAD, by_displacement = step.control == RC_CONTROL_DISPLACEMENT;
+  if (!by_load && !by_displacement)
+    fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.control, " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+  if (!std::isfinite(step.target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", step.target, " is not finite");
+  if (by_load && step.target < 0)
+    fail(RC_ERR_INFEASIBLE, "load = ", step.target,
+         " is negative; a contact without adhesion cannot pull, the smallest load is 0");
+  if (by_load && step.target > 0 && surface.included_points() == 0)
+    fail(RC_ERR_INFEASIBLE, "load = ", step.target, " but every point is excluded by the mask");
+  if (by_displacement && work.system.periodic() && surface.whole() && step.target > surface.lowest() &&
+      step.target - surface.lowest() >= surface.mean_height())
+    fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
+         ": with periodic boundaries the load is not determined there; prescribe the load");
+  if (surface.included_points() > 0 && !(std::isfinite(surface.highest() - surface.lowest()) &&
+                                         (by_load || std::isfinite(step.target - surface.lowest()))))
+    fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", step.target,
+         " are too far apart for double precision");
+  if (step.p0)
+    for (std::int64_t i = 0; i < work.system.points(); ++i)
+      if (!std::isfinite(step.p0[i])) fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", step.p0[i], " is not finite");
+}
+
+bool nothing_touches(const rc_step& step, const Workspace& work) {
+  if (work.surface.included_points() == 0) return true;
+  return step.control == RC_CONTROL_LOAD ? step.target == 0 : step.target <= work.surface.lowest();
+}
+
+double compression_of(const rc_step& step, const Workspace& work) {
+  return work.surface.included_points() > 0 ? step.target - work.surface.lowest() : 0;
+}
+
+// The scale is the problem's own: an answer must not set the scale that it is judged by. Periodic boundaries, load control: in full
+// contact the compression may vanish under any load. A quarter of what the mean pressure does to one cell then serves; it is less
+// than any kernel gives for cells up to 100 times as long as wide. Periodic boundaries, displacement control: the load stays open if
+// gaps under pressure may be as large as the mean gap, so they are held to half of it.
+double residual_scale(const rc_step& step, const Workspace& work, double compression) {
+  const System& system = work.system;
+  if (!system.periodic()) return compression;
+  if (step.control == RC_CONTROL_LOAD) {
+    const double mean_pressure = step.target / system.cell_area() / static_cast<double>(system.points());
+    return std::max(compression, 0.25 * system.length_per_pressure * mean_pressure);
+  }
+  if (!work.surface.whole()) return compression;
+  return std::min(compression, (work.surface.mean_height() - compression) / (2 * work.options.real(RC_OPT_TOL)));
+}
+
+}  // namespace rc

@@ -1,0 +1,47 @@
+#include "contact/step/trial_set.h"
+
+#include <utility>
+
+#include "contact/step/problem_services.h"
+
+namespace rc {
+
+TrialSet trial_below(double limit, const Workspace& work) {
+  return work.system.positive ? work.surface.below(limit) : work.surface.all();
+}
+
+TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work) {
+  constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost by the point
+  if (!(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !work.surface.whole()) return trial;
+  const rc_system& system = work.system.given;
+  const std::int64_t box = box_points(trial, system.nx, system.ny);
+  return trial.n < box && 2 * trial.n >= box ? box_of(trial, system.nx, system.ny) : trial;
+}
+
+Choice choose_for(const TrialSet& trial, std::int32_t control, Workspace& work) {
+  const rc_system& system = work.system.given;
+  const Counts counts{trial.n, box_points(trial, system.nx, system.ny), work.system.points(), work.options.real(RC_OPT_TOL)};
+  Choice& choice = work.record.choice;
+  choice = choose(work.options, work.system, control, counts, work.record.failed);
+  if (work.record.look > 0) choice.solver = &work.options.context->solver(suited(false, true));
+  return choice;
+}
+
+Answer prepared(const TrialSet& trial, std::int32_t control, double length_unit, Workspace& work) {
+  Answer answer;
+  answer.choice = choose_for(trial, control, work);
+  answer.length_unit = length_unit;
+  answer.pressure_unit = length_unit / work.system.length_per_pressure;
+  return answer;
+}
+
+std::vector<double> compenetrations(const Answer& answer, double datum, const Workspace& work) {
+  if (work.system.halfspace() && takes_gap(*answer.choice.solver, work.options)) return {};
+  const TrialSet& trial = answer.op->trial();
+  std::vector<double> u(static_cast<std::size_t>(trial.n));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = (datum - work.surface.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
+  return u;
+}
+
+}  // namespace rc

@@ -1,0 +1,246 @@
+#include "contact/step_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <roughcontact/plugin.hpp>
+
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t tile = StepSurface::tile;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t serial_points = 64 * 64;  // where threads would cost more than they save
+
+// What a pass over one row of tiles tells.
+struct Summary {
+  double lowest = infinite, highest = -infinite;
+  std::int64_t included = 0, bad = 0, first_bad = -1;
+
+  void add(double gap, std::int64_t point) {
+    ++included;
+    if (!std::isfinite(gap)) {
+      if (bad++ == 0) first_bad = point;
+      return;
+    }
+    lowest = std::min(lowest, gap);
+    highest = std::max(highest, gap);
+  }
+};
+
+// All points count: what is not finite makes the sum of the squares so.
+bool add_finite(Summary& summary, const double* gap, std::int64_t n, double& lowest) {
+  double low = infinite, high = -infinite, doubt = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    low = gap[i] < low ? gap[i] : low;
+    high = gap[i] > high ? gap[i] : high;
+    doubt += gap[i] * 0.0;
+  }
+  if (!(doubt == 0)) return false;
+  summary.included += n;
+  summary.lowest = std::min(summary.lowest, low);
+  summary.highest = std::max(summary.highest, high);
+  lowest = std::min(lowest, low);
+  return true;
+}
+
+}  // namespace
+
+StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : nx_(given.nx), ny_(given.ny) {
+  const std::int64_t columns = tiles_x(), rows = (ny_ + tile - 1) / tile;
+  tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
+  std::vector<Summary> summaries(static_cast<std::size_t>(rows));
+  if (!given.borrowed) {
+    own_gap_ = std::make_unique_for_overwrite<double[]>(given.gap.size());
+    own_mask_.assign(given.mask.begin(), given.mask.end());
+  }
+  gap_ = given.borrowed ? given.gap : std::span<const double>{own_gap_.get(), given.gap.size()};
+  mask_ = given.borrowed ? given.mask : own_mask_;
+  roughcontact::for_each(team, rows, gap_.size() > serial_points, [&](std::int64_t row, std::int64_t) {
+    Summary& summary = summaries[static_cast<std::size_t>(row)];
+    for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y) {
+      if (!given.borrowed) std::copy_n(given.gap.data() + y * nx_, nx_, own_gap_.get() + y * nx_);
+      for (std::int64_t column = 0; column < columns; ++column) {
+        double& lowest = tile_lowest_[static_cast<std::size_t>(row * columns + column)];
+        const std::int64_t begin = y * nx_ + column * tile, end = y * nx_ + std::min((column + 1) * tile, nx_);
+        if (mask_.empty() && add_finite(summary, given.gap.data() + begin, end - begin, lowest)) continue;
+        for (std::int64_t point = begin; point < end; ++point) {
+          if (!included(static_cast<std::size_t>(point))) continue;
+          summary.add(given.gap[static_cast<std::size_t>(point)], point);
+          lowest = std::min(lowest, given.gap[static_cast<std::size_t>(point)]);
+        }
+      }
+    }
+  });
+  Summary whole;
+  for (const Summary& each : summaries) {
+    whole.included += each.included;
+    whole.lowest = std::min(whole.lowest, each.lowest);
+    whole.highest = std::max(whole.highest, each.highest);
+    if (whole.bad == 0) whole.first_bad = each.first_bad;
+    whole.bad += each.bad;
+  }
+  if (whole.bad > 0)
+    fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at index ", whole.first_bad, " (",
+         given.gap[static_cast<std::size_t>(whole.first_bad)], "); exclude them with rc_step.mask");
+  included_points_ = whole.included;
+  lowest_ = whole.lowest;
+  highest_ = whole.highest;
+}
+
+bool StepSurface::equals(const StepSurface& other, const rc_team& team) const {
+  if (gap_.data() == other.gap_.data() && mask_.data() == other.mask_.data()) return true;
+  if (gap_.size() != other.gap_.size() || mask_.size() != other.mask_.size() || lowest_ != other.lowest_ ||
+      tile_lowest_ != other.tile_lowest_)
+    return false;
+  std::vector<std::uint8_t> differs(static_cast<std::size_t>(ny_), 0);
+  roughcontact::for_each(team, ny_, gap_.size() > serial_points, [&](std::int64_t y, std::int64_t) {
+    for (auto i = static_cast<std::size_t>(y * nx_); i < static_cast<std::size_t>((y + 1) * nx_); ++i)
+      if (included(i) != other.included(i) || (included(i) && gap_[i] != other.gap_[i])) {
+        differs[static_cast<std::size_t>(y)] = 1;
+        return;
+      }
+  });
+  return std::find(differs.begin(), differs.end(), 1) == differs.end();
+}
+
+namespace {
+
+// act(point, x, y) for the points of tile number `index`, row by row.
+template <class Action>
+void visit_tile(std::int64_t index, std::int64_t nx, std::int64_t ny, std::int64_t columns, const Action& act) {
+  const std::int64_t left = index % columns * tile, low = index / columns * tile;
+  for (std::int64_t y = low; y < std::min(low + tile, ny); ++y)
+    for (std::int64_t x = left; x < std::min(left + tile, nx); ++x) act(y * nx + x, x, y);
+}
+
+}  // namespace
+
+Extent StepSurface::extent_below(double limit) const {
+  Extent extent;
+  for (std::size_t i = 0; i < tile_lowest_.size(); ++i)
+    if (tile_lowest_[i] < limit)
+      visit_tile(static_cast<std::int64_t>(i), nx_, ny_, tiles_x(), [&](std::int64_t point, std::int64_t x, std::int64_t y) {
+        if (included(static_cast<std::size_t>(point)) && gap_[static_cast<std::size_t>(point)] < limit) extent.add(x, y);
+      });
+  return extent;
+}
+
+TrialSet StepSurface::below(double limit) const {
+  TrialSet trial;
+  trial.n = extent_below(limit).n;
+  if (trial.n == static_cast<std::int64_t>(gap_.size())) return trial;
+  trial.index.reserve(static_cast<std::size_t>(trial.n));
+  for (std::size_t i = 0; i < gap_.size(); ++i)
+    if (included(i) && gap_[i] < limit) trial.index.push_back(static_cast<std::int64_t>(i));
+  return trial;
+}
+
+TrialSet StepSurface::below(double limit, std::span<const std::int64_t> tiles) const {
+  TrialSet trial;
+  for (const std::int64_t each : tiles)
+    visit_tile(each, nx_, ny_, tiles_x(), [&](std::int64_t point, std::int64_t, std::int64_t) {
+      if (included(static_cast<std::size_t>(point)) && gap_[static_cast<std::size_t>(point)] < limit)
+        trial.index.push_back(point);
+    });
+  std::sort(trial.index.begin(), trial.index.end());
+  trial.n = static_cast<std::int64_t>(trial.index.size());
+  if (trial.n == static_cast<std::int64_t>(gap_.size())) trial.index.clear();
+  return trial;
+}
+
+double StepSurface::mean_height() const {
+  if (!mean_height_) {
+    double sum = 0;
+    for (std::size_t i = 0; i < gap_.size(); ++i)
+      if (included(i)) sum += height(i);
+    mean_height_ = sum / static_cast<double>(included_points_);
+  }
+  return *mean_height_;
+}
+
+double StepSurface::limit_of(double height) const {
+  const double limit = lowest_ + height;
+  return limit - lowest_ < height ? std::nextafter(limit, infinite) : limit;
+}
+
+namespace {
+
+constexpr std::size_t bins = 1024;
+
+// Counts and sums of heights by bins of equal width over [0, range).
+struct Histogram {
+  explicit Histogram(double over) : range(over), count(bins, 0.0), sum(bins, 0.0) {}
+  void add(double height) {
+    if (!(height < range)) return;
+    const auto bin = std::min(static_cast<std::size_t>(height / range * static_cast<double>(bins)), bins - 1);
+    count[bin] += 1;
+    sum[bin] += height;
+  }
+  // The upper edge of the first bin at which sum(t - height) / sqrt(count) reaches the target; range if none does.
+  double reach(double target) const {
+    double points = 0, heights = 0;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      points += count[bin];
+      heights += sum[bin];
+      const double edge = range * static_cast<double>(bin + 1) / static_cast<double>(bins);
+      if (points > 0 && (edge * points - heights) / std::sqrt(points) >= target) return edge;
+    }
+    return range;
+  }
+  double range;
+  std::vector<double> count, sum;
+};
+
+}  // namespace
+
+double StepSurface::bearing_height(double target) const {
+  const double n = static_cast<double>(included_points_);
+  const double all = (target * std::sqrt(n) + n * mean_height()) / n;  // if every point bears
+  double range = highest_ - lowest_;
+  if (all >= range) return all;
+  // The range is narrowed until the bins resolve the answer.
+  for (int round = 0;; ++round) {
+    Histogram histogram(range);
+    for (std::size_t i = 0; i < gap_.size(); ++i)
+      if (included(i)) histogram.add(gap_[i] - lowest_);
+    const double height = histogram.reach(target);
+    if (height > 0.02 * range || round == 6) return height;
+    range = 2 * height;
+  }
+}
+
+namespace {
+
+Extent extent_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
+  if (trial.index.empty()) return {nx * ny, 0, nx - 1, 0, ny - 1};
+  Extent extent;
+  extent.n = trial.n;
+  extent.low = trial.index.front() / nx;
+  extent.high = trial.index.back() / nx;
+  std::int64_t row_begin = extent.low * nx;  // divides only where a row begins
+  for (const std::int64_t point : trial.index) {
+    if (point >= row_begin + nx) row_begin = point / nx * nx;
+    extent.left = std::min(extent.left, point - row_begin);
+    extent.right = std::max(extent.right, point - row_begin);
+  }
+  return extent;
+}
+
+}  // namespace
+
+std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny) { return extent_of(trial, nx, ny).box(); }
+
+TrialSet box_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
+  const Extent box = extent_of(trial, nx, ny);
+  TrialSet all{box.box(), {}, trial.zero_mode};
+  if (all.n == nx * ny) return all;
+  all.index.reserve(static_cast<std::size_t>(all.n));
+  for (std::int64_t y = box.low; y <= box.high; ++y)
+    for (std::int64_t x = box.left; x <= box.right; ++x) all.index.push_back(y * nx + x);
+  return all;
+}
+
+}  // namespace rc

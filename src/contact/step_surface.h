@@ -1,0 +1,103 @@
+// The gap of the current step, and the trial sets it gives.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "operator/operator.h"
+
+namespace rc {
+
+// How many points there are, and their bounding box; columns left .. right, rows low .. high.
+struct Extent {
+  std::int64_t n = 0;
+  std::int64_t left = std::numeric_limits<std::int64_t>::max(), right = -1, low = left, high = -1;
+
+  void add(std::int64_t x, std::int64_t y) {
+    ++n;
+    left = std::min(left, x);
+    right = std::max(right, x);
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  std::int64_t width() const { return n > 0 ? right - left + 1 : 0; }
+  std::int64_t height() const { return n > 0 ? high - low + 1 : 0; }
+  std::int64_t box() const { return width() * height(); }
+};
+
+// A gap over nx * ny points and the points that count, an empty mask: all of them.
+struct GivenSurface {
+  std::int64_t nx = 0, ny = 0;
+  std::span<const double> gap;
+  std::span<const std::uint8_t> mask;
+  bool borrowed = false;  // not copied: the arrays outlive the state
+};
+
+class StepSurface {
+ public:
+  StepSurface() = default;
+  // Throws Error(ARGUMENT) on values that are not finite outside the mask.
+  StepSurface(const GivenSurface& given, const rc_team& team);
+  StepSurface(StepSurface&&) = default;
+  StepSurface& operator=(StepSurface&&) = default;
+  void clear() { *this = StepSurface(); }
+
+  bool empty() const { return gap_.empty(); }
+  bool equals(const StepSurface&, const rc_team& team) const;  // NaN under the mask counts as equal
+  std::span<const double> gap() const { return gap_; }
+  std::span<const std::uint8_t> masks() const { return mask_; }
+  const std::uint8_t* mask() const { return mask_.empty() ? nullptr : mask_.data(); }
+  bool included(std::size_t i) const { return mask_.empty() || mask_[i] != 0; }
+  std::int64_t included_points() const { return included_points_; }
+  bool whole() const { return mask_.empty() || included_points_ == static_cast<std::int64_t>(gap_.size()); }
+  double lowest() const { return lowest_; }  // smallest gap of the included points
+  double highest() const { return highest_; }
+  double mean() const { return lowest_ + mean_height(); }  // of the included points
+
+  // Above the lowest gap: with heights, and compressions in place of approaches, nothing depends on the datum of the gap.
+  double height(std::size_t i) const { return gap_[i] - lowest_; }
+  double mean_height() const;  // of the included points
+  double range() const { return highest_ - lowest_; }
+  // A gap that every included point of less height lies below.
+  double limit_of(double height) const;
+
+  // Included points with gap < limit.
+  TrialSet below(double limit) const;
+  TrialSet all() const { return below(std::numeric_limits<double>::infinity()); }
+  Extent extent_below(double limit) const;
+
+  // Tiles are squares of 16 x 16 points from the first on; those at the ends may be cut off.
+  static constexpr std::int64_t tile = 16;
+  std::int64_t tiles_x() const { return (nx_ + tile - 1) / tile; }
+  // The least gap of each tile's included points, infinite where it has none.
+  std::span<const double> tile_lowest() const { return tile_lowest_; }
+  // Included points with gap < limit of the tiles given in ascending order.
+  TrialSet below(double limit, std::span<const std::int64_t> tiles) const;
+
+  // The height t above the lowest gap at which sum(max(t - (gap - lowest), 0)) / sqrt(points with gap - lowest < t) = target, to
+  // about two percent from above.
+  double bearing_height(double target) const;
+
+ private:
+  std::int64_t nx_ = 0, ny_ = 0;
+  std::unique_ptr<double[]> own_gap_;
+  std::vector<std::uint8_t> own_mask_;
+  std::span<const double> gap_;  // one's own or the caller's
+  std::span<const std::uint8_t> mask_;
+  std::vector<double> tile_lowest_;
+  std::int64_t included_points_ = 0;
+  double lowest_ = 0, highest_ = 0;
+  mutable std::optional<double> mean_height_;  // once it was asked for
+};
+
+// Points of the bounding box of a trial set on a grid nx wide and ny high.
+std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny);
+// Every point of that box, or of the grid where it is as large.
+TrialSet box_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny);
+
+}  // namespace rc

@@ -1,0 +1,91 @@
+#include "contact/workspace.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "contact/step/monitor.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+// A pair that is fully named must go together.
+void check_names(const rc_options& options, const System& system) {
+  if (const std::string& first = options.text(RC_OPT_WARMUP); first != "none") options.context->solver(first);
+  const std::string& solver = options.text(RC_OPT_SOLVER);
+  if (solver != "auto") options.context->solver(solver);
+  if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty())
+    certifying_backend(certifier, options, system);
+  if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system, RC_CONTROL_DISPLACEMENT, {});
+}
+
+// An accuracy goal loosens tol: digits below the grid's own error are wasted.
+rc_options loosened(const rc_options& given) {
+  rc_options options = given;
+  const double tol = goal_of(given).tol();
+  if (tol > options.real(RC_OPT_TOL)) options.set(RC_OPT_TOL, tol);
+  return options;
+}
+
+}  // namespace
+
+Workspace::Workspace(const rc_system& given, const rc_options& given_options, const rc_team* team)
+    : system(checked_system(given, given_options.text(RC_OPT_KERNEL), true)), options(given_options), team_(team) {
+  set_options(given_options);
+  if (!team_) {
+    own_team_ = std::make_unique<Team>(options.integer(RC_OPT_THREADS));
+    team_ = own_team_.get();
+  }
+}
+
+void Workspace::set_options(const rc_options& given) {
+  if (given.context != options.context) fail(RC_ERR_OPTION, "these options belong to another context");
+  for (const OptionSpec* spec : options.context->options())
+    if (spec->fixed && given.values.get(*spec) != options.values.get(*spec))
+      fail(RC_ERR_OPTION, "option \"", spec->key, "\" is fixed when the contact is created; make a new contact to change it");
+  check_names(given, system);
+  options = loosened(given);
+}
+
+rc_grid Workspace::grid() const {
+  const rc_system& s = system.given;
+  return {sizeof(rc_grid), s.nx, s.ny, s.hx, s.hy, surface.gap().data(), surface.mask(), nullptr, 0, s.boundary, 0};
+}
+
+Operator& Workspace::bound_operator(const rc_backend& backend, const TrialSet& trial) {
+  const auto begun = Clock::now();
+  auto it = operators_.find(backend.name);
+  if (it == operators_.end()) {
+    auto made = std::make_unique<Operator>(backend, options.context->host(), system.unit, system.kernel, options, *team_,
+                                           system.operator_scale);
+    it = operators_.emplace(backend.name, std::move(made)).first;
+  }
+  it->second->bind(trial);
+  record.setup_seconds += seconds_since(begun);
+  return *it->second;
+}
+
+void Workspace::forget_operators() {
+  std::erase_if(operators_, [](const auto& entry) { return !entry.second->forget(); });
+}
+
+std::int64_t Workspace::applications() const {
+  std::int64_t total = 0;
+  for (const auto& [name, op] : operators_) total += op->applications();
+  return total;
+}
+
+rc_status Workspace::coefficients(std::int64_t mx, std::int64_t my, double* out) {
+  constexpr std::int64_t most = 1 << 14;  // values that are kept
+  if (mx != table_.mx || my != table_.my) {
+    const rc_host& host = options.context->host();
+    const rc_status status = host.coefficients(&host, &system.unit, system.kernel.c_str(), mx, my, out);
+    if (status == RC_OK && mx <= most / my) table_ = {mx, my, {out, out + mx * my}};
+    return status;
+  }
+  std::copy(table_.values.begin(), table_.values.end(), out);
+  return RC_OK;
+}
+
+}  // namespace rc

@@ -1,0 +1,86 @@
+// What the steps of one contact work with: the problem, the surface of the current step, and the components made for it. It holds
+// no solution.
+#pragma once
+
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/grids/goal.h"
+#include "contact/grids/solver_grids.h"
+#include "contact/proof/spectrum.h"
+#include "contact/step/auto_choice.h"
+#include "contact/step_surface.h"
+#include "contact/system.h"
+#include "core/team.h"
+#include "operator/operator.h"
+#include "registry/options_handle.h"
+
+namespace rc {
+
+// What one step notes on its way.
+struct StepRecord {
+  bool warm = true;                       // it may start from earlier steps
+  Choice choice;                          // the latest
+  std::vector<std::string> failed;        // components that "auto" passes over
+  std::vector<std::string> remarks;       // for rc_result.note
+  std::int64_t look = 0;                  // most iterations of a look at the given grid; 0: this is a solve
+  double setup_seconds = 0;               // of operators
+  std::int64_t applications_before = 0;   // products that the operators had made
+};
+
+// What proofs need of the problem or of the surface, once a step asked for it.
+struct ProofFacts {
+  std::optional<Spectrum> spectrum;  // of the problem
+  std::optional<double> tilt;        // plane_share of the surface
+};
+
+// It does not move: operators keep the addresses of its options and team.
+class Workspace {
+ public:
+  // team: null, or one to work with instead of its own.
+  Workspace(const rc_system& system, const rc_options& options, const rc_team* team);
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  // Names are checked before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
+  void set_options(const rc_options& given);
+  const rc_team& team() const { return *team_; }
+  rc_grid grid() const;  // of a half-space
+
+  // The operator of this backend, made where there is none yet, with that trial set.
+  Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
+  void drop_operator(const char* backend) { operators_.erase(backend); }
+  // A factor remembers the order in which points came, a transform the larger box before: without forgetting, answers would
+  // differ by round-off from first ones.
+  void forget_operators();
+  std::int64_t applications() const;  // of all operators
+  // Dimensionless influence coefficients; the last table is kept, since solvers ask for the same at every step.
+  rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
+
+  const System system;
+  rc_options options;
+  Goal goal;  // of accuracy, set by Contact: a coarser grid has none
+  StepSurface surface;
+  StepRecord record;
+  ProofFacts facts;
+  SolverGrids solver_grids;
+
+ private:
+  struct Table {
+    std::int64_t mx = 0, my = 0;
+    std::vector<double> values;
+  };
+
+  std::unique_ptr<Team> own_team_;
+  const rc_team* team_;
+  std::map<std::string, std::unique_ptr<Operator>> operators_;
+  Table table_;
+};
+
+}  // namespace rc
