@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks every #include against the layers: each folder may include only what stands beside it here."""
+"""Checks every #include against the layers: each folder may include only what stands beside it here, and no header reaches itself."""
 import pathlib
 import re
 import sys
@@ -25,6 +25,12 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'examples': PUBLIC,
 }
 BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}  # what a folder outside src takes from it: headers alone, but for grid
+NARROWER = {  # folders below those of LAYERS, and files that stand for all in a folder: headers of the tree they may include
+    'contact/proof': ('contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/', 'kernel/'),
+    'contact/history': ('contact/contact.h', 'contact/history/', 'registry/', 'core/'),
+    'contact/step/*.h': ('contact/answer.h', 'contact/memory.h', 'contact/system.h', 'contact/workspace.h', 'contact/step/', 'operator/',
+                         'registry/', 'solvers/'),
+}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 
@@ -36,6 +42,10 @@ def allowed(root, file, include, quoted):
         return True  # a file of its own
     if top == 'src':
         layer = include.split('/')[0]
+        inner = file.relative_to(top)
+        for where, may in NARROWER.items():
+            if quoted and (inner.match(where) or str(inner.parent) == where) and not include.startswith(may):
+                return False
         return layer in LAYERS[folder] if layer in LAYERS else not quoted
     if top == 'backends' and quoted and include.startswith('common/'):
         return (root / 'backends' / include).exists()
@@ -44,6 +54,28 @@ def allowed(root, file, include, quoted):
     if BORROWED.get(top, set()) & {include, include.split('/')[0]}:
         return True
     return not include.startswith('..') and not (root / 'src' / include).exists()
+
+
+def cycles(root):
+    """Headers under src that include each other, as lists that end where they begin."""
+    src = root / 'src'
+    graph = {}
+    for header in src.rglob('*.h'):
+        quoted = re.findall(r'^\s*#\s*include\s*"([^"]+)"', header.read_text(), re.M)
+        graph[str(header.relative_to(src))] = [each for each in quoted if each.endswith('.h') and (src / each).exists()]
+    found, seen = [], set()
+
+    def follow(header, path):
+        for each in graph[header]:
+            if each in path:
+                found.append([*path[path.index(each):], each])
+            elif each not in seen:
+                seen.add(each)
+                follow(each, [*path, each])
+
+    for header in graph:
+        follow(header, [header])
+    return found
 
 
 def main():
@@ -61,6 +93,7 @@ def main():
                 edges += 1
                 if not allowed(root, file, match[2], match[1] == '"') and (str(file), match[2]) not in EXCEPTIONS:
                     forbidden.append(f'{file}:{number}: must not include {match[2]}')
+    forbidden.extend('a cycle: ' + ' -> '.join(each) for each in cycles(root))
     print('\n'.join(forbidden) or f'{edges} includes follow the layers')
     return 1 if forbidden or not edges else 0
 

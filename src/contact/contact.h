@@ -25,8 +25,8 @@ class Contact {
   rc_status certify(const rc_step& step, rc_result& result);
 
   void reset();
-  // As new: operators, too, forget what they served, since answers would differ by round-off. What is the same for all contacts of
-  // the system stays.
+  // As new: operators, too, forget what they served, since answers would differ by round-off. What is the same for all contacts
+  // of the system stays.
   void forget();
   // As after the steps described, which this contact or another has solved. Throws Error(ARGUMENT).
   void restore(const rc_state& state);

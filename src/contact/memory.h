@@ -12,9 +12,9 @@
 namespace rc {
 
 struct CertifiedStep {
-  Pressures pressures;  // empty: there was none
-  double approach = 0;  // [length]
-  double load = 0;      // [force]
+  Pressures pressures;    // empty: there was none
+  double approach = 0;    // [length]
+  double load = 0;        // [force]
   bool same_gap = false;  // its surface is the current one
 };
 

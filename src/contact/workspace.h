@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/grids/goal.h"
+#include "contact/goal.h"
 #include "contact/grids/solver_grids.h"
 #include "contact/proof/spectrum.h"
 #include "contact/step/auto_choice.h"
@@ -25,13 +25,13 @@ namespace rc {
 
 // What one step notes on its way.
 struct StepRecord {
-  bool warm = true;                       // it may start from earlier steps
-  Choice choice;                          // the latest
-  std::vector<std::string> failed;        // components that "auto" passes over
-  std::vector<std::string> remarks;       // for rc_result.note
-  std::int64_t look = 0;                  // most iterations of a look at the given grid; 0: this is a solve
-  double setup_seconds = 0;               // of operators
-  std::int64_t applications_before = 0;   // products that the operators had made
+  bool warm = true;                      // it may start from earlier steps
+  Choice choice;                         // the latest
+  std::vector<std::string> failed;       // components that "auto" passes over
+  std::vector<std::string> remarks;      // for rc_result.note
+  std::int64_t look = 0;                 // most iterations of a look at the given grid; 0: this is a solve
+  double setup_seconds = 0;              // of operators
+  std::int64_t applications_before = 0;  // products that the operators had made
 };
 
 // What proofs need of the problem or of the surface, once a step asked for it.

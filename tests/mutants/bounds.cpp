@@ -175,6 +175,24 @@ void near_the_mean_plane(Figures& figures) {
     }
 }
 
+// A point without pressure far above all others sets the unit of length: beside it the surface is nearly flat, so the mean gap
+// tells more of the load than the points that may carry.
+void flat_beside_one_deflection(Figures& figures) {
+  for (const double off : {1e-2, 1e-6})
+    for (const double stray : {0.0, 1e-3, 3e-2}) {
+      Small small(6, 6);
+      small.given.boundary = RC_BOUNDARY_PERIODIC;
+      small.press(small.surface().mean_height() - 0.1, off, 2);
+      std::size_t last = 0;
+      for (std::size_t i = 0; i < small.points(); ++i)
+        if (!(small.answer.pressures.p[i] > 0)) last = i;
+      small.answer.product[last] = 100;
+      for (std::size_t i = 0; i < last; ++i)
+        if (!(small.answer.pressures.p[i] > 0)) small.answer.pressures.p[i] = stray;
+      put(figures, "flat/" + std::to_string(off * 1e6) + "/" + std::to_string(stray), small);
+    }
+}
+
 void unlisted_points(Figures& figures) {
   Small small(8, 6);
   small.press(0.35, 1e-4, 4);
@@ -202,8 +220,14 @@ void unlisted_points(Figures& figures) {
         Small lifted = small;
         for (double& h : lifted.gap) h += 0.1;
         put(figures, name + "/datum", lifted);
+        Small above = small;
+        above.gap[static_cast<std::size_t>(listed[0])] = 3;
+        put(figures, name + "/first_above", above);
         small.answer.pressures.p[2] = -0.2;
         put(figures, name + "/negative", small);
+        small.compression = 20;
+        put(figures, name + "/negative_all_below", small);
+        small.compression = 0.35;
         small.answer.product[2] = -4;
         put(figures, name + "/deep", small);
         small.gap[45] = 50;
@@ -222,6 +246,7 @@ void figures_of_bounds(Figures& figures) {
   odd_answers(figures);
   proofs_in_rounds(figures);
   near_the_mean_plane(figures);
+  flat_beside_one_deflection(figures);
   unlisted_points(figures);
 }
 

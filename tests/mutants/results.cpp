@@ -18,7 +18,12 @@ std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagon
 void put(Figures& figures, rc_status status, const rc_result& r, const std::vector<double>& p, const std::vector<double>& gap,
          bool solved) {
   figures.exact("status", status);
-  if (status < 0) return;
+  if (status < 0) {
+    double message = 0;
+    for (const char* c = rc_last_error(); *c; ++c) message = message * 31 + *c - std::floor(message / 1e6) * 31e6;
+    figures.exact("message", message);
+    return;
+  }
   figures.near("load", r.load);
   figures.near("displacement", r.displacement);
   figures.near("mean", r.mean_pressure);
@@ -30,6 +35,15 @@ void put(Figures& figures, rc_status status, const rc_result& r, const std::vect
   figures.exact("modelled", static_cast<double>(r.modelled));
   figures.exact("tolerance", r.tolerance);
   figures.exact("estimate", r.error_estimate);
+  figures.exact("area_estimate", r.area_estimate);
+  figures.exact("left_out", r.left_out);
+  figures.exact("reserved", r.reserved);
+  figures.exact("points", static_cast<double>(r.points));
+  figures.exact("model_nx", static_cast<double>(r.model_nx));
+  figures.exact("model_ny", static_cast<double>(r.model_ny));
+  figures.exact("solver", static_cast<double>(std::string(r.solver).size()));
+  figures.exact("backend", static_cast<double>(std::string(r.backend).size()));
+  figures.exact("bounded", !std::isnan(r.load_lower));
   figures.exact("infinite", std::isinf(r.load_upper));
   figures.exact("remarks", static_cast<double>(std::string(r.note).size()));
   figures.near("stiffness", r.stiffness);
@@ -43,11 +57,124 @@ void put(Figures& figures, rc_status status, const rc_result& r, const std::vect
   figures.near("kkt_control", r.kkt_control);
   figures.near("lower", r.load_lower);
   figures.near("upper", r.load_upper);
+  figures.near("duality_gap", r.duality_gap);
+  figures.exact("area_lower", r.area_lower);
+  figures.exact("area_upper", r.area_upper);
+  figures.exact("proven_contacts", static_cast<double>(r.proven_contacts));
+  figures.exact("proven_open", static_cast<double>(r.proven_open));
+  figures.exact("undecided", static_cast<double>(r.undecided));
+}
+
+// What an earlier result left in a struct.
+void spoil(rc_result& r) {
+  r.reserved = 5;
+  r.points = r.model_nx = r.model_ny = -5;
+  r.left_out = r.error_estimate = r.area_estimate = -5;
+  r.load_lower = r.load_upper = r.duality_gap = r.area_lower = r.area_upper = -5;
+  r.proven_contacts = r.proven_open = r.undecided = -5;
+}
+
+struct Handle {
+  rc_options* options = nullptr;
+  rc_contact* contact = nullptr;
+
+  Handle(const Small& small, const char* backend, const char* solver) {
+    rc_options_create(nullptr, &options);
+    rc_options_set_text(options, "backend", backend);
+    rc_options_set_text(options, "solver", solver);
+    rc_contact_create(&small.given, options, &contact);
+  }
+  ~Handle() {
+    rc_contact_destroy(contact);
+    rc_options_destroy(options);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+};
+
+// Products and pressures whose load alone, or whose energy alone, exceeds double precision.
+void beyond_double_precision(Figures& figures) {
+  double diagonal = 1;
+  Small small(3, 1);
+  small.given.op = RC_OPERATOR_CALLBACK;
+  small.given.hx = small.given.hy = 1e10;
+  small.given.apply = [](const double* x, double* y, std::int64_t n, void* user) {
+    for (std::int64_t i = 0; i < n; ++i) y[i] = *static_cast<double*>(user) * x[i];
+    return std::int32_t{0};
+  };
+  small.given.user = &diagonal;
+  Handle handle(small, "callback", "nnls");
+  for (const auto& [size, factor] : {std::pair{1e100, 1.0}, {1e300, 1e-320}, {1e150, 1.0}, {1e-170, 1.0}}) {
+    diagonal = factor;
+    std::vector<double> p(3, size), deformed(3);
+    rc_step step = RC_STEP_INIT;
+    step.gap = small.gap.data();
+    step.target = 0.4;
+    rc_result r{};
+    r.struct_size = sizeof r;
+    r.p = p.data();
+    figures.section("beyond/" + std::to_string(std::log10(size)));
+    const rc_status status = rc_contact_certify(handle.contact, &step, &r);
+    put(figures, status, r, p, deformed, true);
+  }
+}
+
+// Solvers stopped after a step from large pressures: the certificate holds for all points, also outside the trial set.
+void stopped_far_from_the_answer(Figures& figures) {
+  for (const char* solver : {"polonsky-keer", "admm", "nnls", "gradient-projection", "greedy"})
+    for (const double start : {0.0, 0.02, 5.0})
+      for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+        Small small(7, 5);
+        Handle handle(small, "dense", solver);
+        rc_options_set_int(handle.options, "max_iter", 1);
+        rc_contact_set_options(handle.contact, handle.options);
+        std::vector<double> p(small.points()), p0(small.points(), start), deformed(small.points());
+        rc_step step = RC_STEP_INIT;
+        step.control = control;
+        step.gap = small.gap.data();
+        step.target = 0.1;
+        step.p0 = p0.data();
+        rc_result r{};
+        r.struct_size = sizeof r;
+        r.p = p.data();
+        figures.section(std::string("stopped/") + solver + std::to_string(start) + std::to_string(control));
+        const rc_status status = rc_contact_solve(handle.contact, &step, &r);
+        put(figures, status, r, p, deformed, true);
+        figures.near("kkt_primal", r.kkt_primal);
+        figures.near("kkt_dual", r.kkt_dual);
+      }
+}
+
+// No point counts, or one does.
+void masks_that_leave_little(Figures& figures) {
+  Small small(4, 3);
+  Handle handle(small, "dense", "nnls");
+  for (const bool one : {false, true})
+    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+      std::vector<double> gap = small.gap, p(small.points()), deformed(small.points());
+      for (double& h : gap) h += 0.25;
+      std::vector<std::uint8_t> mask(small.points(), 0);
+      mask[5] = one;
+      rc_step step = RC_STEP_INIT;
+      step.control = control;
+      step.gap = gap.data();
+      step.mask = mask.data();
+      step.target = control == RC_CONTROL_DISPLACEMENT ? 2 : one ? 0.3 : 0;
+      rc_result r{};
+      r.struct_size = sizeof r;
+      r.p = p.data();
+      figures.section(std::string("little/") + std::to_string(one) + std::to_string(control));
+      const rc_status status = rc_contact_solve(handle.contact, &step, &r);
+      put(figures, status, r, p, deformed, true);
+    }
 }
 
 }  // namespace
 
 void figures_of_results(Figures& figures) {
+  beyond_double_precision(figures);
+  stopped_far_from_the_answer(figures);
+  masks_that_leave_little(figures);
   double diagonal = 1;
   std::vector<Small> all;
   for (const std::int64_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
@@ -55,6 +182,8 @@ void figures_of_results(Figures& figures) {
     all.back().given.boundary = static_cast<std::int32_t>(boundary);
     all.back().given.hx = 0.7;
   }
+  all.push_back(all.back());  // nearly flat: in full contact the load alone sets the scale
+  for (double& h : all.back().gap) h *= 1e-3;
   all.emplace_back(9, 1);
   all.back().make_dense(0.2);
   for (Small& small : all)
@@ -79,11 +208,13 @@ void figures_of_results(Figures& figures) {
               if (periodic && control == RC_CONTROL_DISPLACEMENT && size > 1) continue;
               rc_options* options = nullptr;
               rc_options_create(nullptr, &options);
-              rc_options_set_text(options, "backend", number == 4 ? "callback" : "dense");
+              rc_options_set_text(options, "backend", number == 5 ? "callback" : "dense");
               rc_options_set_text(options, "solver", "nnls");
               rc_options_set_real(options, "tol", tol);
               rc_options_set_int(options, "stiffness", tol < 1e-5);
-              if (masked && size > 0.1) rc_options_set_text(options, "certify_backend", number == 4 ? "callback" : "dense");
+              rc_options_set_int(options, "bounds", tol < 1e-5 || !masked);
+              rc_options_set_real(options, "accuracy", tol > 1e-5 && !masked ? 0.3 : 0);
+              if (masked && size > 0.1) rc_options_set_text(options, "certify_backend", number == 5 ? "callback" : "dense");
               std::vector<double> gap = small.gap, p(gap.size()), deformed(gap.size());
               for (double& h : gap) h += datum;
               std::vector<std::uint8_t> mask(gap.size(), 1);
@@ -128,19 +259,26 @@ void figures_of_results(Figures& figures) {
               p = right;
               for (std::size_t i = 0; i < p.size(); ++i)
                 if (!masked || mask[i]) p[i] += 3;
+              p[2] = 1;
+              spoil(r);
               figures.section("more/" + name);
               status = rc_contact_certify(contact, &step, &r);
               put(figures, status, r, p, deformed, false);
-              if (number == 4) {
-                for (const double worse : {-0.1, -0.6, -1.0}) {
-                  diagonal = worse;
-                  p.assign(p.size(), 0.0);
-                  p[0] = 1e-170;
-                  p[3] = -2e-170;
-                  figures.section("indefinite/" + name + std::to_string(worse));
-                  status = rc_contact_certify(contact, &step, &r);
-                  put(figures, status, r, p, deformed, false);
-                }
+              p.assign(p.size(), 0.0);
+              figures.section("none/" + name);
+              status = rc_contact_certify(contact, &step, &r);
+              put(figures, status, r, p, deformed, false);
+              if (number == 5) {
+                for (const double worse : {-0.05, -0.1, -0.6, -1.0, 0.0})
+                  for (const auto& [first, second] : {std::pair{1e-170, -2e-170}, {-1e-170, -2e-170}, {1e-170, -1e-170}}) {
+                    diagonal = worse;
+                    p.assign(p.size(), 0.0);
+                    p[0] = first;
+                    p[3] = second;
+                    figures.section("indefinite/" + name + std::to_string(worse) + std::to_string(first / second));
+                    status = rc_contact_certify(contact, &step, &r);
+                    put(figures, status, r, p, deformed, false);
+                  }
                 diagonal = 1;
               }
               rc_contact_destroy(contact);

@@ -44,7 +44,7 @@ void figures_of_spectra(Figures& figures) {
   singular.given.dense = singular.matrix.data();
   put("singular", singular);
   // Inverse iteration begins on the eigenvector (1, -1/2) and does not see the smaller eigenvalue of (1, 2).
-  for (const double smaller : {0.95, 0.7, 0.55}) {
+  for (const double smaller : {0.95, 0.7, 0.55, 0.45}) {
     Small unseen(2, 1);
     unseen.make_dense(1);
     unseen.matrix = {smaller + 4, 2 * smaller - 2, 2 * smaller - 2, 4 * smaller + 1};

@@ -183,8 +183,8 @@ void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, 
   result.error_estimate = result.area_estimate = std::numeric_limits<double>::quiet_NaN();
   result.left_out = left_out(p, blocks, given.surface, contact.work().surface.gap());
   result.status = found.status;
-  set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx,
-                   "x", fine.ny, " points")
+  set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
+                   fine.ny, " points")
                   .c_str());
   if (to_p) p.write(to_p, given.system.points());
   if (to_gap)

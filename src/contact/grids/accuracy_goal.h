@@ -1,5 +1,5 @@
-// No more than the scene needs: where an accuracy of load or area is asked for, grids are solved from coarse to fine until one may
-// be within the goal, which a look at the given grid then decides.
+// No more than the scene needs: where an accuracy of load or area is asked for, grids are solved from coarse to fine until one
+// may be within the goal, which a look at the given grid then decides.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ class AccuracyGoal {
   AccuracyGoal();
   ~AccuracyGoal();
 
-  // Of a step on the given grid that has begun; some point touches. True: the result is written, within the goal or as a stop left it,
-  // and result.status tells which. False: the whole grid must be solved, from the estimate if there is one.
+  // Of a step on the given grid that has begun; some point touches. True: the result is written, within the goal or as a stop
+  // left it, and result.status tells which. False: the whole grid must be solved, from the estimate if there is one.
   bool solve(GridContact& given, const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate>& estimate);
   // Adds what the coarser grids of this step took.
   void count_work(rc_result& result) const;
@@ -45,9 +45,10 @@ class AccuracyGoal {
                      std::optional<Estimate> estimate, bool with_gap);
   Found from_coarse_to_fine(GridContact& given, const rc_step& step, const Monitor& monitor, bool with_gap);
   bool look(GridContact& given, const rc_step& step, Found& found, Monitor& monitor, rc_result& result);
-  void deliver_stopped(const Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor, rc_result& result);
+  void deliver_stopped(const Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
+                       rc_result& result);
 
-  std::vector<Grid> grids_;  // the finest first
+  std::vector<Grid> grids_;    // the finest first
   std::int64_t surface_ = -1;  // of the given contact's, the one that they show
 };
 

@@ -125,7 +125,8 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   std::copy(std::begin(grid.result.backend), std::end(grid.result.backend), result.backend);
   result.status = RC_WITHIN_GOAL;
   result.modelled = answer.op->modelled();
-  result.stiffness = work.options.integer(RC_OPT_STIFFNESS) != 0 ? grid.result.stiffness : std::numeric_limits<double>::quiet_NaN();
+  result.stiffness =
+      work.options.integer(RC_OPT_STIFFNESS) != 0 ? grid.result.stiffness : std::numeric_limits<double>::quiet_NaN();
   rc::count_work(work, monitor, result);
   result.levels = 0;
   count_work(result);
@@ -136,8 +137,8 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   result.area_estimate = of_area;
   result.left_out = left_out(corrected.pressures, blocks, surface, coarse.surface.gap());
   set_message(join(rc_status_text(RC_WITHIN_GOAL), ": accuracy ", work.goal.error, ", estimated error of the ",
-                   work.goal.of_area ? "area " : "load ", error, " from ", coarse.system.given.nx, "x", coarse.system.given.ny, " of ", system.given.nx, "x",
-                   system.given.ny, " points")
+                   work.goal.of_area ? "area " : "load ", error, " from ", coarse.system.given.nx, "x", coarse.system.given.ny,
+                   " of ", system.given.nx, "x", system.given.ny, " points")
                   .c_str());
   write_arrays(work, corrected, depth, result);
   given.remember({result.status, std::move(corrected.pressures)}, result);

@@ -131,8 +131,8 @@ std::vector<std::int64_t> overlapping(const Workspace& work, const Deflected& fo
   return points;
 }
 
-std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_step& step, const Choice& choice, Estimate estimate,
-                                Monitor& monitor) {
+std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_step& step, const Choice& choice,
+                                Estimate estimate, Monitor& monitor) {
   const StepSurface& surface = work.surface;
   const System& system = work.system;
   const bool by_load = step.control == RC_CONTROL_LOAD;
@@ -164,7 +164,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     const std::vector<double> u = compenetrations(answer, datum, work);
     double d = by_load ? 1 : 0;
     const double wanted = by_load ? load / answer.pressure_unit : 0;
-    answer.status = solver_run(work, answer, monitor)(step.control, u, wanted, solver_tol(work), datum, answer.p, d);
+    answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), datum, answer.p, d);
     answer.compression = by_load ? d * depth : compression_of(step, work);
     if (!std::isfinite(answer.compression)) return std::nullopt;
 

@@ -147,8 +147,7 @@ void count_work(const Workspace& work, const Monitor& monitor, rc_result& result
 void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result) {
   if (result.p) answer.pressures.write(result.p, work.system.points());
   if (!result.gap) return;
-  for (std::size_t i = 0; i < answer.size(); ++i)
-    result.gap[i] = answer.product[i] - (compression - work.surface.height(i));
+  for (std::size_t i = 0; i < answer.size(); ++i) result.gap[i] = answer.product[i] - (compression - work.surface.height(i));
 }
 
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
@@ -162,8 +161,8 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
     return result;
   }
   const std::string& certifier = work.options.text(RC_OPT_CERTIFY_BACKEND);
-  Operator& op =
-      certifier.empty() ? *answer.op : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
+  Operator& op = certifier.empty() ? *answer.op
+                                   : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
   if (!everywhere && only_unknowns_matter(work, answer)) {
     result.product.resize(answer.p.size());
     raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
@@ -238,7 +237,6 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
   Answer answer;
   if (trial.n > 0) {
     answer = prepared(trial, RC_CONTROL_DISPLACEMENT, 1, work);
-    answer.pressure_unit = 1;
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     for (std::int64_t i = 0; i < trial.n; ++i) answer.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
     answer.op->field(answer.p, product);
@@ -251,7 +249,8 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
   result.status = certify_and_fill(work, step, given, depth, result);
   result.stiffness = work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
   count_work(work, monitor, result);
-  if (result.status != RC_OK) set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
+  if (result.status != RC_OK)
+    set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
   write_arrays(work, given, depth, result);
   return result.status;
 }

@@ -12,8 +12,8 @@ struct Finished {
   Pressures pressures;       // of a step that is certified or within its goal; else of no use
 };
 
-// Certifies the answer of a step, writes the result and last the caller's arrays. answer: a default one where nothing touches or a
-// stop came before any answer.
+// Certifies the answer of a step, writes the result and last the caller's arrays. answer: a default one where nothing touches or
+// a stop came before any answer.
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
 // The same of the pressures in result.p.
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result);

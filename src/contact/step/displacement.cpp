@@ -20,7 +20,7 @@ Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& ste
   const std::vector<double> u = compenetrations(answer, step.target, work);
   const double tol = solver_tol(work) * (residual_scale(step, work, depth) / depth);
   double unused = 0;
-  answer.status = solver_run(work, answer, monitor)(step.control, u, 0, tol, step.target, answer.p, unused);
+  answer.status = SolverRun(work, answer, monitor)(step.control, u, 0, tol, step.target, answer.p, unused);
   return answer;
 }
 

@@ -41,7 +41,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
   const TrialSet& trial = answer.op->trial();
   const std::size_t n = answer.p.size();
   const double tol = work.options.real(RC_OPT_TOL), lowest = work.surface.lowest();
-  SolverRun run_solver = solver_run(work, answer, monitor);
+  SolverRun run_solver(work, answer, monitor);
   std::vector<double> height(n), u(n), ones, rate;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < n; ++i)
@@ -95,14 +95,15 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   const double lowest = surface.lowest(), load = step.target / system.cell_area();
   const double ratio = last.load > 0 ? step.target / last.load : infinite;
   const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last.same_gap;
-  double height = estimate              ? growth * (estimate->approach - lowest)
+  double height = estimate             ? growth * (estimate->approach - lowest)
                   : system.halfspace() ? approach_estimate(step.target, warm, work, last)
-                                        : surface.highest() - lowest;
+                                       : surface.highest() - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
   rc_step from = step;
   from.warm_start = near;
   const bool foretold = warm || estimate;
-  const double likely = estimate ? estimate->approach : last.approach + memory.ahead(step) * (last.approach - memory.before.approach);
+  const double likely =
+      estimate ? estimate->approach : last.approach + memory.ahead(step) * (last.approach - memory.before.approach);
   std::optional<Pressures> nearer;
   if (estimate) nearer = std::move(estimate->pressures);
   bool handed_over = false;
@@ -128,14 +129,15 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     if (direct) {
       const std::vector<double> u = compenetrations(answer, lowest, work);
       double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
-      answer.status = solver_run(work, answer, monitor)(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
+      answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
       answer.compression = d;
     } else {
       double first = estimate ? (likely - lowest) / height : warm ? (last.approach - lowest) / height : 1;
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, work, monitor);
     }
-    if (direct && answer.status == RC_STOP_STALLED && (work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
+    if (direct && answer.status == RC_STOP_STALLED &&
+        (work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
       // A solver whose own load control goes in circles may still do displacement control.
       handed_over = true;
       continue;

@@ -108,14 +108,15 @@ rc_status coarse(const rc_problem* problem, rc_coarse* request) {
   today.keep = 1;
   std::memcpy(&today, request, std::min(request->struct_size, sizeof today));
   return contained([&] {
-    const rc_status status = run_of(problem).coarse(today);
+    const SolverRun& run = run_of(problem);
+    const rc_status status = run.work.solver_grids.solve(today, run.work, run.monitor);
     request->approach = today.approach;
     return status;
   });
 }
 
 rc_status coefficients(const rc_problem* problem, std::int64_t mx, std::int64_t my, double* out) {
-  return contained([&] { return run_of(problem).coefficients(mx, my, out); });
+  return contained([&] { return run_of(problem).work.coefficients(mx, my, out); });
 }
 
 void note(const rc_problem* problem, const char* text) {
@@ -131,8 +132,8 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   Session& session = *outer.session;
   const SolverRun& run = session.run;
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
-  const rc_solver& solver =
-      run.context.solver(std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
+  const rc_solver& solver = run.work.options.context->solver(
+      std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
   require(solver, run, "a solver inside a solver");
 
   BoundProblem problem{};
@@ -189,14 +190,14 @@ void Session::connect(BoundProblem& problem) {
   problem.apply = apply;
   problem.subset = run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
   problem.poll = poll;
-  problem.lambda_min = run.lambda_min;
-  problem.positive = run.positive;
+  problem.lambda_min = run.work.system.lambda_min;
+  problem.positive = run.work.system.positive;
   problem.factors = (caps & RC_CAP_SUBSET) != 0;
   problem.shifted = run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
   problem.norm = (caps & RC_CAP_NORM) ? norm : nullptr;
   problem.inner = inner;
   problem.apply_float = (caps & RC_CAP_FLOAT) ? apply_float : nullptr;
-  problem.team = &run.team;
+  problem.team = &run.work.team();
   problem.length = run.length_unit;
   problem.pressure = run.pressure_unit;
   problem.note = note;
@@ -210,20 +211,20 @@ void Session::connect(BoundProblem& problem) {
 
 rc_status Session::solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
   op_for(problem);
-  return solver.solve(&run.context.host(), &problem, &run.options, p, d);
+  return solver.solve(&run.work.options.context->host(), &problem, &run.work.options, p, d);
 }
 
 // The steps of another solver that come first. It need not converge.
 rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d) {
-  const std::string& name = session.run.options.text(RC_OPT_WARMUP);
+  const std::string& name = session.run.work.options.text(RC_OPT_WARMUP);
   if (name == "none" || name == session.run.solver.name) return RC_OK;
-  const rc_solver& solver = session.run.context.solver(name);
+  const rc_solver& solver = session.run.work.options.context->solver(name);
   if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
     session.run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
     return RC_OK;
   }
   require(solver, session.run, "warmup");
-  problem.most_iterations = session.run.options.integer(RC_OPT_WARMUP_ITERATIONS);
+  problem.most_iterations = session.run.work.options.integer(RC_OPT_WARMUP_ITERATIONS);
   const rc_status status = session.solve(solver, problem, p, d);
   problem.most_iterations = session.run.most_iterations;
   raise_if_failed(status, solver.name);
@@ -236,6 +237,25 @@ rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d)
 bool takes_gap(const rc_solver& solver, const rc_options& options) {
   const std::string& first = options.text(RC_OPT_WARMUP);
   return (solver.needs & RC_READS_GAP) && (first == "none" || first == solver.name);
+}
+
+SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch)
+    : work(workspace),
+      solver(*answer.choice.solver),
+      op(*answer.op),
+      monitor(watch),
+      fallbacks(workspace.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),
+      grid(workspace.system.halfspace() ? workspace.grid() : rc_grid{}),
+      length_unit(workspace.system.halfspace() ? answer.length_unit : 0),
+      pressure_unit(workspace.system.halfspace() ? answer.pressure_unit : 0),
+      most_iterations(workspace.record.look > 0 ? workspace.record.look : std::numeric_limits<std::int64_t>::max()),
+      warmed_up_(workspace.record.look > 0) {}
+
+void SolverRun::note(const std::string& text) const {
+  std::vector<std::string>& remarks = work.record.remarks;
+  const std::string from = text.substr(0, text.find(':'));
+  std::erase_if(remarks, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
+  remarks.push_back(text);
 }
 
 rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
@@ -259,40 +279,14 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   op.watch([this] { return monitor.ask(); });
   monitor.next_call();
   clear_message();
-  if (!warmed_up) {
-    warmed_up = true;
+  if (!warmed_up_) {
+    warmed_up_ = true;
     if (const rc_status status = warm_up(session, problem, p.data(), &d); status != RC_OK) return status;
   }
   const rc_status status = session.solve(solver, problem, p.data(), &d);
   raise_if_failed(status, solver.name);
   session.op_for(problem);
   return status;
-}
-
-SolverRun solver_run(Workspace& work, const Answer& answer, Monitor& monitor) {
-  const bool grid_units = work.system.halfspace();
-  const std::int64_t look = work.record.look;
-  return {*answer.choice.solver,
-          *work.options.context,
-          work.options,
-          work.team(),
-          *answer.op,
-          monitor,
-          work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0,
-          work.system.lambda_min,
-          work.system.positive,
-          grid_units ? work.grid() : rc_grid{},
-          grid_units ? answer.length_unit : 0,
-          grid_units ? answer.pressure_unit : 0,
-          [&work, &monitor](rc_coarse& request) { return work.solver_grids.solve(request, work, monitor); },
-          [&work](std::int64_t mx, std::int64_t my, double* out) { return work.coefficients(mx, my, out); },
-          [&remarks = work.record.remarks](const std::string& text) {
-            const std::string from = text.substr(0, text.find(':'));
-            std::erase_if(remarks, [&](const std::string& each) { return each.substr(0, each.find(':')) == from; });
-            remarks.push_back(text);
-          },
-          look > 0 ? look : std::numeric_limits<std::int64_t>::max(),
-          look > 0};
 }
 
 }  // namespace rc

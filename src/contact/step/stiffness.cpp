@@ -30,10 +30,11 @@ double stiffness(Workspace& work, const Answer& answer) {
   rc_status status = RC_OK;
   if (const double lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
       system.halfspace() && !answer.op->has_subset() && lowest > 0) {
-    ContactSetSolve solve(*answer.op, contact, work.grid(), lowest, work.team(), [&work](std::int64_t mx, std::int64_t my, auto& out) {
-      out.resize(static_cast<std::size_t>(mx * my));
-      raise_if_failed(work.coefficients(mx, my, out.data()), "the stiffness");
-    });
+    ContactSetSolve solve(*answer.op, contact, work.grid(), lowest, work.team(),
+                          [&work](std::int64_t mx, std::int64_t my, auto& out) {
+                            out.resize(static_cast<std::size_t>(mx * my));
+                            raise_if_failed(work.coefficients(mx, my, out.data()), "the stiffness");
+                          });
     mean += solve.mean();
     // The division below multiplies the relative error by 1 / (1 - mean sum).
     const auto enough = [&](double form, double error) { return error <= stiffness_error * form * (1 - mean * form); };

@@ -21,8 +21,8 @@ void check_target(const rc_step& step, const Workspace& work, const StepSurface&
       step.target - surface.lowest() >= surface.mean_height())
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
-  if (surface.included_points() > 0 && !(std::isfinite(surface.highest() - surface.lowest()) &&
-                                         (by_load || std::isfinite(step.target - surface.lowest()))))
+  if (surface.included_points() > 0 &&
+      !(std::isfinite(surface.highest() - surface.lowest()) && (by_load || std::isfinite(step.target - surface.lowest()))))
     fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", step.target,
          " are too far apart for double precision");
   if (step.p0)
@@ -39,10 +39,10 @@ double compression_of(const rc_step& step, const Workspace& work) {
   return work.surface.included_points() > 0 ? step.target - work.surface.lowest() : 0;
 }
 
-// The scale is the problem's own: an answer must not set the scale that it is judged by. Periodic boundaries, load control: in full
-// contact the compression may vanish under any load. A quarter of what the mean pressure does to one cell then serves; it is less
-// than any kernel gives for cells up to 100 times as long as wide. Periodic boundaries, displacement control: the load stays open if
-// gaps under pressure may be as large as the mean gap, so they are held to half of it.
+// The scale is the problem's own: an answer must not set the scale that it is judged by. Periodic boundaries, load control: in
+// full contact the compression may vanish under any load. A quarter of what the mean pressure does to one cell then serves; it is
+// less than any kernel gives for cells up to 100 times as long as wide. Periodic boundaries, displacement control: the load stays
+// open if gaps under pressure may be as large as the mean gap, so they are held to half of it.
 double residual_scale(const rc_step& step, const Workspace& work, double compression) {
   const System& system = work.system;
   if (!system.periodic()) return compression;
