@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "rough_surface.h"
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace bench {
 

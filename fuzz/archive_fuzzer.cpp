@@ -4,8 +4,8 @@
 #include <zlib.h>
 
 #include "reader.h"
-#include "surface/readers.h"
-#include "surface/zip_archive.h"
+#include "formats/readers.h"
+#include "formats/zip_archive.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include "error.h"
 #include "require.h"
-#include "surface/form.h"
-#include "surface/missing.h"
-#include "surface/readers.h"
+#include "formats/form.h"
+#include "formats/missing.h"
+#include "formats/readers.h"
 
 namespace fuzz {
 

@@ -6,7 +6,7 @@
 
 #include "reader.h"
 #include "require.h"
-#include "surface/readers.h"
+#include "formats/readers.h"
 
 namespace {
 

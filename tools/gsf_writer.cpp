@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "surface/readers.h"
+#include "formats/readers.h"
 #include "text.h"
 
 namespace cli {

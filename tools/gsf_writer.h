@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "formats/registry.h"
 #include "library.h"
-#include "surface/registry.h"
 #include "text.h"
 
 namespace cli {

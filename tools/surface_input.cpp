@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "error.h"
+#include "formats/form.h"
+#include "formats/missing.h"
+#include "formats/registry.h"
 #include "lengths.h"
-#include "surface/form.h"
-#include "surface/missing.h"
-#include "surface/registry.h"
 #include "text.h"
 
 namespace cli {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 

@@ -12,7 +12,7 @@
 #include "../child.h"
 #include "npy_writer.h"
 #include "polonsky_keer.h"
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace {
 

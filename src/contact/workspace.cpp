@@ -34,7 +34,7 @@ Workspace::Workspace(const rc_system& given, const rc_options& given_options, co
     : system(checked_system(given, given_options.text(RC_OPT_KERNEL), true)), options(given_options), team_(team) {
   set_options(given_options);
   if (!team_) {
-    own_team_ = std::make_unique<Team>(options.integer(RC_OPT_THREADS));
+    own_team_ = std::make_unique<ThreadTeam>(options.integer(RC_OPT_THREADS));
     team_ = own_team_.get();
   }
 }

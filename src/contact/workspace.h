@@ -17,7 +17,7 @@
 #include "contact/step/auto_choice.h"
 #include "contact/step_surface.h"
 #include "contact/system.h"
-#include "core/team.h"
+#include "core/thread_team.h"
 #include "operator/operator.h"
 #include "registry/options_handle.h"
 
@@ -77,7 +77,7 @@ class Workspace {
     std::vector<double> values;
   };
 
-  std::unique_ptr<Team> own_team_;
+  std::unique_ptr<ThreadTeam> own_team_;
   const rc_team* team_;
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   Table table_;

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "error.h"
-#include "surface/form.h"
-#include "surface/missing.h"
-#include "surface/surface.h"
+#include "formats/form.h"
+#include "formats/missing.h"
+#include "formats/surface.h"
 #include "units.h"
 
 namespace {

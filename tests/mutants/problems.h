@@ -10,7 +10,7 @@
 #include "contact/pressures.h"
 #include "contact/step_surface.h"
 #include "contact/system.h"
-#include "core/team.h"
+#include "core/thread_team.h"
 
 namespace mutants {
 
@@ -39,7 +39,7 @@ struct Small {
   std::size_t points() const { return gap.size(); }
   rc::System system() const { return rc::checked_system(given, kernel, true); }
   rc::StepSurface surface() const {
-    static const rc::Team team(1);
+    static const rc::ThreadTeam team(1);
     return rc::StepSurface({given.nx, given.ny, gap, mask, true}, team);
   }
   // Pressures on the points below the compression, and a product that leaves gaps of the size `off` of the compression there.

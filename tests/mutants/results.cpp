@@ -121,7 +121,7 @@ void beyond_double_precision(Figures& figures) {
 
 // Solvers stopped after a step from large pressures: the certificate holds for all points, also outside the trial set.
 void stopped_far_from_the_answer(Figures& figures) {
-  for (const char* solver : {"polonsky-keer", "admm", "nnls", "gradient-projection", "greedy"})
+  for (const char* solver : {"polonsky-keer", "admm", "nnls", "gp", "greedy"})
     for (const double start : {0.0, 0.02, 5.0})
       for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
         Small small(7, 5);

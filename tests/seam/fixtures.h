@@ -57,7 +57,7 @@ class Operator {
   const rc_backend& backend_;
   const rc_system system_;
   std::string kernel_;
-  rc::Team team_;
+  rc::ThreadTeam team_;
   rc_operator_spec spec_;
   void* self_ = nullptr;
   Index domain_;

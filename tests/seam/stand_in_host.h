@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "core/team.h"
+#include "core/thread_team.h"
 
 namespace seam {
 
@@ -35,7 +35,7 @@ class StandInHost : public rc_host {
   static rc_status value(const rc_options* options, const char* key, const std::string*& out);
 
   std::map<std::string, std::string> options_;
-  rc::Team alone_{1};
+  rc::ThreadTeam alone_{1};
   std::atomic<rc_status> answer_{RC_OK};
   mutable std::mutex lock_;  // one for all resources
 };

@@ -56,7 +56,7 @@ class Operator {
   seam::StandInHost host_;
   rc_system system_;
   std::string kernel_;
-  rc::Team team_;
+  rc::ThreadTeam team_;
   rc_operator_spec spec_;
   void* self_ = nullptr;
   Index domain_;

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "surface/binary.h"
-#include "surface/surface.h"
+#include "formats/binary.h"
+#include "formats/surface.h"
 
 namespace cli {
 

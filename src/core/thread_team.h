@@ -13,13 +13,13 @@
 
 namespace rc {
 
-class Team : public rc_team {
+class ThreadTeam : public rc_team {
  public:
   // The calling thread is one of them: with 1 no thread is made.
-  explicit Team(std::int64_t count);
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit ThreadTeam(std::int64_t count);
+  ~ThreadTeam();
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
 
  private:
   using Task = void (*)(void* argument, std::int64_t item, std::int64_t thread);

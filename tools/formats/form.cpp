@@ -1,4 +1,4 @@
-#include "surface/form.h"
+#include "formats/form.h"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "error.h"
-#include "surface/readers.h"
-#include "surface/registry.h"
+#include "formats/readers.h"
+#include "formats/registry.h"
 #include "text.h"
 #include "units.h"
 

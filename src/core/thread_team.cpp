@@ -1,4 +1,4 @@
-#include "core/team.h"
+#include "core/thread_team.h"
 
 #include <system_error>
 
@@ -28,10 +28,10 @@ template <class Condition> bool watch(const Condition& changed) {
 
 }  // namespace
 
-Team::Team(std::int64_t count) : rc_team{} {
+ThreadTeam::ThreadTeam(std::int64_t count) : rc_team{} {
   struct_size = sizeof(rc_team);
   share = [](const rc_team* team, std::int64_t items, Task task, void* argument) {
-    const_cast<Team*>(static_cast<const Team*>(team))->run(items, task, argument);
+    const_cast<ThreadTeam*>(static_cast<const ThreadTeam*>(team))->run(items, task, argument);
   };
   threads = 1;
   if (count <= 1) return;
@@ -48,9 +48,9 @@ Team::Team(std::int64_t count) : rc_team{} {
   threads = count;
 }
 
-Team::~Team() { stop(); }
+ThreadTeam::~ThreadTeam() { stop(); }
 
-void Team::stop() {
+void ThreadTeam::stop() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
@@ -60,7 +60,7 @@ void Team::stop() {
   for (std::thread& helper : helpers_) helper.join();
 }
 
-void Team::run(std::int64_t items, Task task, void* argument) {
+void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
   if (items < 2 || helpers_.empty()) {
     for (std::int64_t item = 0; item < items; ++item) task(argument, item, 0);
     return;
@@ -87,11 +87,11 @@ void Team::run(std::int64_t items, Task task, void* argument) {
   idle_.wait(lock, [this] { return busy_ == 0; });
 }
 
-void Team::work(std::int64_t thread) {
+void ThreadTeam::work(std::int64_t thread) {
   for (std::int64_t item; (item = next_.fetch_add(1, std::memory_order_relaxed)) < items_;) task_(argument_, item, thread);
 }
 
-void Team::help(std::int64_t thread) {
+void ThreadTeam::help(std::int64_t thread) {
   std::uint64_t seen = 0;
   for (;;) {
     watch([&] { return round_ != seen; });

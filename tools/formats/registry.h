@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 

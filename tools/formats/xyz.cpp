@@ -6,10 +6,10 @@
 #include <string>
 
 #include "error.h"
+#include "formats/readers.h"
+#include "formats/regular_grid.h"
+#include "formats/text_rows.h"
 #include "numbers.h"
-#include "surface/readers.h"
-#include "surface/regular_grid.h"
-#include "surface/text_rows.h"
 #include "text.h"
 
 namespace cli {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "error.h"
+#include "formats/readers.h"
 #include "numbers.h"
-#include "surface/readers.h"
 #include "text.h"
 
 namespace cli {

@@ -1,4 +1,4 @@
-#include "surface/zip_archive.h"
+#include "formats/zip_archive.h"
 
 #include <algorithm>
 

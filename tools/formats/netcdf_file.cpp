@@ -1,10 +1,10 @@
-#include "surface/netcdf_file.h"
+#include "formats/netcdf_file.h"
 
 #include <limits>
 #include <string>
 
 #include "error.h"
-#include "surface/binary.h"
+#include "formats/binary.h"
 #include "text.h"
 
 namespace cli {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "error.h"
-#include "surface/readers.h"
+#include "formats/readers.h"
 #include "text.h"
 
 namespace cli {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "error.h"
+#include "formats/readers.h"
 #include "numbers.h"
-#include "surface/readers.h"
 #include "text.h"
 
 namespace cli {

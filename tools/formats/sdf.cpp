@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #include "error.h"
+#include "formats/readers.h"
 #include "numbers.h"
-#include "surface/readers.h"
 #include "text.h"
 
 namespace cli {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 

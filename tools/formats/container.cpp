@@ -1,7 +1,7 @@
 // The zip archive that contact.engineering hands out: meta.yml and one NetCDF file for each measurement. The first is read.
 #include "error.h"
-#include "surface/readers.h"
-#include "surface/zip_archive.h"
+#include "formats/readers.h"
+#include "formats/zip_archive.h"
 #include "text.h"
 
 namespace cli {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "error.h"
-#include "surface/netcdf_file.h"
-#include "surface/readers.h"
+#include "formats/netcdf_file.h"
+#include "formats/readers.h"
 #include "text.h"
 
 namespace cli {

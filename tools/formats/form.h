@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "surface/surface.h"
+#include "formats/surface.h"
 
 namespace cli {
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "error.h"
+#include "formats/readers.h"
+#include "formats/zip_archive.h"
 #include "numbers.h"
-#include "surface/readers.h"
-#include "surface/zip_archive.h"
 #include "text.h"
 
 namespace cli {

@@ -1,4 +1,4 @@
-#include "surface/text_rows.h"
+#include "formats/text_rows.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "surface/regular_grid.h"
+#include "formats/regular_grid.h"
 
 #include <algorithm>
 #include <cmath>

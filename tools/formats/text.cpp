@@ -7,9 +7,9 @@
 #include <string>
 
 #include "error.h"
+#include "formats/readers.h"
+#include "formats/text_rows.h"
 #include "numbers.h"
-#include "surface/readers.h"
-#include "surface/text_rows.h"
 
 namespace cli {
 

@@ -1,11 +1,11 @@
-#include "surface/registry.h"
+#include "formats/registry.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include "error.h"
-#include "surface/readers.h"
-#include "surface/zip_archive.h"
+#include "formats/readers.h"
+#include "formats/zip_archive.h"
 #include "text.h"
 
 namespace cli {

@@ -1,4 +1,4 @@
-#include "surface/missing.h"
+#include "formats/missing.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>

@@ -2,7 +2,7 @@
 // micrometres) and more; at 428 the type of the measurement; at 500 ny and nx again, and from 508 on the heights (f32,
 // micrometres, x fastest). What follows them (range, pictures) is not read.
 #include "error.h"
-#include "surface/readers.h"
+#include "formats/readers.h"
 #include "text.h"
 
 namespace cli {
