@@ -32,7 +32,6 @@ SOURCES = {
         "only_unknowns_matter",
         "certify_and_fill",
         "write_arrays",
-        "deflected",
         "fitting_compression",
         "certify_given",
     ),

@@ -41,7 +41,7 @@ Workspace::Workspace(const rc_system& given, const rc_options& given_options, co
 
 void Workspace::set_options(const rc_options& given) {
   if (given.context != options.context) fail(RC_ERR_OPTION, "these options belong to another context");
-  for (const OptionSpec* spec : options.context->options())
+  for (const OptionSpec* spec : options.context->known_options())
     if (spec->fixed && given.values.get(*spec) != options.values.get(*spec))
       fail(RC_ERR_OPTION, "option \"", spec->key, "\" is fixed when the contact is created; make a new contact to change it");
   check_names(given, system);

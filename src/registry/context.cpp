@@ -84,7 +84,7 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
     if (!copy.options[i]) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\": option ", i, " is null");
     schema_.add(checked_spec(*copy.options[i], copy.name));
   }
-  components.push_back({copy, origin});
+  components.push_back({copy, origin, origin.starts_with('/')});
 }
 
 void Context::add(const rc_plugin& plugin, const std::string& origin) {
@@ -128,12 +128,14 @@ bool Context::load(const std::string& name) {
   return true;
 }
 
-void Context::load_all() {
-  if (all_loaded_ || (config_.flags & RC_CONTEXT_NO_PLUGINS)) return;
-  all_loaded_ = true;  // before the log is called, which may enumerate too
+void Context::load_all(bool for_auto) {
+  bool& loaded = for_auto ? loaded_for_auto_ : all_loaded_;
+  if (loaded || all_loaded_ || (config_.flags & RC_CONTEXT_NO_PLUGINS)) return;
+  loaded = true;  // before the log is called, which may enumerate too
   try {
     for (const std::string& name : plugin_names(plugin_directories(config_, *this))) {
       if (find(backends_, name) || find(solvers_, name)) continue;
+      if (for_auto && opened_by_name_only(name)) continue;
       try {
         load(name);
       } catch (const Error& error) {
@@ -141,7 +143,7 @@ void Context::load_all() {
       }
     }
   } catch (...) {
-    all_loaded_ = false;
+    loaded = false;
     throw;
   }
 }
@@ -185,6 +187,14 @@ std::vector<const Component<rc_backend>*> Context::backends() {
   return sorted(backends_);
 }
 
+std::vector<const Component<rc_backend>*> Context::backends_for_auto(bool plugins) {
+  const std::lock_guard lock(mutex_);
+  if (plugins) load_all(true);
+  auto all = sorted(backends_);
+  std::erase_if(all, [&](const auto* each) { return each->plugin && (!plugins || opened_by_name_only(each->vtable.name)); });
+  return all;
+}
+
 std::vector<const Component<rc_solver>*> Context::solvers() {
   const std::lock_guard lock(mutex_);
   load_all();
@@ -206,6 +216,11 @@ const OptionSpec& Context::option(std::string_view key) {
 std::vector<const OptionSpec*> Context::options() {
   const std::lock_guard lock(mutex_);
   load_all();
+  return known_options();
+}
+
+std::vector<const OptionSpec*> Context::known_options() const {
+  const std::lock_guard lock(mutex_);
   std::vector<const OptionSpec*> result;
   for (size_t i = 0; i < schema_.size(); ++i) result.push_back(&schema_[i]);
   return result;

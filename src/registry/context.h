@@ -25,6 +25,7 @@ struct Host : rc_host {
 template <class Vtable> struct Component {
   Vtable vtable;  // members that an older plugin lacks are null
   std::string origin;
+  bool plugin;  // from a file
 };
 
 struct ContextConfig {
@@ -52,11 +53,15 @@ class Context {
 
   // Everything that can be found, sorted by name; refused files are logged.
   std::vector<const Component<rc_backend>*> backends();
+  // What "auto" may stand for, sorted by name: the backends that opened no plugin, and with `plugins` those of every plugin but
+  // the ones that are opened by name only. The same whatever was opened before.
+  std::vector<const Component<rc_backend>*> backends_for_auto(bool plugins);
   std::vector<const Component<rc_solver>*> solvers();
 
   // Throws Error(RC_ERR_OPTION) with the nearest key. A dotted key loads its component.
   const OptionSpec& option(std::string_view key);
   std::vector<const OptionSpec*> options();
+  std::vector<const OptionSpec*> known_options() const;  // of the core and of components that are loaded
 
   const Host& host() const { return host_; }
   void log(std::int32_t level, const std::string& message) const;
@@ -69,7 +74,7 @@ class Context {
   template <class Vtable>
   const Vtable& get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind);
   bool load(const std::string& name);  // true if a file of that name was loaded now or before
-  void load_all();
+  void load_all(bool for_auto = false);
 
   const ContextConfig config_;
   Host host_;
@@ -78,7 +83,7 @@ class Context {
   std::deque<Component<rc_solver>> solvers_;
   std::vector<std::string> loaded_;
   Schema schema_;
-  bool all_loaded_ = false;
+  bool all_loaded_ = false, loaded_for_auto_ = false;
 };
 
 }  // namespace rc

@@ -225,9 +225,10 @@ void unlisted_points(Figures& figures) {
         put(figures, name + "/first_above", above);
         small.answer.pressures.p[2] = -0.2;
         put(figures, name + "/negative", small);
-        small.compression = 20;
-        put(figures, name + "/negative_all_below", small);
-        small.compression = 0.35;
+        Small below = small;
+        below.compression = 20;
+        below.answer.product[1] += 3;
+        put(figures, name + "/negative_all_below", below);
         small.answer.product[2] = -4;
         put(figures, name + "/deep", small);
         small.gap[45] = 50;

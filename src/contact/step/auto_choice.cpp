@@ -62,6 +62,23 @@ bool contains(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// The backends that "auto" chooses between, one of each kind.
+struct Kinds {
+  const rc_backend *direct = nullptr, *matrix_free = nullptr, *approximate = nullptr;
+
+  template <class Usable> Kinds(const std::vector<const Component<rc_backend>*>& all, const Usable& usable) {
+    const auto repeats = [](const rc_backend& backend) { return (backend.caps & RC_CAP_THREAD_INVARIANT) != 0; };
+    for (const auto* component : all) {
+      const rc_backend& backend = component->vtable;
+      if (!usable(backend)) continue;
+      const bool rough = (backend.caps & RC_CAP_APPROXIMATE) != 0;
+      const rc_backend*& slot = rough ? approximate : factors(backend) ? direct : matrix_free;
+      // Among equals the first by name, but before it one whose results do not depend on the number of threads.
+      if (!slot || (!rough && !repeats(*slot) && repeats(backend))) slot = &backend;
+    }
+  }
+};
+
 // The first of the named backends that can be used; by counts for "auto".
 const rc_backend& choose_backend(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
                                  const rc_solver* solver, const std::vector<std::string>& failed) {
@@ -87,22 +104,15 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
     if (missing) reasons.push_back(missing->what());
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
   }
-  const rc_backend *direct = nullptr, *matrix_free = nullptr, *approximate = nullptr;
-  for (const auto* component : options.context->backends()) {
-    if (!reason(component->vtable).empty() || contains(failed, component->vtable.name)) continue;
-    if (component->vtable.caps & RC_CAP_APPROXIMATE) {
-      if (!approximate) approximate = &component->vtable;
-      continue;
-    }
-    const rc_backend*& slot = factors(component->vtable) ? direct : matrix_free;
-    const auto repeats = [](const rc_backend& backend) { return (backend.caps & RC_CAP_THREAD_INVARIANT) != 0; };
-    // Among equals, one whose results do not depend on the number of threads.
-    if (!slot || (!repeats(*slot) && repeats(component->vtable))) slot = &component->vtable;
-  }
-  if (!direct && !matrix_free)
+  const auto usable = [&](const rc_backend& backend) { return reason(backend).empty() && !contains(failed, backend.name); };
+  // Plugins are opened only where what is built in cannot do as well.
+  Kinds found(options.context->backends_for_auto(false), usable);
+  const bool enough = system.halfspace() ? found.direct && prefers_direct(counts) : found.direct || found.matrix_free;
+  if (!enough) found = Kinds(options.context->backends_for_auto(true), usable);
+  if (!found.direct && !found.matrix_free)
     fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver ? " with this solver" : "", "; is a plugin missing?");
-  if (!matrix_free || (direct && prefers_direct(counts))) return *direct;
-  return approximate && dilute(counts) ? *approximate : *matrix_free;
+  if (!found.matrix_free || (found.direct && prefers_direct(counts))) return *found.direct;
+  return found.approximate && dilute(counts) ? *found.approximate : *found.matrix_free;
 }
 
 }  // namespace
@@ -170,15 +180,18 @@ std::optional<Choice> choose_for_few(const rc_options& options, const System& sy
     return std::nullopt;
   Choice choice;
   choice.solver = &options.context->solver(suited(false, true));
-  const std::string& wanted = options.text(RC_OPT_BACKEND);
-  const bool accurate = options.real(RC_OPT_TOL) >= least_approximate_tol;
   if (contains(failed, choice.solver->name)) return std::nullopt;
-  for (const auto* component : options.context->backends()) {
-    const rc_backend& backend = component->vtable;
-    if (!(backend.caps & RC_CAP_SCREEN) || contains(failed, backend.name)) continue;
-    if (wanted != backend.name && (wanted != "auto" || !accurate)) continue;
-    if (!obstacle(*choice.solver, backend, system, control, options.integer(RC_OPT_ALLOW_FALLBACK) != 0).empty()) continue;
-    choice.backend = &backend;
+  const std::string& wanted = options.text(RC_OPT_BACKEND);
+  std::vector<const rc_backend*> candidates;
+  if (wanted != "auto") {
+    if (wanted.find(',') == std::string::npos) candidates = {&options.context->backend(wanted)};
+  } else if (options.real(RC_OPT_TOL) >= least_approximate_tol) {
+    for (const auto* component : options.context->backends_for_auto(true)) candidates.push_back(&component->vtable);
+  }
+  for (const rc_backend* backend : candidates) {
+    if (!(backend->caps & RC_CAP_SCREEN) || contains(failed, backend->name)) continue;
+    if (!obstacle(*choice.solver, *backend, system, control, options.integer(RC_OPT_ALLOW_FALLBACK) != 0).empty()) continue;
+    choice.backend = backend;
     return choice;
   }
   return std::nullopt;

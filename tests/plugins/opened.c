@@ -1,0 +1,51 @@
+/* Which plugins a process opens: none where a built-in backend does as well, those that may serve where not, and the others only by
+   name. The dynamic loader's map of the process tells. */
+#include <roughcontact/roughcontact.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int opened(const char* file) {
+  char line[4096];
+  int found = 0;
+  FILE* const maps = fopen("/proc/self/maps", "r");
+  while (maps && fgets(line, sizeof line, maps)) found |= strstr(line, file) != NULL;
+  if (maps) fclose(maps);
+  return found;
+}
+
+static rc_status solve(int64_t n, double approach, const char* backend) {
+  rc_system system = RC_SYSTEM_INIT;
+  rc_step step = RC_STEP_INIT;
+  rc_result result;
+  rc_options* options = NULL;
+  double* const gap = malloc((size_t)(n * n) * sizeof *gap);
+  uint32_t random = 1;
+  for (int64_t i = 0; gap && i < n * n; ++i) gap[i] = 1 / 4294967296.0 * (double)(random = random * 1664525u + 1013904223u);
+  rc_result_init(&result);
+  system.nx = system.ny = n;
+  step.gap = gap;
+  step.target = approach;
+  rc_status status = rc_options_create(NULL, &options);
+  if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);
+  if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
+  rc_options_destroy(options);
+  free(gap);
+  return status;
+}
+
+static int failed(const char* what) {
+  printf("%s; %s\n", what, rc_last_error());
+  return 1;
+}
+
+int main(void) {
+  if (solve(16, 0.1, "auto") != RC_OK) return failed("a small contact is not solved");
+  if (opened("/rcb_")) return failed("a small contact opened a plugin");
+  if (solve(128, 0.9, "auto") != RC_OK) return failed("a larger contact is not solved");
+  if (!opened("/rcb_fft.so")) return failed("a larger contact did not open fft");
+  if (opened("/rcb_cholmod.so")) return failed("cholmod was opened unasked");
+  if (solve(16, 0.1, "cholmod") != RC_OK) return failed("cholmod does not solve");
+  if (!opened("/rcb_cholmod.so")) return failed("cholmod was not opened when it was named");
+  return 0;
+}
