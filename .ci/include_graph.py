@@ -5,15 +5,18 @@ import re
 import sys
 
 PUBLIC = {'roughcontact/roughcontact.h', 'roughcontact/plugin.h', 'roughcontact/surface.h', 'roughcontact/plugin.hpp'}
-LAYERS = {  # folder under src: folders it may include
+LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'core': {'core'},
     'kernel': {'kernel'},
     'registry': {'registry', 'core', 'kernel'},
     'operator': {'operator', 'registry', 'core'},
     'grid': {'grid'},
     'analysis': {'analysis', 'core'},
-    'solvers': {'solvers', 'operator', 'grid', 'core'},
-    'contact': {'contact', 'solvers', 'operator', 'registry', 'kernel', 'grid', 'core'},
+    'solvers': {'solvers', 'solvers/common', 'operator', 'grid', 'core'},
+    'solvers/common': {'solvers', 'solvers/common', 'core'},
+    'solvers/haar_cg': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'grid', 'core'},
+    'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'core'},
+    'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core'},
     'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
@@ -34,19 +37,23 @@ NARROWER = {  # folders below those of LAYERS, and files that stand for all in a
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 
+def layer(path):
+    """The longest folder of LAYERS that holds a path below src; '' where none does."""
+    return max((folder for folder in LAYERS if path.startswith(folder + '/')), key=len, default='')
+
+
 def allowed(root, file, include, quoted):
     top, folder, *_ = file.parts
     if include in PUBLIC:
         return include in OUTSIDE.get(top, PUBLIC)
-    if (root / file.parent / include).resolve().is_relative_to((root / top / folder).resolve()) and (root / file.parent / include).exists():
-        return True  # a file of its own
     if top == 'src':
-        layer = include.split('/')[0]
         inner = file.relative_to(top)
         for where, may in NARROWER.items():
             if quoted and (inner.match(where) or str(inner.parent) == where) and not include.startswith(may):
                 return False
-        return layer in LAYERS[folder] if layer in LAYERS else not quoted
+        return layer(include) in LAYERS[layer('/'.join(file.parts[1:]))] if layer(include) else not quoted
+    if (root / file.parent / include).resolve().is_relative_to((root / top / folder).resolve()) and (root / file.parent / include).exists():
+        return True  # a file of its own
     if top == 'backends' and quoted and include.startswith('common/'):
         return (root / 'backends' / include).exists()
     if top == 'backends':  # a dependency, never another folder of this tree

@@ -10,10 +10,10 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/largest_eigenvalue.h"
-#include "solvers/residual.h"
+#include "solvers/common/largest_eigenvalue.h"
+#include "solvers/common/residual.h"
+#include "solvers/common/vector_math.h"
 #include "solvers/solver.h"
-#include "solvers/vector_math.h"
 
 namespace rc {
 

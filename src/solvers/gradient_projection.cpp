@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/largest_eigenvalue.h"
-#include "solvers/residual.h"
-#include "solvers/vector_math.h"
+#include "solvers/common/largest_eigenvalue.h"
+#include "solvers/common/residual.h"
+#include "solvers/common/vector_math.h"
 
 namespace rc {
 

@@ -12,9 +12,9 @@
 #include <cstdio>
 #include <numeric>
 
-#include "solvers/residual.h"
+#include "solvers/common/residual.h"
+#include "solvers/common/vector_math.h"
 #include "solvers/solver.h"
-#include "solvers/vector_math.h"
 
 namespace rc {
 

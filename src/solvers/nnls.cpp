@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/common/largest_eigenvalue.h"
 #include "solvers/gradient_projection.h"
-#include "solvers/largest_eigenvalue.h"
 #include "solvers/solver.h"
 
 namespace rc {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/common/vector_math.h"
 #include "solvers/solver.h"
-#include "solvers/vector_math.h"
 
 namespace rc {
 

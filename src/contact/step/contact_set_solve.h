@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "operator/operator.h"
-#include "solvers/haar_planting.h"
-#include "solvers/haar_trees.h"
+#include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/tree_pair.h"
 
 namespace rc {
 

@@ -1,11 +1,11 @@
-#include "solvers/largest_eigenvalue.h"
+#include "solvers/common/largest_eigenvalue.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#include "solvers/vector_math.h"
+#include "solvers/common/vector_math.h"
 
 namespace rc {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "solvers/haar_tree.h"
+#include "solvers/haar_cg/tree.h"
 
 namespace rc {
 

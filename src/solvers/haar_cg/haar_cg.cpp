@@ -14,10 +14,10 @@
 #include <numeric>
 #include <span>
 
-#include "solvers/haar_nested.h"
-#include "solvers/haar_passes.h"
-#include "solvers/haar_planting.h"
-#include "solvers/haar_trees.h"
+#include "solvers/haar_cg/nested_start.h"
+#include "solvers/haar_cg/threads/passes.h"
+#include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/tree_pair.h"
 #include "solvers/solver.h"
 
 namespace rc {

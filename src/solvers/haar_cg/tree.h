@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solvers/haar_rows.h"
+#include "solvers/haar_cg/threads/tree_loops.h"
 
 namespace rc {
 

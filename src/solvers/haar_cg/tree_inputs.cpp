@@ -1,4 +1,4 @@
-#include "solvers/haar_planting.h"
+#include "solvers/haar_cg/tree_inputs.h"
 
 #include <algorithm>
 #include <cmath>

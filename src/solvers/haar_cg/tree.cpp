@@ -1,4 +1,4 @@
-#include "solvers/haar_tree.h"
+#include "solvers/haar_cg/tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solvers/haar_nested.h"
+#include "solvers/haar_cg/nested_start.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "solvers/haar_trees.h"
+#include "solvers/haar_cg/tree_pair.h"
 
 #include <algorithm>
 #include <cstring>
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
-#include "solvers/haar_loops.h"
+#include "solvers/haar_cg/threads/pass_loops.h"
 
 namespace rc {
 

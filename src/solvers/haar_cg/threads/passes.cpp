@@ -1,11 +1,11 @@
-#include "solvers/haar_passes.h"
+#include "solvers/haar_cg/threads/passes.h"
 
 #include <algorithm>
 #include <limits>
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
-#include "solvers/vector_math.h"
+#include "solvers/common/vector_math.h"
 
 namespace rc {
 

@@ -1,10 +1,10 @@
-#include "solvers/haar_loops.h"
+#include "solvers/haar_cg/threads/pass_loops.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #endif
 
-#include "solvers/haar_rows.h"
+#include "solvers/haar_cg/threads/tree_loops.h"
 
 namespace rc {
 
@@ -50,8 +50,8 @@ inline Floats looked_up(const float* table, const Integers& at) {
   return found;
 }
 #define RC_LOOKUP(table, at) looked_up(table, at)
-#include "solvers/haar_loops.inc"
-#include "solvers/haar_rows.inc"
+#include "solvers/haar_cg/threads/pass_loops.inc"
+#include "solvers/haar_cg/threads/tree_loops.inc"
 #undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace baseline
@@ -66,8 +66,8 @@ namespace avx2 {
   ((Floats)_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), (__m256i)(at)),       \
                             _mm256_permutevar8x32_ps(_mm256_loadu_ps((table) + 8), (__m256i)(at)), \
                             _mm256_castsi256_ps(_mm256_slli_epi32((__m256i)(at), 28))))
-#include "solvers/haar_loops.inc"
-#include "solvers/haar_rows.inc"
+#include "solvers/haar_cg/threads/pass_loops.inc"
+#include "solvers/haar_cg/threads/tree_loops.inc"
 #undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace avx2
@@ -75,8 +75,8 @@ namespace avx2 {
 namespace avx512 {
 #define RC_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
 #define RC_LOOKUP(table, at) ((Floats)_mm256_permutex2var_ps(_mm256_loadu_ps(table), (__m256i)(at), _mm256_loadu_ps((table) + 8)))
-#include "solvers/haar_loops.inc"
-#include "solvers/haar_rows.inc"
+#include "solvers/haar_cg/threads/pass_loops.inc"
+#include "solvers/haar_cg/threads/tree_loops.inc"
 #undef RC_LOOKUP
 #undef RC_TARGET
 }  // namespace avx512

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "solvers/haar_tree.h"
+#include "solvers/haar_cg/tree.h"
 
 namespace rc {
 

@@ -1,10 +1,10 @@
-#include "solvers/residual.h"
+#include "solvers/common/residual.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "solvers/vector_math.h"
+#include "solvers/common/vector_math.h"
 
 namespace rc {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "solvers/haar_loops.h"
+#include "solvers/haar_cg/threads/pass_loops.h"
 
 namespace rc {
 

@@ -3,7 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
-#include "solvers/haar_tree.h"
+#include "solvers/haar_cg/tree.h"
 
 namespace rc {
 
