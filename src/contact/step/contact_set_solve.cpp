@@ -30,7 +30,7 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
   std::vector<std::int64_t> points(set.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = op.trial().point(set[i]);
   grid.index = points.data();
-  const Planting on = planting_on(grid, static_cast<std::int64_t>(points.size()), coefficients);
+  const TreeInputs on = tree_inputs(grid, static_cast<std::int64_t>(points.size()), coefficients);
   mean_ = on.mean;
   lowest_ = mean_ > 0 ? std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny)) : lowest;
   trees_.emplace(on.cells, on.table);

@@ -42,7 +42,7 @@ class ContactSetSolve {
   const rc_team& team_;
   std::vector<std::int64_t> set_;
   double mean_ = 0, lowest_ = 0;  // lowest_: bound of the eigenvalues of A
-  std::optional<HaarTrees> trees_;
+  std::optional<HaarTreePair> trees_;
   std::unique_ptr<std::byte[]> memory_;  // of the trees
   std::vector<std::uint8_t> active_;
   std::vector<double> spread_, product_;  // on the trial set

@@ -47,7 +47,7 @@ double mean_of(const rc_grid& grid) {
 
 }  // namespace
 
-Planting planting_on(const rc_grid& grid, std::int64_t n, const Coefficients& coefficients) {
+TreeInputs tree_inputs(const rc_grid& grid, std::int64_t n, const Coefficients& coefficients) {
   CouplingTable table{std::min(grid.nx, table_side), std::min(grid.ny, table_side), {}, grid.hx, grid.hy};
   coefficients(table.mx, table.my, table.k);
   const double mean = grid.boundary == RC_BOUNDARY_PERIODIC ? mean_of(grid) : 0;

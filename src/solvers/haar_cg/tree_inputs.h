@@ -11,7 +11,7 @@
 
 namespace rc {
 
-struct Planting {
+struct TreeInputs {
   Cells cells;
   CouplingTable table;
   double mean = 0;         // periodic: what was added to every coefficient of the table
@@ -22,6 +22,6 @@ struct Planting {
 using Coefficients = std::function<void(std::int64_t mx, std::int64_t my, std::vector<double>& out)>;
 
 // n: number of unknowns.
-Planting planting_on(const rc_grid& grid, std::int64_t n, const Coefficients& coefficients);
+TreeInputs tree_inputs(const rc_grid& grid, std::int64_t n, const Coefficients& coefficients);
 
 }  // namespace rc

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <roughcontact/plugin.hpp>
+#include <utility>
 #include <vector>
 
 #include "solvers/haar_cg/threads/pass_loops.h"
@@ -17,29 +18,29 @@ constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where they ar
 
 }  // namespace
 
-HaarTrees::HaarTrees(const Cells& cells, const CouplingTable& table)
+HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table)
     : tree_{HaarTree(cells, table, false), HaarTree(cells, table, true)},
-      cells_(cells),
-      unknowns_(cells.full() ? cells.mx * cells.my : static_cast<std::int64_t>(cells.x.size())) {}
+      cells_(std::move(cells)),
+      unknowns_(cells_.full() ? cells_.mx * cells_.my : static_cast<std::int64_t>(cells_.x.size())) {}
 
-void HaarTrees::place(std::byte* memory) {
+void HaarTreePair::place(std::byte* memory) {
   tree_[0].place(memory);
   tree_[1].place(memory + tree_[0].bytes());
 }
 
 // Levels above the finest that all threads do together; the smaller ones are done by one thread for each tree.
-std::size_t HaarTrees::shared_levels() const {
+std::size_t HaarTreePair::shared_levels() const {
   std::size_t level = 1;
   while (level < std::min(tree_[0].levels(), tree_[1].levels()) && worth_sharing(level)) ++level;
   return level;
 }
 
-bool HaarTrees::worth_sharing(std::size_t level) const {
+bool HaarTreePair::worth_sharing(std::size_t level) const {
   return tree_[0].blocks(level) >= (tree_[0].full() ? least_shared : least_scattered);
 }
 
 // work(tree, part) for all parts of a level of both trees.
-template <class Work> void HaarTrees::on_level(std::size_t level, const rc_team& team, const Work& work) {
+template <class Work> void HaarTreePair::on_level(std::size_t level, const rc_team& team, const Work& work) {
   const std::int64_t first = tree_[0].parts(level), all = first + tree_[1].parts(level);
   roughcontact::for_each(team, all, worth_sharing(level), [&](std::int64_t part, std::int64_t) {
     part < first ? work(tree_[0], part) : work(tree_[1], part - first);
@@ -47,7 +48,7 @@ template <class Work> void HaarTrees::on_level(std::size_t level, const rc_team&
 }
 
 // The same for the finest level, where both trees visit the same unknowns one after the other.
-template <class Work> void HaarTrees::on_finest(const rc_team& team, const Work& work) {
+template <class Work> void HaarTreePair::on_finest(const rc_team& team, const Work& work) {
   const std::int64_t parts[2] = {tree_[0].parts(0), tree_[1].parts(0)};
   const std::int64_t all = std::max(parts[0], parts[1]);
   roughcontact::for_each(team, all, worth_sharing(0), [&](std::int64_t part, std::int64_t) {
@@ -57,7 +58,7 @@ template <class Work> void HaarTrees::on_finest(const rc_team& team, const Work&
 }
 
 // Where points are scattered, trees over those in contact alone.
-void HaarTrees::take(const std::uint8_t* active, const rc_team& team) {
+void HaarTreePair::take(const std::uint8_t* active, const rc_team& team) {
   const auto n = static_cast<std::size_t>(unknowns_);
   if (taken_.size() == n && std::memcmp(taken_.data(), active, n) == 0) return;
   taken_.assign(active, active + n);
@@ -68,7 +69,7 @@ void HaarTrees::take(const std::uint8_t* active, const rc_team& team) {
                          [&](std::int64_t i, std::int64_t) { tree_[i].take(cells_, unknowns); });
 }
 
-void HaarTrees::set_up(const std::uint8_t* active, float surplus, const rc_team& team) {
+void HaarTreePair::set_up(const std::uint8_t* active, float surplus, const rc_team& team) {
   if (!tree_[0].full()) take(active, team);
   on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active); });
   const std::size_t small = shared_levels();
@@ -83,7 +84,7 @@ void HaarTrees::set_up(const std::uint8_t* active, float surplus, const rc_team&
 }
 
 template <class Real>
-double HaarTrees::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team) {
+double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team) {
   if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
   const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
   HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
@@ -131,7 +132,7 @@ double HaarTrees::apply(const Real* g, const std::uint8_t* active, Real* z, cons
   return total;
 }
 
-template double HaarTrees::apply(const float*, const std::uint8_t*, float*, const float*, const rc_team&);
-template double HaarTrees::apply(const double*, const std::uint8_t*, double*, const double*, const rc_team&);
+template double HaarTreePair::apply(const float*, const std::uint8_t*, float*, const float*, const rc_team&);
+template double HaarTreePair::apply(const double*, const std::uint8_t*, double*, const double*, const rc_team&);
 
 }  // namespace rc

@@ -7,9 +7,9 @@
 
 namespace rc {
 
-class HaarTrees {
+class HaarTreePair {
  public:
-  HaarTrees(const Cells& cells, const CouplingTable& table);
+  HaarTreePair(Cells cells, const CouplingTable& table);
 
   // The caller's memory, in which all of it lives. set_up() anew where it has moved or was written by others.
   std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }

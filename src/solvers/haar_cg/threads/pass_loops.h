@@ -3,13 +3,9 @@
 
 #include <cstdint>
 
-namespace rc {
+#include "solvers/haar_cg/machine.h"
 
-struct HaarMeasure {
-  double largest = 0;          // residual: |w| under pressure, -w elsewhere
-  double load = 0, merit = 0;  // sum of p; of p (w - u) / 2
-  double moment = 0;           // sum of p w
-};
+namespace rc {
 
 // What becomes of w: w + change, w - shift, product - u - shift, -u - shift.
 enum class HaarUpdate { add, lower, replace, begin };

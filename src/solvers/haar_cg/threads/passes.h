@@ -21,11 +21,6 @@ struct Compenetration {
   const double* values(std::int64_t begin, std::int64_t count, double* room) const;
 };
 
-struct HaarStart {
-  double highest;  // largest u
-  bool warm;       // any pressure
-};
-
 // The state of an iteration: w = H p - u - d, a direction with its product, and the contact set. Residuals and directions are
 // in single or double precision. The spare memory holds two vectors of Real, or one of doubles, or one of Real and what `trees`
 // bytes hold: these come after it.

@@ -1,0 +1,351 @@
+// The method haar-cg, written once for every machine: README.md has it in pseudo-code and explains the constants. Nothing here
+// reads a vector's values; all decisions follow from sums.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "solvers/haar_cg/machine.h"
+
+namespace rc {
+
+struct HaarTask {
+  bool by_load = false;      // the load is prescribed; otherwise the approach, which u contains
+  double load = 0;           // the sum of p that is wanted
+  double tol = 0;            // residual to reach, relative to the largest compenetration
+  double least_scale = 0;    // by load: the compenetration that residuals are at least relative to
+  double periodic_mean = 0;  // a constant that every entry of the trees' operator has and H lacks
+  bool elongated = false;    // cells or sides: the trees may misjudge the slope of the load by far
+  int patience = 120;        // bounded steps without half the residual before the iteration gives up
+  // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
+  std::function<void(std::int64_t steps, double residual)> poll;
+};
+
+enum class HaarEnding { solved, stalled, not_finite };
+
+struct HaarOutcome {
+  HaarEnding ending;
+  double approach;  // by load: the one found
+};
+
+template <Machine M> class HaarIteration {
+ public:
+  HaarIteration(M& machine, const HaarTask& task) : m_(machine), task_(task), mean_(task.by_load ? task.periodic_mean : 0) {}
+
+  // Starts from the machine's pressures and, by load, from the approach given; 0: none is known.
+  HaarOutcome run(double approach) {
+    start(approach);
+    const HaarEnding ending = iterate();
+    return {ending, datum_ - mean_ * now_.load};  // of the operator as given
+  }
+
+ private:
+  using Real = typename M::Real;
+  using Vector = typename M::Vector;
+  using Wide = typename M::Wide;
+
+  // Steps between two bounds, and how strict the admission of new points is: a point without pressure enters the contact set
+  // where it overlaps by more than this share of the residual.
+  static constexpr int first_interval = 2, longest_interval = 16;
+  static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
+  static constexpr double little = 1e-4;    // of the first step's gain of energy: a step that gains less ends its interval
+  static constexpr int refresh_every = 12;  // bounded steps between products of the pressures, which remove drift
+
+  // The safeguard acts after `patience` bounded steps in which the residual has not halved, or after a rise of the merit.
+  static constexpr int patience = 10;
+  static constexpr double progress = 0.5;
+
+  // Newton's steps on the load and, with the mean in a periodic operator, on the deflection that the mean adds.
+  static constexpr double usual_excess = 2, elongated_excess = 10;       // most that the trees may be wrong by, either way
+  static constexpr double caution = 0.7, damping = 1.2;                  // in lengthening steps; where steps swing ever wider
+  static constexpr double settled = 5e-2;                                // residual below which the contact set changes little
+  static constexpr double overloaded = 10;                               // relative imbalance: the approach may then fall by more
+  static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration, in one step
+  static constexpr double least_stiffening = 1e-2, most_stiffening = 4, least_slope = 1e-4;
+  static constexpr double most_share = 0.99;  // of the deflection under a load that adding its mean may make up
+  static constexpr int tolerated_rises = 2;   // before the search with the mean in the operator is given up
+
+  static constexpr bool single = sizeof(Real) < sizeof(double);
+  static constexpr double drop = single ? 1e-4 : 0;             // of the residual, in which single precision is reliable
+  static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rises of the merit that rounding explains
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  // --- What is known -------------------------------------------------------------------------------------------------
+
+  double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
+  // The datum follows a load: the one prescribed, or the one whose mean deflection was added to the operator.
+  bool follows() const { return task_.by_load || mean_ > 0; }
+  double scale() const {
+    return task_.by_load ? std::max({datum_ - mean_ * task_.load + highest_, task_.least_scale, 1e-300}) : 1.0;
+  }
+  double imbalance() const { return task_.by_load ? std::abs(now_.load / task_.load - 1) : std::abs(mean_ * now_.load - datum_); }
+  double worst() const { return std::max(now_.largest / scale(), imbalance()); }
+  // Single precision is reliable for a few digits below the residual of the last product in double precision.
+  bool blurred() const { return single && worst() <= drop * exact_; }
+
+  // --- Operator, preconditioner, contact set ---------------------------------------------------------------------------
+
+  // to = (H + mean 11') from. By load the mean only shifts the datum by a multiple of the load. Without it the load of a periodic
+  // contact would have little curvature, in full contact none.
+  template <class Handle> void product(Handle from, Handle to) {
+    m_.product(from, to);
+    if (mean_ != 0) m_.raise(to, mean_ * m_.total(from));
+  }
+
+  // z = M g on the contact set, without g of ones. Returns (z, q), where q is given.
+  double precondition(Vector g, Vector q) {
+    if (!prepared_) m_.set_up_trees(task_.periodic_mean - mean_);
+    prepared_ = true;
+    return m_.apply_trees(g, q);
+  }
+
+  void choose(double threshold) {
+    if (m_.choose_set(threshold)) prepared_ = false;
+  }
+
+  // w from a product in double precision.
+  void refresh() {
+    prepared_ = false;
+    product(m_.p(), m_.wide_spare());
+    now_ = m_.replace_and_measure(m_.wide_spare(), datum_);
+    since_refresh_ = 0;
+    exact_ = worst();
+  }
+
+  // --- Start -----------------------------------------------------------------------------------------------------------
+
+  void start(double approach) {
+    const HaarStart given = m_.begin();
+    highest_ = given.highest;
+    if (task_.elongated) missing_ = unknown;
+    if (task_.by_load) datum_ = (approach > 0 ? approach : 0.5) + mean_ * task_.load;
+    if (!given.warm) {
+      now_ = m_.replace_and_measure(Wide(nullptr), datum_);
+      exact_ = worst();
+    } else {
+      refresh();
+      reduce();
+    }
+    choose(0);
+  }
+
+  // Pressures that have more energy than none become their multiple of least energy.
+  void reduce() {
+    const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
+    const double curved = now_.moment + work;
+    if (0.5 * curved > work) {
+      m_.multiply(curved > 0 ? std::max(0.0, work / curved) : 0);
+      refresh();
+    }
+  }
+
+  // --- One step, and the bound after an interval of steps ----------------------------------------------------------------
+
+  // One step along a conjugate direction. Pressures may become negative until the next bound. False where the product is not
+  // finite.
+  bool step() {
+    const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
+    const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
+    const double slope = m_.turn(beta);
+    product(m_.t(), m_.q());
+    curvature_ = m_.inner(m_.t(), m_.q());
+    if (std::isnan(curvature_)) return false;
+    conjugate_ = curvature_ > 0;
+    // Long intervals end where a step gains little beside the first: what is left waits for the contact set.
+    ++phase_;
+    if (phase_ == 1) first_gain_ = slope * slope / curvature_;
+    if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = interval_;
+    const bool last = phase_ >= interval_ || !conjugate_;
+    if (!conjugate_) phase_ = interval_;
+    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, last);
+    return true;
+  }
+
+  // The pressures that were cut off no longer deflect the surface: w follows by their product.
+  void bound() {
+    phase_ = 0;
+    if (++since_refresh_ >= refresh_every) return refresh();
+    if (cut_any_) {
+      prepared_ = false;
+      product(m_.z(), m_.y());
+    }
+    now_ = m_.add_and_measure(cut_any_ ? m_.y() : Vector(nullptr), 0);
+  }
+
+  // --- The load ----------------------------------------------------------------------------------------------------------
+
+  void lower(double change) {
+    datum_ += change;
+    now_ = m_.add_and_measure(Vector(nullptr), change);
+  }
+
+  // The slope of the load over that which the trees tell, sum = 1'z with z = M 1. Of the multiples of z that of least energy is
+  // 1'z / z'Hz: its error is of second order in that of M.
+  double measured_excess(double sum) {
+    prepared_ = false;
+    product(m_.z(), m_.y());
+    const double energy = m_.inner(m_.z(), m_.y());
+    return energy > 0 ? std::clamp(sum / energy, 1 / most_excess(), most_excess()) : 1;
+  }
+
+  // Newton's step of the approach on the load that is missing once the present gap is closed.
+  void balance() {
+    choose(0);
+    const double pending = precondition(Vector(nullptr), m_.w());
+    const double sum = m_.total(m_.z());
+    if (!(sum > 0)) return;
+    // The mean deflects by less than the whole operator: where the trees tell more they have come to overrate the slope.
+    if (excess_ == 0 || (!task_.by_load && mean_ * excess_ * sum > most_share)) excess_ = measured_excess(sum);
+    if (!task_.by_load) return deflect(pending, sum);
+    const double depth = scale(), missing = task_.load - now_.load + excess_ * pending;
+    // The share that the last step left of the missing load tells the true slope: at once where the step was too long.
+    const double left = missing / missing_;
+    if (last_ < settled && left < 1)
+      excess_ = std::clamp(excess_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)), 1 / most_excess(), most_excess());
+    else if (left < -1)  // steps that swing ever wider
+      excess_ = std::min(excess_ * damping, most_excess());
+    const double wanted = missing / (excess_ * sum);
+    const bool far = imbalance() > overloaded;
+    const double change =
+        std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load));
+    missing_ = change == wanted ? missing : far || task_.elongated ? unknown : 0;
+    lower(change);
+  }
+
+  // Newton's step of the datum on the deflection that the mean of the load adds to it, in displacement control.
+  void deflect(double pending, double sum) {
+    const double missing = mean_ * (now_.load - excess_ * pending) - datum_;
+    const double left = missing / missing_;
+    if (left < 0 ? last_ < settled : left < 1)
+      stiffening_ *= 1 - (left < 0 ? std::max(left, -1.0) : caution * left);
+    else if (left < -1)
+      stiffening_ *= damping;
+    stiffening_ = std::clamp(stiffening_, least_stiffening, most_stiffening);
+    const double wanted = missing / (stiffening_ * std::max(1 - mean_ * excess_ * sum, least_slope)), depth = 1 + datum_;
+    const double change = std::clamp(wanted, -0.5 * depth, depth);
+    missing_ = change == wanted ? missing : unknown;
+    lower(change);
+  }
+
+  // Before a residual is believed: a product in double precision, by load of pressures with exactly that load, and the approach
+  // at which the mean of the gap, weighted by the pressures, vanishes.
+  void settle() {
+    if (task_.by_load) m_.multiply(now_.load > 0 ? task_.load / now_.load : 1);
+    refresh();
+    if (task_.by_load) {
+      if (now_.load > 0) lower(now_.moment / now_.load);
+    } else if (mean_ > 0) {
+      lower(mean_ * now_.load - datum_);
+    }
+    exact_ = worst();
+  }
+
+  // --- Safeguards ----------------------------------------------------------------------------------------------------------
+
+  // After an interval: the merit rose, or the residual has not halved for long.
+  bool in_trouble() {
+    bool trouble = !follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit);
+    merit_before_ = now_.merit;
+    ++since_best_;
+    ++stalled_;
+    if (last_ < progress * best_) {
+      best_ = last_;
+      since_best_ = stalled_ = 0;
+    }
+    if (since_best_ >= patience) {
+      trouble = true;
+      since_best_ = 0;
+    }
+    return trouble;
+  }
+
+  // The first trouble is tolerated.
+  void safeguard() {
+    ++rises_;
+    if (rises_ > tolerated_rises && mean_ > 0 && !task_.by_load) return drop_mean();
+    if (rises_ <= 1) return;
+    if (task_.periodic_mean > 0 && !follows() && !mean_tried_) return add_mean();
+    interval_ = std::min(longest_interval, 2 * interval_);
+    admission_ = std::min(strictest_admission, admission_ + admission_step);
+    conjugate_ = false;
+  }
+
+  // A periodic operator does not resist a change of the mean, and steps may raise the load without end. With the mean in the
+  // operator they cannot: then the datum stands for the deflection that it adds, and is found together with the load.
+  void add_mean() {
+    refresh();
+    reduce();
+    mean_ = task_.periodic_mean;
+    datum_ = mean_ * now_.load;
+    conjugate_ = prepared_ = false;
+    excess_ = missing_ = 0;
+    mean_tried_ = true;
+    rises_ = 0;
+  }
+
+  // Where nearly all points touch, the load grows so fast with the deflection that it is hard to find.
+  void drop_mean() {
+    mean_ = datum_ = 0;
+    conjugate_ = prepared_ = false;
+    refresh();
+    best_ = last_ = worst();
+  }
+
+  HaarEnding iterate() {
+    for (std::int64_t steps = 1;; ++steps) {
+      if (!step()) return HaarEnding::not_finite;
+      if (phase_ > 0 && phase_ < interval_) {
+        task_.poll(steps, last_);
+        continue;
+      }
+      bound();
+      if (worst() <= task_.tol)
+        settle();
+      else if (blurred())
+        refresh();
+      last_ = worst();
+      if (last_ <= task_.tol && since_refresh_ == 0) return HaarEnding::solved;
+      task_.poll(steps, last_);
+      const bool trouble = in_trouble();
+      if (stalled_ > task_.patience) return HaarEnding::stalled;
+      if (trouble) safeguard();
+      if (follows())
+        balance();
+      else
+        choose(admission_ * last_ * scale());
+    }
+  }
+
+  M& m_;
+  const HaarTask& task_;
+  double mean_;             // what is added to every entry of the operator
+  double datum_ = 0;        // w = H p - u - datum
+  double highest_ = 0;      // largest u
+  HaarMeasure now_;         // of the present p and w
+  double last_ = infinite;  // residual after the last bound
+  double exact_ = 1;        // residual of the last product in double precision
+  int since_refresh_ = 0;   // bounds since then
+
+  double curvature_ = 0;                       // (t, q) of the last step
+  double first_gain_ = 0;                      // of energy, times two, in the first step of an interval
+  int interval_ = first_interval, phase_ = 0;  // steps of an interval, and those made
+  bool conjugate_ = false;                     // the next direction is made conjugate to t
+  bool cut_any_ = false;                       // the last bound cut pressures off
+  bool prepared_ = false;                      // the trees stand over the present contact set
+  double admission_ = first_admission;
+
+  double excess_ = 0;      // the slope of the load over that of the trees; 0: not measured yet
+  double missing_ = 0;     // load that the last step of the approach should have added
+  double stiffening_ = 1;  // factor of the datum's slope in displacement control
+
+  double best_ = infinite, merit_before_ = infinite;
+  int since_best_ = 0, stalled_ = 0,
+      rises_ = 0;  // bounds since the residual halved, since it last did before giving up; troubles
+  bool mean_tried_ = false;
+};
+
+}  // namespace rc

@@ -1,0 +1,75 @@
+// What the iteration of haar-cg requires of a machine: the place where its vectors live and its sums are made.
+//
+// A machine holds one contact problem: the pressures p in double precision; w = H p - u - datum, a direction t, its product
+// q = H t and two spare vectors z and y, all of type Real; the contact set; and the preconditioner M, two multilevel trees. The
+// iteration decides from sums alone and never reads a vector's values.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+namespace rc {
+
+// Of all unknowns, with the pressures p and the vector w.
+struct HaarMeasure {
+  double largest = 0;  // violation of the complementarity conditions: |w| where p > 0, -w elsewhere
+  double load = 0;     // sum of p
+  double merit = 0;    // sum of p (w - u) / 2, the functional that the solution minimises
+  double moment = 0;   // sum of p w
+};
+
+struct HaarStart {
+  double highest;  // largest u
+  bool warm;       // some pressure is positive
+};
+
+// Vector and Wide are handles that are cheap to copy: a pointer, or an index of a device's memory. nullptr makes the handle of no
+// vector. Every sum is made in double precision and in an order that does not change between runs.
+template <class M>
+concept Machine = std::floating_point<typename M::Real> && std::constructible_from<typename M::Vector, std::nullptr_t> &&
+    std::constructible_from<typename M::Wide, std::nullptr_t> &&
+    requires(M& m, typename M::Vector a, typename M::Vector b, typename M::Wide wide, double number, bool yes) {
+  // Vectors of Real.
+  { m.w() } -> std::same_as<typename M::Vector>;
+  { m.t() } -> std::same_as<typename M::Vector>;
+  { m.q() } -> std::same_as<typename M::Vector>;
+  { m.z() } -> std::same_as<typename M::Vector>;
+  { m.y() } -> std::same_as<typename M::Vector>;
+  // Vectors of double: the pressures, and a spare one. The spare one may lie in the memory of z and y, and the trees in that of
+  // y: the iteration calls set_up_trees() after every change of y or of the spare vector.
+  { m.p() } -> std::same_as<typename M::Wide>;
+  { m.wide_spare() } -> std::same_as<typename M::Wide>;
+
+  // Products with the operator as given: b = H a, in the precision of the vectors.
+  m.product(a, b);
+  m.product(wide, wide);
+  // a += number, in every component.
+  m.raise(a, number);
+  m.raise(wide, number);
+  // The sum of all components; the inner product (a, b), where a is 0 off the contact set.
+  { m.total(a) } -> std::same_as<double>;
+  { m.total(wide) } -> std::same_as<double>;
+  { m.inner(a, b) } -> std::same_as<double>;
+
+  // The trees over the contact set. number: a constant that every entry of the trees' operator has and H lacks.
+  m.set_up_trees(number);
+  // z = M a on the contact set, 0 elsewhere; without a: of ones. Returns (z, b); without b: 0.
+  { m.apply_trees(a, b) } -> std::same_as<double>;
+
+  // p = max(p, 0); every unknown is in the contact set; t = 0.
+  { m.begin() } -> std::same_as<HaarStart>;
+  // p *= number
+  m.multiply(number);
+  // t = z + number t on the contact set, 0 elsewhere. Returns (w, t).
+  { m.turn(number) } -> std::same_as<double>;
+  // p -= number t and w -= number q. With yes: p = max(p, 0), and z is what that added to p; returns whether it added any.
+  { m.advance(number, yes) } -> std::same_as<bool>;
+  // w += a - number; without a: w -= number.
+  { m.add_and_measure(a, number) } -> std::same_as<HaarMeasure>;
+  // w = wide - u - number; without wide: w = -u - number, for p = 0.
+  { m.replace_and_measure(wide, number) } -> std::same_as<HaarMeasure>;
+  // The contact set becomes the unknowns with p > 0 or w < -number. Returns whether it changed.
+  { m.choose_set(number) } -> std::same_as<bool>;
+};
+
+}  // namespace rc
