@@ -19,6 +19,12 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core'},
     'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
+NARROW = {  # files under src with all that they may include of this tree
+    'solvers/haar_cg/machine.h': set(),
+    'solvers/haar_cg/iteration.h': {'solvers/haar_cg/machine.h'},
+    'solvers/haar_cg/plain_tree.h': {'solvers/haar_cg/tree_inputs.h'},
+    'solvers/haar_cg/plain_machine.h': {'solvers/haar_cg/machine.h', 'solvers/haar_cg/plain_tree.h'},
+}
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
     'bindings': {'roughcontact/roughcontact.h'},
@@ -44,6 +50,9 @@ def layer(path):
 
 def allowed(root, file, include, quoted):
     top, folder, *_ = file.parts
+    inside = '/'.join(file.parts[1:])
+    if top == 'src' and inside in NARROW:
+        return include in NARROW[inside] if quoted or include in PUBLIC else True
     if include in PUBLIC:
         return include in OUTSIDE.get(top, PUBLIC)
     if top == 'src':
@@ -51,7 +60,7 @@ def allowed(root, file, include, quoted):
         for where, may in NARROWER.items():
             if quoted and (inner.match(where) or str(inner.parent) == where) and not include.startswith(may):
                 return False
-        return layer(include) in LAYERS[layer('/'.join(file.parts[1:]))] if layer(include) else not quoted
+        return layer(include) in LAYERS[layer(inside)] if layer(include) else not quoted
     if (root / file.parent / include).resolve().is_relative_to((root / top / folder).resolve()) and (root / file.parent / include).exists():
         return True  # a file of its own
     if top == 'backends' and quoted and include.startswith('common/'):

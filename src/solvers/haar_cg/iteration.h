@@ -21,7 +21,7 @@ struct HaarTask {
   bool elongated = false;    // cells or sides: the trees may misjudge the slope of the load by far
   int patience = 120;        // bounded steps without half the residual before the iteration gives up
   // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
-  std::function<void(std::int64_t steps, double residual)> poll;
+  std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
 };
 
 enum class HaarEnding { solved, stalled, not_finite };
@@ -74,7 +74,7 @@ template <Machine M> class HaarIteration {
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  // --- What is known -------------------------------------------------------------------------------------------------
+  // What is known.
 
   double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
   // The datum follows a load: the one prescribed, or the one whose mean deflection was added to the operator.
@@ -87,7 +87,7 @@ template <Machine M> class HaarIteration {
   // Single precision is reliable for a few digits below the residual of the last product in double precision.
   bool blurred() const { return single && worst() <= drop * exact_; }
 
-  // --- Operator, preconditioner, contact set ---------------------------------------------------------------------------
+  // Operator, preconditioner, contact set.
 
   // to = (H + mean 11') from. By load the mean only shifts the datum by a multiple of the load. Without it the load of a periodic
   // contact would have little curvature, in full contact none.
@@ -116,7 +116,7 @@ template <Machine M> class HaarIteration {
     exact_ = worst();
   }
 
-  // --- Start -----------------------------------------------------------------------------------------------------------
+  // Start.
 
   void start(double approach) {
     const HaarStart given = m_.begin();
@@ -143,7 +143,7 @@ template <Machine M> class HaarIteration {
     }
   }
 
-  // --- One step, and the bound after an interval of steps ----------------------------------------------------------------
+  // One step, and the bound after an interval of steps.
 
   // One step along a conjugate direction. Pressures may become negative until the next bound. False where the product is not
   // finite.
@@ -176,7 +176,7 @@ template <Machine M> class HaarIteration {
     now_ = m_.add_and_measure(cut_any_ ? m_.y() : Vector(nullptr), 0);
   }
 
-  // --- The load ----------------------------------------------------------------------------------------------------------
+  // The load.
 
   void lower(double change) {
     datum_ += change;
@@ -244,7 +244,7 @@ template <Machine M> class HaarIteration {
     exact_ = worst();
   }
 
-  // --- Safeguards ----------------------------------------------------------------------------------------------------------
+  // Safeguards.
 
   // After an interval: the merit rose, or the residual has not halved for long.
   bool in_trouble() {

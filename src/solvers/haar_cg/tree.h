@@ -7,23 +7,9 @@
 #include <vector>
 
 #include "solvers/haar_cg/threads/tree_loops.h"
+#include "solvers/haar_cg/tree_inputs.h"
 
 namespace rc {
-
-// Influence coefficients at small offsets, enough for the couplings of neighbours on every level.
-struct CouplingTable {
-  std::int64_t mx, my;
-  std::vector<double> k;  // [iy*mx + ix]
-  double hx, hy;          // cell size
-};
-
-// Where the unknowns lie: all cells of a box, or some of them.
-struct Cells {
-  std::int64_t mx, my;
-  std::vector<std::int32_t> x, y;  // of each unknown, rows in ascending order; empty: every cell
-
-  bool full() const { return x.empty(); }
-};
 
 // What the finest level works on.
 template <class Real> struct HaarFinestValues {

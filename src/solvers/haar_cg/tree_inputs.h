@@ -1,4 +1,4 @@
-// What the trees over a grid's unknowns are planted from.
+// What the trees over a grid's unknowns are made from.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -7,9 +7,22 @@
 #include <functional>
 #include <vector>
 
-#include "solvers/haar_cg/tree.h"
-
 namespace rc {
+
+// Influence coefficients at small offsets, enough for the couplings of neighbours on every level.
+struct CouplingTable {
+  std::int64_t mx, my;
+  std::vector<double> k;  // [iy*mx + ix]
+  double hx, hy;          // cell size
+};
+
+// Where the unknowns lie: all cells of a box, or some of them.
+struct Cells {
+  std::int64_t mx, my;
+  std::vector<std::int32_t> x, y;  // of each unknown, rows in ascending order; empty: every cell
+
+  bool full() const { return x.empty(); }
+};
 
 struct TreeInputs {
   Cells cells;

@@ -1,0 +1,187 @@
+// One multilevel tree over every cell of a grid, in double precision: the text to read before tree.h, which computes the same
+// with vector instructions. Tests alone use it.
+//
+// On each level the cells are joined to blocks of 2 x 2, of 2 x 1 where cells are elongated. A block knows the couplings of its
+// children, A: what a unit load on one, spread over it, deflects another. With s = 1'A^-1 1, the children share a load of the
+// block as w = A^-1 1 / s, which has the least energy 1/2s: so 1/s is the block's own coupling as a child of the next level.
+// What A^-1 does besides, A^-1 - s w w', acts on differences between the children; half of it is kept, because two trees
+// are averaged.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "solvers/haar_cg/tree_inputs.h"
+
+namespace rc {
+
+class PlainTree {
+ public:
+  using Values = std::vector<double>;
+
+  // table: of every offset of the grid. shifted: the blocks of every second level begin one cell earlier.
+  PlainTree(std::int64_t nx, std::int64_t ny, const CouplingTable& table, bool shifted) {
+    double hx = table.hx, hy = table.hy, scale = 1;
+    std::int64_t wide = 1, high = 1;  // blocks of the grid's cells between which couplings are averaged
+    for (int depth = 0; nx * ny > 1 || depth == 0; ++depth) {
+      Level level{nx, ny};
+      level.x = scale * coupling(table, wide, high, 1, 0);
+      level.y = scale * coupling(table, wide, high, 0, 1);
+      level.xy = scale * coupling(table, wide, high, 1, 1);
+      level.merge_x = nx > 1 && (hx <= anisotropy * hy || ny == 1);
+      level.merge_y = ny > 1 && (hy <= anisotropy * hx || nx == 1);
+      const bool shift = shifted && depth % 2 == 0;
+      level.shift_x = shift && level.merge_x && nx > 2;
+      level.shift_y = shift && level.merge_y && ny > 2;
+      if (level.merge_x) {
+        nx = (nx + level.shift_x + 1) / 2;
+        hx *= 2;
+      }
+      if (level.merge_y) {
+        ny = (ny + level.shift_y + 1) / 2;
+        hy *= 2;
+      }
+      // Where few blocks are left, couplings fall with the size of the cells.
+      const bool room =
+          (!level.merge_x || table.mx >= least_blocks * wide) && (!level.merge_y || table.my >= least_blocks * high);
+      if (room) {
+        wide *= level.merge_x ? 2 : 1;
+        high *= level.merge_y ? 2 : 1;
+      } else {
+        scale *= level.merge_x && level.merge_y ? 0.5 : std::sqrt(0.5);
+      }
+      level.blocks.resize(static_cast<std::size_t>(nx * ny));
+      for (std::int64_t y = 0; y < level.ny; ++y)
+        for (std::int64_t x = 0; x < level.nx; ++x) {
+          const std::int64_t i = level.merge_x ? x + level.shift_x : 2 * x, j = level.merge_y ? y + level.shift_y : 2 * y;
+          level.blocks[static_cast<std::size_t>(j / 2 * nx + i / 2)].child[static_cast<std::size_t>(j % 2 * 2 + i % 2)] =
+              static_cast<int>(y * level.nx + x);
+        }
+      levels_.push_back(level);
+    }
+    self_ = table.k[0];
+  }
+
+  // The blocks over the contact set. surplus: a constant in every entry of the table that the operator lacks; it only shows in
+  // the coupling of the whole with itself.
+  void set_up(const std::vector<std::uint8_t>& active, double surplus) {
+    Values self(active.size());  // 0: no contact
+    for (std::size_t i = 0; i < self.size(); ++i) self[i] = active[i] ? self_ : 0;
+    for (Level& level : levels_) {
+      Values above(level.blocks.size());
+      for (std::size_t b = 0; b < above.size(); ++b) above[b] = solve(level, self, level.blocks[b]);
+      self = above;
+    }
+    top_ = std::max(self.front() - surplus, least_top * surplus);
+  }
+
+  // z += part * M g
+  void add(const Values& g, double part, Values& z) const {
+    std::vector<Values> load{g};  // on each level: up to the blocks in the shares of their children
+    for (const Level& level : levels_) {
+      Values above;
+      for (const Block& block : level.blocks) {
+        double sum = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+          if (block.child[i] >= 0) sum += block.share[i] * load.back()[static_cast<std::size_t>(block.child[i])];
+        above.push_back(sum);
+      }
+      load.push_back(above);
+    }
+    Values pressure{top_ > 0 ? load.back().front() / top_ : 0};
+    for (std::size_t l = levels_.size(); l-- > 0;) {
+      Values below(load[l].size());
+      for (std::size_t b = 0; b < levels_[l].blocks.size(); ++b) {
+        const Block& block = levels_[l].blocks[b];
+        for (std::size_t i = 0; i < 4; ++i) {
+          if (block.child[i] < 0) continue;
+          double value = block.share[i] * pressure[b];
+          for (std::size_t j = 0; j < 4; ++j)
+            if (block.child[j] >= 0) value += block.detail[i][j] * load[l][static_cast<std::size_t>(block.child[j])];
+          below[static_cast<std::size_t>(block.child[i])] = value;
+        }
+      }
+      pressure = below;
+    }
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] += part * pressure[i];
+  }
+
+ private:
+  static constexpr double anisotropy = 1.5;  // of cells above which only the short side is joined
+  static constexpr std::int64_t least_blocks = 8;
+  static constexpr double kept_detail = 0.5;
+  static constexpr double least_top = 0.1;  // of the surplus
+
+  struct Block {
+    std::array<int, 4> child{-1, -1, -1, -1};  // upper left, upper right, lower left, lower right; -1: none
+    std::array<double, 4> share{};
+    std::array<std::array<double, 4>, 4> detail{};
+  };
+  struct Level {
+    std::int64_t nx, ny;          // cells
+    double x = 0, y = 0, xy = 0;  // couplings of neighbours along x, along y, and across
+    bool merge_x = false, merge_y = false;
+    std::int64_t shift_x = 0, shift_y = 0;
+    std::vector<Block> blocks{};
+  };
+
+  // The mean of the coefficients between all cells of two blocks, wide x high, that are dx and dy blocks apart.
+  static double coupling(const CouplingTable& table, std::int64_t wide, std::int64_t high, std::int64_t dx, std::int64_t dy) {
+    double sum = 0;
+    for (std::int64_t j = 1 - high; j < high; ++j)
+      for (std::int64_t i = 1 - wide; i < wide; ++i) {
+        const std::int64_t x = std::min(std::abs(dx * wide + i), table.mx - 1),
+                           y = std::min(std::abs(dy * high + j), table.my - 1);
+        sum += static_cast<double>((wide - std::abs(i)) * (high - std::abs(j))) *
+               table.k[static_cast<std::size_t>(y * table.mx + x)];
+      }
+    return sum / static_cast<double>(wide * wide * high * high);
+  }
+
+  // Shares and differences of a block from the couplings of its children; returns its own coupling, 0 without contact.
+  static double solve(const Level& level, const Values& self, Block& block) {
+    const double between[4][4] = {{0, level.x, level.y, level.xy},
+                                  {level.x, 0, level.xy, level.y},
+                                  {level.y, level.xy, 0, level.x},
+                                  {level.xy, level.y, level.x, 0}};
+    // [A 1] becomes [1 A^-1] by Gauss & Jordan's method; children without contact are a row of the identity.
+    double a[4][8] = {};
+    bool in[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      in[i] = block.child[i] >= 0 && self[static_cast<std::size_t>(block.child[i])] > 0;
+      a[i][i] = in[i] ? self[static_cast<std::size_t>(block.child[i])] : 1;
+      a[i][4 + i] = 1;
+      for (std::size_t j = 0; j < i; ++j)
+        if (in[i] && in[j]) a[i][j] = a[j][i] = between[i][j];
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double pivot = a[k][k];
+      for (double& value : a[k]) value /= pivot;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double factor = a[i][k];
+        if (i == k) continue;
+        for (std::size_t j = 0; j < 8; ++j) a[i][j] -= factor * a[k][j];
+      }
+    }
+    double s = 0, row[4] = {};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        if (in[i] && in[j]) row[i] += a[i][4 + j];
+    for (const double value : row) s += value;
+    for (std::size_t i = 0; i < 4; ++i) {
+      block.share[i] = s > 0 ? row[i] / s : 0;
+      for (std::size_t j = 0; j < 4; ++j)
+        block.detail[i][j] = in[i] && in[j] ? kept_detail * (a[i][4 + j] - row[i] * row[j] / s) : 0;
+    }
+    return s > 0 ? 1 / s : 0;
+  }
+
+  std::vector<Level> levels_;
+  double self_ = 0, top_ = 0;  // couplings with itself of a cell, and of the whole contact set
+};
+
+}  // namespace rc

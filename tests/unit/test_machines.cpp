@@ -1,0 +1,197 @@
+// The iteration of haar-cg on its machines: the plain one, whose loops say what is computed, and that of threads. Same pressures
+// to the tolerance, nearly the same number of steps.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/team.h"
+#include "kernel/kernel.h"
+#include "registry/options_handle.h"
+#include "solvers/haar_cg/iteration.h"
+#include "solvers/haar_cg/plain_machine.h"
+#include "solvers/haar_cg/threads/machine.h"
+#include "support/cmocka.hpp"
+
+namespace {
+
+using rc::HaarEnding;
+using Field = std::vector<double>;
+
+static_assert(rc::Machine<rc::PlainMachine<float>> && rc::Machine<rc::PlainMachine<double>>);
+static_assert(rc::Machine<rc::ThreadMachine<float>> && rc::Machine<rc::ThreadMachine<double>>);
+
+constexpr double tol = 1e-9;
+
+// A half-space's product, written out: every entry of H by the offset of its cells.
+struct Product : rc_problem {
+  std::int64_t nx, ny;
+  bool periodic;
+  Field k;  // [iy*nx + ix]
+
+  double entry(std::int64_t i, std::int64_t j) const {
+    const std::int64_t x = std::abs(i % nx - j % nx), y = std::abs(i / nx - j / nx);
+    return k[static_cast<std::size_t>(y * nx + x)];
+  }
+  void multiply(const double* x, double* y) const {
+    for (std::int64_t i = 0; i < nx * ny; ++i) {
+      y[i] = 0;
+      for (std::int64_t j = 0; j < nx * ny; ++j)
+        if (x[j] != 0) y[i] += entry(i, j) * x[j];
+    }
+  }
+};
+
+struct Contact {
+  const char* name;
+  std::int64_t nx, ny;
+  double hx, hy;
+  bool periodic, by_load;
+  double depth;  // of the highest point, relative to the roughness
+};
+
+Field rough(const Contact& c) {
+  Field u;
+  std::mt19937 random(7);
+  for (std::int64_t y = 0; y < c.ny; ++y)
+    for (std::int64_t x = 0; x < c.nx; ++x) {
+      const double i = static_cast<double>(x) / static_cast<double>(c.nx), j = static_cast<double>(y) / static_cast<double>(c.ny);
+      u.push_back(std::sin(13 * i + 5 * j) * std::cos(11 * j) + 0.2 * static_cast<double>(random() % 1000) * 1e-3);
+    }
+  const double highest = *std::max_element(u.begin(), u.end());
+  for (double& value : u) value = c.by_load ? (value - highest) / c.depth : 1 + (value - highest) / c.depth;
+  return u;
+}
+
+struct Solution {
+  HaarEnding ending;
+  double approach;
+  std::int64_t steps;
+  Field p;
+};
+
+template <class M> Solution solved(M& machine, rc::HaarTask task) {
+  std::int64_t last = 0;
+  task.poll = [&](std::int64_t steps, double) { last = steps; };
+  const rc::HaarOutcome outcome = rc::HaarIteration(machine, task).run(0);
+  return {outcome.ending, outcome.approach, last, {}};
+}
+
+template <class Real> void compare(const Contact& c, const Field& start) {
+  const Field u = rough(c);
+  const std::int64_t n = c.nx * c.ny;
+  Product product{};
+  product.nx = c.nx;
+  product.ny = c.ny;
+  product.k.resize(u.size());
+  const rc::kernel::Kernel& love = *rc::kernel::find("love");
+  if (c.periodic)
+    rc::kernel::periodic_coefficients(*rc::kernel::find("spectral"), c.hx, c.hy, c.nx, c.ny, c.nx, c.ny, product.k.data());
+  else
+    rc::kernel::coefficients(love, c.hx, c.hy, c.nx, c.ny, product.k.data());
+  rc_grid grid{};
+  grid.nx = c.nx;
+  grid.ny = c.ny;
+  grid.hx = c.hx;
+  grid.hy = c.hy;
+  grid.boundary = c.periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
+  const rc::TreeInputs inputs = rc::tree_inputs(grid, n, [&](std::int64_t, std::int64_t, Field& out) { out = product.k; });
+  const rc::HaarTask task{.by_load = c.by_load,
+                          .load = 0.2 * static_cast<double>(n),
+                          .tol = tol,
+                          .periodic_mean = inputs.mean,
+                          .elongated = inputs.elongated};
+
+  rc::PlainMachine<Real> plain(
+      u, start, [&](const Field& x, Field& y) { product.multiply(x.data(), y.data()); },
+      rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, false),
+      rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, true));
+  Solution by_plain = solved(plain, task);
+  by_plain.p = plain.pressures();
+
+  const rc::Team team(2);
+  const rc_host host{};
+  product.n = n;
+  product.u = u.data();
+  product.grid = &grid;
+  product.length = product.pressure = 1;
+  product.team = &team;
+  product.apply = [](const rc_problem* problem, const double* x, double* y) -> rc_status {
+    static_cast<const Product*>(problem)->multiply(x, y);
+    return RC_OK;
+  };
+  product.apply_float = [](const rc_problem* problem, const float* x, float* y) -> rc_status {
+    const Field wide(x, x + problem->n);
+    Field result(wide.size());
+    static_cast<const Product*>(problem)->multiply(wide.data(), result.data());
+    std::copy(result.begin(), result.end(), y);
+    return RC_OK;
+  };
+  const rc_options options{};
+  const rc::Problem problem(host, product, options);
+  Field p = start;
+  rc::ThreadMachine<Real> threads(problem, p, rc::HaarTreePair(inputs.cells, inputs.table));
+  const Solution by_threads = solved(threads, task);
+
+  double difference = 0, most = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    difference = std::max(difference, std::abs(p[i] - by_plain.p[i]));
+    most = std::max(most, p[i]);
+  }
+  std::printf("%s, %s precision: %lld steps on threads, %lld plain, pressures differ by %.1e of the largest\n", c.name,
+              sizeof(Real) == 4 ? "mixed" : "double", static_cast<long long>(by_threads.steps),
+              static_cast<long long>(by_plain.steps), difference / most);
+  assert_true(by_threads.ending == HaarEnding::solved && by_plain.ending == HaarEnding::solved);
+  assert_true(most > 0);
+  assert_true(difference <= 100 * tol * most);
+  assert_true(std::abs(by_threads.approach - by_plain.approach) <= 100 * tol);
+  assert_true(std::abs(by_threads.steps - by_plain.steps) <= 2 + by_plain.steps / 10);
+}
+
+constexpr Contact contacts[] = {{"square, by approach", 24, 24, 1, 1, false, false, 1.2},
+                                {"square, by load", 24, 24, 1, 1, false, true, 1.2},
+                                {"odd sides, by approach", 31, 18, 1, 1, false, false, 0.7},
+                                {"odd sides, by load", 31, 18, 1, 1, false, true, 1},
+                                {"one row", 1, 60, 1, 1, false, false, 1},
+                                {"long cells", 20, 25, 1, 4, false, false, 1},
+                                {"periodic, by approach", 20, 24, 1, 1, true, false, 0.9},
+                                {"periodic, by load", 20, 24, 1, 1, true, true, 1}};
+
+void machines_agree(void**) {
+  for (const Contact& contact : contacts) {
+    const Field none(static_cast<std::size_t>(contact.nx * contact.ny), 0.0);
+    compare<float>(contact, none);
+    compare<double>(contact, none);
+  }
+}
+
+void machines_agree_from_any_start(void**) {
+  for (const Contact& contact : contacts) {
+    std::mt19937 random(3);
+    Field start(static_cast<std::size_t>(contact.nx * contact.ny));
+    for (double& value : start) value = static_cast<double>(random() % 100) - 60;  // negative pressures are taken as 0
+    compare<float>(contact, start);
+  }
+}
+
+// A product that is not finite ends the iteration at that step.
+void a_product_that_is_not_finite_is_noticed(void**) {
+  const rc::CouplingTable table{8, 8, Field(64, 1.0), 1, 1};
+  rc::PlainMachine<double> machine(
+      Field(64, 1.0), Field(64, 0.0), [](const Field&, Field& y) { y.assign(y.size(), std::nan("")); },
+      rc::PlainTree(8, 8, table, false), rc::PlainTree(8, 8, table, true));
+  const Solution found = solved(machine, {.tol = tol});
+  assert_true(found.ending == HaarEnding::not_finite);
+  assert_int_equal(found.steps, 0);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(machines_agree), cmocka_unit_test(machines_agree_from_any_start),
+                              cmocka_unit_test(a_product_that_is_not_finite_is_noticed)};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
