@@ -76,7 +76,7 @@ void Operator::screen(std::span<const double> x, rc_screen& request) {
 
 rc_status Operator::subset(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
   if (a.empty()) return RC_OK;
-  if (!backend_.subset) return conjugate_gradients(a, b, x, tol);
+  if (!backend_.subset) return subset_by_products(a, b, x, tol);
   const rc_status status = backend_.subset(self_, static_cast<std::int64_t>(a.size()), a.data(), b, x);
   if (scale_ != 1)
     for (std::size_t i = 0; i < a.size(); ++i) x[i] *= scale_;

@@ -64,7 +64,7 @@ class Operator {
   const char* name() const { return backend_.name; }
 
  private:
-  rc_status conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x, double tol);
+  rc_status subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol);
 
   const rc_backend& backend_;
   rc_system system_;

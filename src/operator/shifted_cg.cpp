@@ -1,16 +1,19 @@
 // (H + rho I) x = b by conjugate gradients on the product, for backends that cannot factor. The shift bounds the condition
 // number, so a few iterations from a good start are enough.
-#include <cmath>
 #include <vector>
 
+#include "core/conjugate_gradients.h"
 #include "core/error.h"
+#include "core/stall.h"
+#include "core/sums.h"
 #include "operator/operator.h"
 
 namespace rc {
 
 namespace {
 
-constexpr int patience = 40;  // iterations without a new smallest residual
+constexpr double progress = 0.8;  // of the sum of squares of the residual
+constexpr int patience = 38;      // iterations without it
 
 }  // namespace
 
@@ -22,41 +25,24 @@ rc_status Operator::shifted(double rho, double tol, const double* b, double* x) 
     for (double& value : right) value *= scale_;
     return backend_.shifted(self_, rho * scale_, right.data(), x);
   }
-  std::vector<double> r(n), t(n), product(n);
-  const auto multiply = [&](const double* v) {
-    const rc_status status = apply(v, product.data());
-    for (std::size_t i = 0; i < n; ++i) product[i] += rho * v[i];
+  const auto multiply = [&](const double* v, std::vector<double>& q) {
+    const rc_status status = apply(v, q.data());
+    for (std::size_t i = 0; i < n; ++i) q[i] += rho * v[i];
     return status;
   };
-  if (const rc_status status = multiply(x); status != RC_OK) return status;
-  double size_b = 0, rr = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    r[i] = b[i] - product[i];
-    t[i] = r[i];
-    size_b += b[i] * b[i];
-    rr += r[i] * r[i];
-  }
-  double least = rr;
-  for (int since_best = 0; rr > tol * tol * size_b && since_best < patience; ++since_best) {
-    if (const rc_status status = multiply(t.data()); status != RC_OK) return status;
-    double curvature = 0;
-    for (std::size_t i = 0; i < n; ++i) curvature += t[i] * product[i];
-    if (!(curvature > 0)) {
-      set_message(join("the operator is not positive definite: t'(H + rho I)t = ", curvature, " with rho = ", rho).c_str());
-      return RC_ERR_NUMERIC;
-    }
-    const double step = rr / curvature, rr_old = rr;
-    rr = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] += step * t[i];
-      r[i] -= step * product[i];
-      rr += r[i] * r[i];
-    }
-    for (std::size_t i = 0; i < n; ++i) t[i] = r[i] + rr / rr_old * t[i];
-    if (rr < 0.8 * least) {
-      least = rr;
-      since_best = 0;
-    }
+  std::vector<double> r(n);
+  if (const rc_status status = multiply(x, r); status != RC_OK) return status;
+  for (std::size_t i = 0; i < n; ++i) r[i] = b[i] - r[i];
+  const double least = tol * tol * sum_in_order(n, [&](std::size_t i) { return b[i] * b[i]; });
+  Stall stalls = Stall::from(sum_in_order(n, [&](std::size_t i) { return r[i] * r[i]; }), progress, patience);
+  const ConjugateGradientsEnd end = conjugate_gradients(
+      {x, n}, r, no_unit, sum_in_order,
+      [&](const std::vector<double>& t, std::vector<double>& q) { return multiply(t.data(), q); },
+      [&](int step, double rr) { return !(rr > least) || (step > 0 && stalls(rr)); });
+  if (end.status != 0) return end.status;
+  if (!end.definite()) {
+    set_message(join("the operator is not positive definite: t'(H + rho I)t = ", end.curvature, " with rho = ", rho).c_str());
+    return RC_ERR_NUMERIC;
   }
   return RC_OK;
 }

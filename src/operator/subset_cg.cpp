@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/conjugate_gradients.h"
 #include "core/error.h"
+#include "core/stall.h"
+#include "core/sums.h"
 #include "operator/operator.h"
 
 namespace rc {
@@ -10,17 +13,20 @@ namespace rc {
 namespace {
 
 constexpr double attained = 1e-15;    // relative residual at which a double precision product has nothing more to give
-constexpr int patience = 40;          // iterations without a new smallest residual
+constexpr double progress = 0.9;      // of the least residual before
+constexpr int patience = 39;          // iterations without it
 constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
 
 }  // namespace
 
-rc_status Operator::conjugate_gradients(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
+rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
   const std::size_t m = a.size(), n = static_cast<std::size_t>(trial_.n);
-  std::vector<double> spread(n, 0.0), product(n), r(b, b + m), t(m, 0.0), best(m, 0.0);
-  const auto multiply = [&](const double* v) {
+  std::vector<double> spread(n, 0.0), product(n), r(b, b + m), best(m, 0.0);
+  const auto multiply = [&](const double* v, std::vector<double>& q) {
     for (std::size_t k = 0; k < m; ++k) spread[static_cast<std::size_t>(a[k])] = v[k];
-    return apply(spread.data(), product.data());
+    const rc_status status = apply(spread.data(), product.data());
+    for (std::size_t k = 0; k < m; ++k) q[k] = product[static_cast<std::size_t>(a[k])];
+    return status;
   };
 
   double size_b = 0;
@@ -36,46 +42,32 @@ rc_status Operator::conjugate_gradients(std::span<const std::int64_t> a, const d
     return largest;
   };
   if (started) {
-    if (const rc_status status = multiply(x); status != RC_OK) return status;
-    for (std::size_t k = 0; k < m; ++k) r[k] = b[k] - product[static_cast<std::size_t>(a[k])];
+    if (const rc_status status = multiply(x, r); status != RC_OK) return status;
+    for (std::size_t k = 0; k < m; ++k) r[k] = b[k] - r[k];
     if (!(size_r() < 1)) {  // no better than nothing
       std::fill(x, x + m, 0.0);
       std::copy(b, b + m, r.begin());
     }
   }
 
-  const double enough = std::max(tol, attained);
-  double rr = 0, least = size_r();
+  double least = size_r();
   std::copy(x, x + m, best.begin());
-  for (std::size_t k = 0; k < m; ++k) rr += (r[k] / size_b) * (r[k] / size_b);
-  double rr_old = rr;
-  for (std::size_t iteration = 0, since_best = 0; least > enough && since_best < patience; ++iteration) {
-    for (std::size_t k = 0; k < m; ++k) t[k] = r[k] / size_b + (iteration == 0 ? 0 : rr / rr_old) * t[k];
-    if (const rc_status status = multiply(t.data()); status != RC_OK) return status;
-    double curvature = 0;
-    for (std::size_t k = 0; k < m; ++k) curvature += t[k] * product[static_cast<std::size_t>(a[k])];
-    if (!(curvature > 0)) {
-      if (least <= acceptable) break;
-      set_message(join("the operator is not positive definite: t'Ht = ", curvature, " on a set of ", m, " points").c_str());
-      return RC_ERR_NUMERIC;
-    }
-    const double step = rr / curvature;
-    double largest = 0;
-    rr_old = rr;
-    rr = 0;
-    for (std::size_t k = 0; k < m; ++k) {
-      x[k] += size_b * step * t[k];
-      r[k] -= size_b * step * product[static_cast<std::size_t>(a[k])];
-      largest = std::max(largest, std::abs(r[k]) / size_b);
-      rr += (r[k] / size_b) * (r[k] / size_b);
-    }
-    ++since_best;
-    if (largest < least) {
-      if (largest < 0.9 * least) since_best = 0;
-      least = largest;
+  Stall stalls(progress, patience, Stall::Mark::least);
+  const auto enough = [&](int, double rr) {
+    const double size = size_r();
+    if (size < least) {
+      least = size;
       std::copy(x, x + m, best.begin());
     }
-    if (rr == 0) break;
+    return stalls(size) || least <= std::max(tol, attained) || rr == 0;
+  };
+  const ConjugateGradientsEnd end = conjugate_gradients(
+      {x, m}, r, size_b, sum_in_order,
+      [&](const std::vector<double>& t, std::vector<double>& q) { return multiply(t.data(), q); }, enough);
+  if (end.status != 0) return end.status;
+  if (!end.definite() && !(least <= acceptable)) {
+    set_message(join("the operator is not positive definite: t'Ht = ", end.curvature, " on a set of ", m, " points").c_str());
+    return RC_ERR_NUMERIC;
   }
   std::copy(best.begin(), best.end(), x);
   if (least > std::max(acceptable, tol)) {

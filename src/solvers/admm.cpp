@@ -10,16 +10,18 @@
 #include <cmath>
 #include <limits>
 
+#include "core/stall.h"
+#include "core/sums.h"
 #include "solvers/common/largest_eigenvalue.h"
 #include "solvers/common/residual.h"
-#include "solvers/common/vector_math.h"
 #include "solvers/solver.h"
 
 namespace rc {
 
 namespace {
 
-constexpr std::int64_t patience = 1000;            // iterations in which the residual must fall by a tenth
+constexpr double progress = 0.9;                   // of the residual: a fall by a tenth
+constexpr std::int64_t patience = 1000;            // iterations without it
 constexpr std::int64_t first_balance = 10;         // iteration; each later one twice as far, so that a factor is reused
 constexpr double imbalance = 2.5;                  // of the residuals, above which rho changes
 constexpr double floor_of_smallest = 1e-6;         // of the largest eigenvalue
@@ -43,18 +45,13 @@ class Alternation {
     x_ = z_ = p_;
     for (std::size_t i = 0; i < n_; ++i) v_[i] = -std::max(0.0, hp_[i] - u_[i] - residual.approach) / rho_;
 
-    double milestone = std::numeric_limits<double>::infinity();
-    std::int64_t milestone_at = 0, balance_at = first_balance;
+    Stall stalls(progress, patience);
+    std::int64_t balance_at = first_balance;
     for (std::int64_t iteration = 0;; ++iteration) {
       d_ = residual.approach;
       problem_.poll(iteration, residual.worst);
       if (residual.worst <= problem_.tol()) return RC_OK;
-      if (residual.worst < 0.9 * milestone) {
-        milestone = residual.worst;
-        milestone_at = iteration;
-      } else if (iteration - milestone_at > patience) {
-        return RC_STOP_STALLED;
-      }
+      if (stalls(residual.worst)) return RC_STOP_STALLED;
 
       minimise(residual);
       Vector last = z_;

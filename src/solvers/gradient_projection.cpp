@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stall.h"
+#include "core/sums.h"
 #include "solvers/common/largest_eigenvalue.h"
 #include "solvers/common/residual.h"
-#include "solvers/common/vector_math.h"
 
 namespace rc {
 
 namespace {
 
-constexpr std::int64_t patience = 1000;  // iterations in which the residual must fall by a tenth
+constexpr double progress = 0.9;         // of the residual: a fall by a tenth
+constexpr std::int64_t patience = 1000;  // iterations without it
 constexpr double visible = 1e-6;         // steps, relative to p, whose curvature is above round-off
 
 // Moves v to the nearest point of { p >= 0 } or, in load control, of { p >= 0, sum p = load }: p = max(0, v + shift), where the
@@ -45,20 +47,14 @@ class Descent {
   rc_status run() {
     if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) problem_.apply(p_, hp_);
     Vector previous = p_, h_previous = hp_;
-    double milestone = std::numeric_limits<double>::infinity();
-    std::int64_t milestone_at = 0;
+    Stall stalls(progress, patience);
     // H s follows from the products with p, so the gap of p is at hand without a further product.
     for (std::int64_t k = 0, i = 0; k < settings_.steps; ++k, ++i) {
       const Residual residual = residual_of(problem_, p_, hp_);
       d_ = residual.approach;
       if (settings_.polls) problem_.poll(k, residual.worst);
       if (residual.worst <= problem_.tol()) return RC_OK;
-      if (residual.worst < 0.9 * milestone) {
-        milestone = residual.worst;
-        milestone_at = k;
-      } else if (k - milestone_at > patience) {
-        return RC_STOP_STALLED;
-      }
+      if (stalls(residual.worst)) return RC_STOP_STALLED;
 
       const double beta = i < 2 ? 0 : (static_cast<double>(i) - 1) / (static_cast<double>(i) + 2);
       for (std::size_t j = 0; j < n_; ++j) {

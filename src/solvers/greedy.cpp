@@ -12,8 +12,10 @@
 #include <cstdio>
 #include <numeric>
 
+#include "core/conjugate_gradients.h"
+#include "core/stall.h"
+#include "core/sums.h"
 #include "solvers/common/residual.h"
-#include "solvers/common/vector_math.h"
 #include "solvers/solver.h"
 
 namespace rc {
@@ -52,7 +54,7 @@ class Greedy {
       } else if (inner_ == "gauss-seidel") {
         sweep();
       } else {
-        conjugate_gradients();
+        iterate();
       }
     } while (drop());
     return judge();
@@ -81,43 +83,26 @@ class Greedy {
     if (size(of_ones) <= round_off * static_cast<double>(n_) * size(of_one)) kept_[farthest] = 0;
   }
 
-  double dot(const Vector& a, const Vector& b) const {
-    return sum_of(n_, [&](std::size_t i) { return a[i] * b[i]; });
-  }
-
-  void conjugate_gradients() {
-    Vector r(n_), t(n_, 0.0), q(n_);
+  // On the points that are kept: the others have no residual, so directions are 0 there.
+  void iterate() {
+    Vector r(n_);
     problem_.apply(p_, hp_);
     for (std::size_t i = 0; i < n_; ++i) r[i] = kept_[i] ? u_[i] - hp_[i] : 0;
-    double rr_old = 0, least = 0;
-    int since_least = 0;
-    for (bool first = true;; first = false) {
+    Stall stalls(1, patience);
+    const auto multiply = [&](const Vector& t, Vector& q) {
+      problem_.apply(t, q);
+      for (std::size_t i = 0; i < n_; ++i)
+        if (!kept_[i]) q[i] = 0;
+      return 0;
+    };
+    const ConjugateGradientsEnd end = conjugate_gradients(p_, r, no_unit, sum_of, multiply, [&](int, double) {
       double largest = 0;
       for (const double value : r) largest = std::max(largest, std::abs(value));
       problem_.poll(++iterations_, largest);
-      if (first || largest < least) {
-        least = largest;
-        since_least = 0;
-      } else {
-        ++since_least;
-      }
-      if (largest <= enough_ || since_least > patience) return;
-      const double rr = dot(r, r), beta = first ? 0 : rr / rr_old;
-      for (std::size_t i = 0; i < n_; ++i) t[i] = r[i] + beta * t[i];
-      problem_.apply(t, q);
-      const double curvature = dot(t, q);
-      if (!(curvature > 0)) {
-        if (std::isnan(curvature)) problem_.fail("greedy: the operator returned values that are not finite");
-        problem_.fail("greedy: the operator is not positive definite: t'Ht <= 0 along a search direction t");
-      }
-      const double length = rr / curvature;
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (!kept_[i]) continue;
-        p_[i] += length * t[i];
-        r[i] -= length * q[i];
-      }
-      rr_old = rr;
-    }
+      return stalls(largest) || largest <= enough_;
+    });
+    if (std::isnan(end.curvature)) problem_.fail("greedy: the operator returned values that are not finite");
+    if (!end.definite()) problem_.fail("greedy: the operator is not positive definite: t'Ht <= 0 along a search direction t");
   }
 
   void store_matrix() {
@@ -140,9 +125,7 @@ class Greedy {
   }
 
   void sweep() {
-    double least = 0;
-    int since_least = 0;
-    for (bool first = true; since_least <= patience; first = false) {
+    for (Stall stalls(1, patience);;) {
       double largest = 0;
       for (std::size_t i = 0; i < n_; ++i) {
         if (!kept_[i]) continue;
@@ -152,13 +135,7 @@ class Greedy {
         largest = std::max(largest, std::abs(r));
       }
       problem_.poll(++iterations_, largest);
-      if (largest <= enough_) return;
-      if (first || largest < least) {
-        least = largest;
-        since_least = 0;
-      } else {
-        ++since_least;
-      }
+      if (largest <= enough_ || stalls(largest)) return;
     }
   }
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/common/vector_math.h"
+#include "core/stall.h"
+#include "core/sums.h"
 #include "solvers/solver.h"
 
 namespace rc {
@@ -14,7 +15,8 @@ namespace rc {
 namespace {
 
 constexpr int refresh_every = 25;    // updates of H p between products that wash out its drift
-constexpr int patience = 300;        // iterations in which the residual must fall by a tenth
+constexpr double progress = 0.9;     // of the residual: a fall by a tenth
+constexpr int patience = 300;        // iterations without it
 constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to the largest |H t| |t| seen
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -185,8 +187,7 @@ class Iteration {
   }
 
   rc_status iterate() {
-    double milestone = infinite;
-    std::int64_t milestone_at = 0;
+    Stall stalls(progress, patience);
     for (std::int64_t iteration = 0;; ++iteration) {
       double r = residual();
       if (r <= problem_.tol() && since_refresh_ > 0) {
@@ -195,12 +196,7 @@ class Iteration {
       }
       problem_.poll(iteration, r);
       if (r <= problem_.tol()) return RC_OK;
-      if (r < 0.9 * milestone) {
-        milestone = r;
-        milestone_at = iteration;
-      } else if (iteration - milestone_at > patience) {
-        return RC_STOP_STALLED;
-      }
+      if (stalls(r)) return RC_STOP_STALLED;
 
       const double length = direction();
       if (step(length) || ++since_refresh_ >= refresh_every) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "solvers/common/vector_math.h"
+#include "core/sums.h"
 
 namespace rc {
 

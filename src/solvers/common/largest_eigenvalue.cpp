@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "solvers/common/vector_math.h"
+#include "core/sums.h"
 
 namespace rc {
 

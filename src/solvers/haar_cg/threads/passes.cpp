@@ -5,7 +5,7 @@
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
-#include "solvers/common/vector_math.h"
+#include "core/sums.h"
 
 namespace rc {
 

@@ -1,0 +1,49 @@
+// Conjugate gradients for A x = b, A symmetric and positive definite.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace rc {
+
+// How they ended: with the status of a product that failed, along a direction whose curvature is not positive, or, with neither,
+// because the answer was good enough.
+struct ConjugateGradientsEnd {
+  int status = 0;
+  double curvature = 1;  // t'At of the last direction t
+
+  bool definite() const { return curvature > 0; }
+};
+
+// The unit of residuals that need none.
+inline constexpr std::integral_constant<int, 1> no_unit;
+
+// x: start in, answer out; r: its residual b - A x, which is updated with it. Squares are of residuals over `unit`, a size of b
+// that keeps them in range. sum(n, term) adds n terms. multiply(t, q) sets q = A t and returns 0 or a status. enough(step, rr),
+// rr the sum of squares, is asked before every step and may look at x and r.
+template <class Unit, class Sum, class Multiply, class Enough>
+ConjugateGradientsEnd conjugate_gradients(std::span<double> x, std::span<double> r, const Unit& unit, const Sum& sum,
+                                          const Multiply& multiply, const Enough& enough) {
+  const std::size_t n = r.size();
+  std::vector<double> t(n, 0.0), q(n);
+  double rr = 0;
+  for (int step = 0;; ++step) {
+    const double rr_before = rr;
+    rr = sum(n, [&](std::size_t i) { return (r[i] / unit) * (r[i] / unit); });
+    if (enough(step, rr)) return {};
+    const double beta = step == 0 ? 0 : rr / rr_before;
+    for (std::size_t i = 0; i < n; ++i) t[i] = r[i] / unit + beta * t[i];
+    if (const int status = multiply(t, q); status != 0) return {status};
+    const double curvature = sum(n, [&](std::size_t i) { return t[i] * q[i]; });
+    if (!(curvature > 0)) return {0, curvature};
+    const double length = unit * (rr / curvature);
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] += length * t[i];
+      r[i] -= length * q[i];
+    }
+  }
+}
+
+}  // namespace rc
