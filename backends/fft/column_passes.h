@@ -248,7 +248,7 @@ template <class Real, int Bytes> void multiply_columns(const ColumnProduct<Real>
   Passes<Real, Bytes>::run(plan, block);
 }
 
-#ifdef RC_FFT_X86
+#ifdef RC_HAS_WIDER_VECTORS
 template <class Real>
 [[gnu::target("avx2,fma")]] void multiply_columns_avx2(const ColumnProduct<Real>& plan, const ColumnBlock<Real>& block) {
   Passes<Real, 32>::run(plan, block);

@@ -37,12 +37,7 @@ std::vector<int> factors(std::int64_t length) {
 }
 
 template <class Real> auto passes_for_this_processor() {
-  auto* run = &multiply_columns<Real, 16>;
-#ifdef RC_FFT_X86
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) run = &multiply_columns_avx2<Real>;
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) run = &multiply_columns_avx512<Real>;
-#endif
-  return run;
+  return RC_FOR_THIS_PROCESSOR((&multiply_columns<Real, 16>), &multiply_columns_avx2<Real>, &multiply_columns_avx512<Real>);
 }
 
 }  // namespace

@@ -10,12 +10,8 @@ namespace rc_fft {
 namespace {
 
 template <class Real, bool Back> auto pass_for_this_processor() {
-  auto* run = &join_halves<Real, 16, Back>;
-#ifdef RC_FFT_X86
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) run = &join_halves_avx2<Real, Back>;
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) run = &join_halves_avx512<Real, Back>;
-#endif
-  return run;
+  return RC_FOR_THIS_PROCESSOR((&join_halves<Real, 16, Back>), (&join_halves_avx2<Real, Back>),
+                               (&join_halves_avx512<Real, Back>));
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ template <class Real, int Bytes, bool Back> void join_halves(const HalfLength<Re
   HalfLengthPass<Real, Bytes>::template run<Back>(plan, row);
 }
 
-#ifdef RC_FFT_X86
+#ifdef RC_HAS_WIDER_VECTORS
 template <class Real, bool Back>
 [[gnu::target("avx2,fma")]] void join_halves_avx2(const HalfLength<Real>& plan, std::complex<Real>* row) {
   HalfLengthPass<Real, 32>::template run<Back>(plan, row);

@@ -6,13 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "common/processor.h"
+
 // Inlined into functions that are compiled for one instruction set each, see columns.cpp.
 #define RC_FFT_INLINE [[gnu::always_inline]] inline
-
-// The instruction set is chosen when a product is set up, not when the program is loaded: no ifunc, which sanitizers do not take.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define RC_FFT_X86
-#endif
 
 namespace rc_fft {
 

@@ -6,11 +6,13 @@
 
 #include "buffer.h"
 #include "columns.h"
-#include "fftw.h"
+#include "common/fftw.h"
 #include "half_length.h"
 #include "planning.h"
 
 namespace rc_fft {
+
+using rc_common::Fftw, rc_common::PlannerLock;
 
 // Single-threaded plans of one transform, executed on any arrays with the alignment of Buffer.
 template <class Real> class Plans {
@@ -29,10 +31,10 @@ template <class Real> class Plans {
   void row_to_line(std::complex<Real>* row, Real* line) const;
   // Each destroys what it is given.
   void column_to_waves(std::complex<Real>* column, std::complex<Real>* waves) const {
-    Fftw<Real>::execute_complex(forward_y_, as_fftw(column), as_fftw(waves));
+    Fftw<Real>::run_complex(forward_y_, column, waves);
   }
   void waves_to_column(std::complex<Real>* waves, std::complex<Real>* column) const {
-    Fftw<Real>::execute_complex(backward_y_, as_fftw(waves), as_fftw(column));
+    Fftw<Real>::run_complex(backward_y_, waves, column);
   }
 
  private:
@@ -58,18 +60,14 @@ class EvenPlans {
   EvenPlans(const EvenPlans&) = delete;
   EvenPlans& operator=(const EvenPlans&) = delete;
 
-  void along_x(std::complex<double>* in, std::complex<double>* out) const {
-    fftw_execute_dft(along_x_, as_fftw(in), as_fftw(out));
-  }
-  void along_y(std::complex<double>* in, std::complex<double>* out) const {
-    fftw_execute_dft(along_y_, as_fftw(in), as_fftw(out));
-  }
+  void along_x(std::complex<double>* in, std::complex<double>* out) const { Fftw<double>::run_complex(along_x_, in, out); }
+  void along_y(std::complex<double>* in, std::complex<double>* out) const { Fftw<double>::run_complex(along_y_, in, out); }
 
  private:
   void destroy();
 
   const rc_host* host_;
-  fftw_plan along_x_ = nullptr, along_y_ = nullptr;
+  Fftw<double>::Plan along_x_ = nullptr, along_y_ = nullptr;
 };
 
 }  // namespace rc_fft

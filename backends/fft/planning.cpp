@@ -12,10 +12,12 @@
 #include <system_error>
 #include <type_traits>
 
+#include "common/fftw.h"
 #include "failure.h"
-#include "fftw.h"
 
 namespace rc_fft {
+
+using rc_common::Fftw;
 
 namespace {
 
@@ -81,7 +83,7 @@ template <class Real> Planning::File& Planning::file() {
 template <class Real> void Planning::recall() {
   File& kept = file<Real>();
   if (kept.path.empty() || kept.read) return;
-  if (read(kept.path, kept.contents) && Fftw<Real>::import_wisdom(kept.contents.c_str()) == 0)
+  if (read(kept.path, kept.contents) && !Fftw<Real>::import_wisdom(kept.contents.c_str()))
     fail(RC_ERR_OPTION, "wisdom file \"", kept.path, "\" holds no wisdom of ", Fftw<Real>::version(), "; remove it",
          ", or name another one");
   kept.read = true;

@@ -85,10 +85,10 @@ template <class T> void Convolution<T>::make_plans() {
     fail(RC_ERR_MEMORY, "cannot allocate what planning a ", nx, "x", ny, " transform takes; use a coarser grid");
   {
     const PlannerLock<T> lock(host_);
-    forward_x_ = Fftw<T>::real_to_complex(nx, row(0), line);
-    backward_x_ = Fftw<T>::complex_to_real(nx, row(0), line);
-    forward_y_ = Fftw<T>::complex_to_complex(ny, column, line, FFTW_FORWARD);
-    backward_y_ = Fftw<T>::complex_to_complex(ny, line, column, FFTW_BACKWARD);
+    forward_x_ = Fftw<T>::real_to_complex(nx, row(0), line, FFTW_ESTIMATE);
+    backward_x_ = Fftw<T>::complex_to_real(nx, row(0), line, FFTW_ESTIMATE);
+    forward_y_ = Fftw<T>::complex_to_complex(ny, column, line, FFTW_FORWARD, FFTW_ESTIMATE);
+    backward_y_ = Fftw<T>::complex_to_complex(ny, line, column, FFTW_BACKWARD, FFTW_ESTIMATE);
   }
   if (forward_x_ && backward_x_ && forward_y_ && backward_y_) return;
   destroy_plans();

@@ -6,9 +6,11 @@
 #include <roughcontact/plugin.hpp>
 
 #include "aligned.h"
-#include "fftw.h"
+#include "common/fftw.h"
 
 namespace rc_split {
+
+using rc_common::Fftw, rc_common::PlannerLock;
 
 struct Axis {
   std::int64_t nodes;                             // that are wanted

@@ -1,11 +1,13 @@
 #include "cosines.h"
 
 #include "aligned.h"
+#include "common/fftw.h"
 #include "common/planner_memory.h"
 #include "failure.h"
-#include "fftw.h"
 
 namespace rc_split {
+
+using rc_common::Fftw, rc_common::PlannerLock;
 
 namespace {
 
@@ -18,7 +20,7 @@ class Lines {
     if (!rc_common::planner_has_memory(length))
       fail(RC_ERR_MEMORY, "cannot allocate what planning a transform of ", length, " values takes");
     const PlannerLock<double> lock(host_);
-    plan_ = Fftw<double>::complex_to_complex(static_cast<int>(length), in(0), out(0), FFTW_FORWARD);
+    plan_ = Fftw<double>::complex_to_complex(static_cast<int>(length), in(0), out(0), FFTW_FORWARD, FFTW_ESTIMATE);
     if (!plan_) fail(RC_ERR_INTERNAL, "FFTW made no plan for ", length, " values; check the FFTW installation");
   }
   ~Lines() {

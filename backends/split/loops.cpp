@@ -1,5 +1,7 @@
 #include "loops.h"
 
+#include "common/processor.h"
+
 namespace rc_split {
 
 namespace {
@@ -17,8 +19,7 @@ namespace baseline {
 #undef RC_TARGET
 }  // namespace baseline
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define RC_HAS_WIDER 1
+#ifdef RC_HAS_WIDER_VECTORS
 
 namespace avx2 {
 #define RC_TARGET __attribute__((target("avx2,fma")))
@@ -43,13 +44,7 @@ namespace avx512 {
 
 }  // namespace
 
-template <class T> Loops<T> best_loops() {
-#ifdef RC_HAS_WIDER
-  if (__builtin_cpu_supports("avx512f")) return avx512::loops<T>;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2::loops<T>;
-#endif
-  return baseline::loops<T>;
-}
+template <class T> Loops<T> best_loops() { return RC_FOR_THIS_PROCESSOR(baseline::loops<T>, avx2::loops<T>, avx512::loops<T>); }
 
 template Loops<float> best_loops();
 template Loops<double> best_loops();

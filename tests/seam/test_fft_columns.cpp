@@ -115,7 +115,7 @@ template <class Real> void check(const Shape& shape, double tolerance) {
   };
   verify("chosen", [](const auto& plan, const auto& block) { plan.multiply(block); });
   verify("16 bytes", rc_fft::multiply_columns<Real, 16>);
-#ifdef RC_FFT_X86
+#ifdef RC_HAS_WIDER_VECTORS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) verify("AVX2", rc_fft::multiply_columns_avx2<Real>);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
     verify("AVX-512", rc_fft::multiply_columns_avx512<Real>);
@@ -175,7 +175,7 @@ template <class Real> void check_halves(std::size_t length, double tolerance) {
   verify(
       "chosen", [](const auto& p, auto* row) { p.to_real(row); }, [](const auto& p, auto* row) { p.from_real(row); });
   verify("16 bytes", rc_fft::join_halves<Real, 16, false>, rc_fft::join_halves<Real, 16, true>);
-#ifdef RC_FFT_X86
+#ifdef RC_HAS_WIDER_VECTORS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
     verify("AVX2", rc_fft::join_halves_avx2<Real, false>, rc_fft::join_halves_avx2<Real, true>);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))

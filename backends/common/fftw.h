@@ -1,0 +1,66 @@
+// FFTW in both precisions under one name. Its planners are global to the process: plans are made and destroyed under the host's
+// "fftw" lock. No transform is in place: then FFTW takes no memory while it transforms, where it would end the process if there
+// is none.
+#pragma once
+
+#include <fftw3.h>
+
+#include <roughcontact/plugin.hpp>
+
+namespace rc_common {
+
+// Complex numbers are pairs of reals, given by a pointer to either.
+template <class Real> struct Fftw;
+
+#define RC_FFTW(Real, PREFIX)                                                                                           \
+  template <> struct Fftw<Real> {                                                                                       \
+    using Plan = PREFIX##_plan;                                                                                         \
+    using Complex = PREFIX##_complex;                                                                                   \
+    static Complex* pairs(auto* values) { return reinterpret_cast<Complex*>(values); }                                  \
+    static Plan real_to_complex(int n, Real* in, auto* out, unsigned flags) {                                           \
+      return PREFIX##_plan_dft_r2c_1d(n, in, pairs(out), flags);                                                        \
+    }                                                                                                                   \
+    static Plan complex_to_real(int n, auto* in, Real* out, unsigned flags) {                                           \
+      return PREFIX##_plan_dft_c2r_1d(n, pairs(in), out, flags);                                                        \
+    }                                                                                                                   \
+    static Plan complex_to_complex(int n, auto* in, auto* out, int sign, unsigned flags) {                              \
+      return PREFIX##_plan_dft_1d(n, pairs(in), pairs(out), sign, flags);                                               \
+    }                                                                                                                   \
+    static void run_real_to_complex(Plan plan, Real* in, auto* out) { PREFIX##_execute_dft_r2c(plan, in, pairs(out)); } \
+    static void run_complex_to_real(Plan plan, auto* in, Real* out) { PREFIX##_execute_dft_c2r(plan, pairs(in), out); } \
+    static void run_complex(Plan plan, auto* in, auto* out) { PREFIX##_execute_dft(plan, pairs(in), pairs(out)); }      \
+    static void destroy(Plan plan) {                                                                                    \
+      if (plan) PREFIX##_destroy_plan(plan);                                                                            \
+    }                                                                                                                   \
+    static void make_planner_thread_safe() { PREFIX##_make_planner_thread_safe(); }                                     \
+    static int planner_threads() { return PREFIX##_planner_nthreads(); }                                                \
+    static void plan_with_threads(int n) { PREFIX##_plan_with_nthreads(n); }                                            \
+    static bool import_wisdom(const char* wisdom) { return PREFIX##_import_wisdom_from_string(wisdom) != 0; }           \
+    static char* export_wisdom() { return PREFIX##_export_wisdom_to_string(); }                                         \
+    static const char* version() { return PREFIX##_version; }                                                           \
+  };
+RC_FFTW(float, fftwf)
+RC_FFTW(double, fftw)
+#undef RC_FFTW
+
+// Plans are for one thread, whatever the host program has set; its setting is restored.
+template <class Real> class PlannerLock {
+ public:
+  explicit PlannerLock(const rc_host* host) : lock_(host, "fftw") {
+    Fftw<Real>::make_planner_thread_safe();  // the host program may plan without our lock
+    threads_ = Fftw<Real>::planner_threads();
+    // Only where FFTW's threads are in use already: otherwise this call would initialise them and drop all wisdom.
+    if (threads_ != 1) Fftw<Real>::plan_with_threads(1);
+  }
+  ~PlannerLock() {
+    if (threads_ != 1) Fftw<Real>::plan_with_threads(threads_);
+  }
+  PlannerLock(const PlannerLock&) = delete;
+  PlannerLock& operator=(const PlannerLock&) = delete;
+
+ private:
+  roughcontact::HostLock lock_;
+  int threads_;
+};
+
+}  // namespace rc_common

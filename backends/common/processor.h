@@ -1,0 +1,32 @@
+// Which of a function's three builds this processor runs best. It is asked when an operator is set up, not when the program is
+// loaded: no ifunc, which sanitizers do not take.
+#pragma once
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define RC_HAS_WIDER_VECTORS
+#endif
+
+namespace rc_common {
+
+enum class Vectors { baseline, avx2, avx512 };
+
+// avx2: with fused multiplication and addition. avx512: with its instructions for doubles and quadwords besides.
+inline Vectors widest_vectors() {
+#ifdef RC_HAS_WIDER_VECTORS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? Vectors::avx512 : Vectors::avx2;
+#endif
+  return Vectors::baseline;
+}
+
+}  // namespace rc_common
+
+// One of three values; the last two need not exist for other processors.
+#ifdef RC_HAS_WIDER_VECTORS
+#define RC_FOR_THIS_PROCESSOR(any, with_avx2, with_avx512)                   \
+  (rc_common::widest_vectors() == rc_common::Vectors::avx512 ? (with_avx512) \
+   : rc_common::widest_vectors() == rc_common::Vectors::avx2 ? (with_avx2)   \
+                                                             : (any))
+#else
+#define RC_FOR_THIS_PROCESSOR(any, with_avx2, with_avx512) (any)
+#endif
