@@ -13,7 +13,7 @@
 #include "registry/options_handle.h"
 #include "solvers/haar_cg/iteration.h"
 #include "solvers/haar_cg/plain_machine.h"
-#include "solvers/haar_cg/threads/machine.h"
+#include "solvers/haar_cg/threads/thread_machine.h"
 #include "support/cmocka.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solvers/haar_cg/iteration.h"
 #include "solvers/haar_cg/nested_start.h"
-#include "solvers/haar_cg/threads/machine.h"
+#include "solvers/haar_cg/threads/thread_machine.h"
 #include "solvers/haar_cg/tree_inputs.h"
 #include "solvers/solver.h"
 

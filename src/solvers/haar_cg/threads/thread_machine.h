@@ -2,7 +2,6 @@
 // that the sums do not depend on the number of threads.
 #pragma once
 
-#include <type_traits>
 #include <utility>
 
 #include "solvers/haar_cg/threads/passes.h"
