@@ -60,6 +60,6 @@ program own_matrix
 
   ! The same without objects: minimise 1/2 p'Hp - u'p over p >= 0.
   p = 0
-  call rcf_nnls(H, with_matrix%displacement - gap(:, 1), p(:, 1), w)
+  call rcf_direct(rc_nnls, H, with_matrix%displacement - gap(:, 1), p(:, 1), w)
   print '(a, f9.6)', 'nnls:    load', sum(p)
 end program

@@ -1,4 +1,4 @@
-! What a contact looks like: functions of pressures p(nx, ny) alone. hx and hy are 1 and the boundary is free if absent.
+! What a contact looks like: functions of pressures p(nx, ny) alone. hx, hy and boundary if absent: as rc_system has them.
 module roughcontact_analysis
   use roughcontact_arrays
   use roughcontact_errors

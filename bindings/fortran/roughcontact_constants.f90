@@ -1,17 +1,15 @@
 ! The constants of <roughcontact/roughcontact.h>, name for name.
+! Written by scripts/bindings.py.
 module roughcontact_constants
   use, intrinsic :: iso_c_binding
   implicit none
 
-  integer(c_int32_t), parameter :: RC_VERSION_MAJOR = 0, RC_VERSION_MINOR = 1, RC_VERSION_PATCH = 0, RC_ABI = 0
   integer, parameter :: rc_status = c_int32_t  ! the kind of a status
-
-  integer(rc_status), parameter :: RC_OK = 0, RC_STOP_MAX_ITER = 1, RC_STOP_TIME = 2, RC_STOP_CANCELLED = 3, &
-    RC_STOP_STALLED = 4, RC_STOP_UNCERTIFIED = 5, RC_WITHIN_GOAL = 6, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, &
-    RC_ERR_OPTION = -3, RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, &
-    RC_ERR_MEMORY = -8, RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, &
-    RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, RC_ERR_INTERNAL = -99
-
+  integer(c_int32_t), parameter :: RC_VERSION_MAJOR = 0, RC_VERSION_MINOR = 1, RC_VERSION_PATCH = 0, RC_ABI = 0
+  integer(c_int32_t), parameter :: RC_OK = 0, RC_STOP_MAX_ITER = 1, RC_STOP_TIME = 2, RC_STOP_CANCELLED = 3, RC_STOP_STALLED = 4, &
+    RC_STOP_UNCERTIFIED = 5, RC_WITHIN_GOAL = 6, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, RC_ERR_OPTION = -3, &
+    RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, RC_ERR_MEMORY = -8, &
+    RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, RC_ERR_INTERNAL = -99
   integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
   integer(c_int32_t), parameter :: RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2
@@ -19,11 +17,9 @@ module roughcontact_constants
   integer(c_int32_t), parameter :: RC_LOG_INFO = 1, RC_LOG_WARNING = 2
   integer(c_int32_t), parameter :: RC_CONTEXT_NO_PLUGINS = 1, RC_CONTEXT_NO_ENVIRONMENT = 2
   integer(c_int32_t), parameter :: RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3
-
-  character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', &
-    RC_OPT_TOL = 'tol', RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', &
-    RC_OPT_STIFFNESS = 'stiffness', RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend', &
-    RC_OPT_WARMUP = 'warmup', RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds', &
-    RC_OPT_DETERMINISTIC = 'deterministic', RC_OPT_RESUMABLE = 'resumable', &
-    RC_OPT_ACCURACY = 'accuracy', RC_OPT_ACCURACY_OF = 'accuracy.of'
+  character(*), parameter :: RC_OPT_SOLVER = 'solver', RC_OPT_BACKEND = 'backend', RC_OPT_KERNEL = 'kernel', RC_OPT_TOL = 'tol', &
+    RC_OPT_MAX_ITER = 'max_iter', RC_OPT_TIME_LIMIT = 'time_limit', RC_OPT_THREADS = 'threads', RC_OPT_STIFFNESS = 'stiffness', &
+    RC_OPT_ALLOW_FALLBACK = 'allow_fallback', RC_OPT_CERTIFY_BACKEND = 'certify_backend', RC_OPT_WARMUP = 'warmup', &
+    RC_OPT_WARMUP_ITERATIONS = 'warmup.iterations', RC_OPT_BOUNDS = 'bounds', RC_OPT_DETERMINISTIC = 'deterministic', &
+    RC_OPT_RESUMABLE = 'resumable', RC_OPT_ACCURACY = 'accuracy', RC_OPT_ACCURACY_OF = 'accuracy.of'
 end module

@@ -261,6 +261,7 @@ contains
     step%gap = rcf_address(gap)
     step%p0 = rcf_address(p0)
     call rcf_mask_bytes(mask, bytes)
+    call rc_result_init(answer, (answer%struct_size))
     answer%p = rcf_address(p)
     answer%gap = rcf_address(deformed)
     ready = .true.

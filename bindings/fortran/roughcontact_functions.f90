@@ -1,73 +1,69 @@
 ! The functions of <roughcontact/roughcontact.h>, name for name; units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed as
-! rc_to_c('fft'). Points and components are numbered from 0, as in C. Scalars that a
-! call which fails leaves alone are intent(inout).
+! rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t) arrays, 0 or 1.
+! Written by scripts/bindings.py.
 module roughcontact_functions
   use roughcontact_structs
   implicit none
 
   interface
     subroutine rc_version(major, minor, patch, abi) bind(c); import
-      integer(c_int32_t), intent(out), optional :: major, minor, patch, abi
+      integer(c_int32_t), intent(inout), optional :: major, minor, patch, abi
     end subroutine
     type(c_ptr) function rc_status_name(status) bind(c); import
-      integer(rc_status), value :: status
-    end function
-    type(c_ptr) function rc_status_text(status) bind(c); import
       integer(rc_status), value :: status
     end function
     type(c_ptr) function rc_last_error() bind(c); import
     end function
     subroutine rc_system_init(system, struct_size) bind(c); import
+      type(rc_system), intent(inout) :: system
       integer(c_size_t), value :: struct_size
-      type(rc_system), intent(out) :: system
     end subroutine
     subroutine rc_step_init(step, struct_size) bind(c); import
+      type(rc_step), intent(inout) :: step
       integer(c_size_t), value :: struct_size
-      type(rc_step), intent(out) :: step
     end subroutine
     subroutine rc_result_init(result, struct_size) bind(c); import
+      type(rc_result), intent(inout) :: result
       integer(c_size_t), value :: struct_size
-      type(rc_result), intent(out) :: result
     end subroutine
     subroutine rc_context_config_init(config, struct_size) bind(c); import
+      type(rc_context_config), intent(inout) :: config
       integer(c_size_t), value :: struct_size
-      type(rc_context_config), intent(out) :: config
     end subroutine
     subroutine rc_path_init(path, struct_size) bind(c); import
+      type(rc_path), intent(inout) :: path
       integer(c_size_t), value :: struct_size
-      type(rc_path), intent(out) :: path
     end subroutine
     subroutine rc_batch_init(batch, struct_size) bind(c); import
+      type(rc_batch), intent(inout) :: batch
       integer(c_size_t), value :: struct_size
-      type(rc_batch), intent(out) :: batch
     end subroutine
     subroutine rc_state_init(state, struct_size) bind(c); import
+      type(rc_state), intent(inout) :: state
       integer(c_size_t), value :: struct_size
-      type(rc_state), intent(out) :: state
     end subroutine
     subroutine rc_level_init(level, struct_size) bind(c); import
+      type(rc_level), intent(inout) :: level
       integer(c_size_t), value :: struct_size
-      type(rc_level), intent(out) :: level
     end subroutine
     subroutine rc_direct_init(result, struct_size) bind(c); import
+      type(rc_direct), intent(inout) :: result
       integer(c_size_t), value :: struct_size
-      type(rc_direct), intent(out) :: result
     end subroutine
     subroutine rc_area_init(area, struct_size) bind(c); import
+      type(rc_area), intent(inout) :: area
       integer(c_size_t), value :: struct_size
-      type(rc_area), intent(out) :: area
     end subroutine
     subroutine rc_patches_init(patches, struct_size) bind(c); import
+      type(rc_patches), intent(inout) :: patches
       integer(c_size_t), value :: struct_size
-      type(rc_patches), intent(out) :: patches
     end subroutine
     subroutine rc_histogram_init(histogram, struct_size) bind(c); import
+      type(rc_histogram), intent(inout) :: histogram
       integer(c_size_t), value :: struct_size
-      type(rc_histogram), intent(out) :: histogram
     end subroutine
-
     integer(rc_status) function rc_context_create(config, out) bind(c); import
       type(rc_context_config), intent(in), optional :: config
       type(c_ptr), intent(inout) :: out
@@ -83,22 +79,6 @@ module roughcontact_functions
       integer(c_int64_t), value :: i
       type(rc_component), intent(inout) :: out
     end function
-    integer(c_int64_t) function rc_solver_count(context) bind(c); import
-      type(c_ptr), value :: context
-    end function
-    integer(rc_status) function rc_solver_describe(context, i, out) bind(c); import
-      type(c_ptr), value :: context
-      integer(c_int64_t), value :: i
-      type(rc_component), intent(inout) :: out
-    end function
-    integer(c_int64_t) function rc_kernel_count(context) bind(c); import
-      type(c_ptr), value :: context
-    end function
-    integer(rc_status) function rc_kernel_describe(context, i, out) bind(c); import
-      type(c_ptr), value :: context
-      integer(c_int64_t), value :: i
-      type(rc_component), intent(inout) :: out
-    end function
     integer(rc_status) function rc_pair_supported(context, solver, backend, system, control, options) bind(c); import
       type(c_ptr), value :: context, options
       character(kind=c_char), intent(in) :: solver(*), backend(*)
@@ -109,9 +89,8 @@ module roughcontact_functions
       character(kind=c_char), intent(in) :: kernel(*)
       real(c_double), value :: hx, hy
       integer(c_int64_t), value :: nx, ny
-      real(c_double), intent(out) :: out(nx, ny)
+      real(c_double), intent(inout) :: out(*)
     end function
-
     integer(rc_status) function rc_options_create(context, out) bind(c); import
       type(c_ptr), value :: context
       type(c_ptr), intent(inout) :: out
@@ -152,15 +131,11 @@ module roughcontact_functions
       character(kind=c_char), intent(in) :: key(*)
       type(c_ptr), intent(inout) :: out
     end function
-    integer(c_int64_t) function rc_options_count(context) bind(c); import
-      type(c_ptr), value :: context
-    end function
     integer(rc_status) function rc_options_describe(context, i, out) bind(c); import
       type(c_ptr), value :: context
       integer(c_int64_t), value :: i
       type(rc_option_spec), intent(inout) :: out
     end function
-
     integer(rc_status) function rc_contact_create(system, options, out) bind(c); import
       type(rc_system), intent(in) :: system
       type(c_ptr), value :: options
@@ -171,15 +146,10 @@ module roughcontact_functions
     end function
     integer(rc_status) function rc_contact_on_progress(contact, fn, user, every) bind(c); import
       type(c_ptr), value :: contact, user
-      type(c_funptr), value :: fn  ! integer(c_int32_t) function fn(progress, user) bind(c)
+      type(c_funptr), value :: fn
       integer(c_int64_t), value :: every
     end function
     integer(rc_status) function rc_contact_solve(contact, step, result) bind(c); import
-      type(c_ptr), value :: contact
-      type(rc_step), intent(in) :: step
-      type(rc_result), intent(inout) :: result
-    end function
-    integer(rc_status) function rc_contact_certify(contact, step, result) bind(c); import
       type(c_ptr), value :: contact
       type(rc_step), intent(in) :: step
       type(rc_result), intent(inout) :: result
@@ -196,8 +166,8 @@ module roughcontact_functions
     integer(rc_status) function rc_contact_points(contact, room, index, p, n) bind(c); import
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: room
-      integer(c_int64_t), intent(out), optional :: index(*)  ! point numbers from 0
-      real(c_double), intent(out), optional :: p(*)
+      integer(c_int64_t), intent(inout), optional :: index(*)
+      real(c_double), intent(inout), optional :: p(*)
       integer(c_int64_t), intent(inout) :: n
     end function
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
@@ -208,9 +178,6 @@ module roughcontact_functions
       type(rc_state), intent(in) :: state
     end function
     subroutine rc_contact_cancel(contact) bind(c); import
-      type(c_ptr), value :: contact
-    end subroutine
-    subroutine rc_contact_destroy(contact) bind(c); import
       type(c_ptr), value :: contact
     end subroutine
     integer(rc_status) function rc_solve(system, step, options, result) bind(c); import
@@ -224,43 +191,9 @@ module roughcontact_functions
       type(c_ptr), value :: options
       type(rc_batch), intent(inout) :: batch
     end function
-
-    ! H(ld, n): a symmetric matrix is the same by rows and by columns.
     integer(rc_status) function rc_greedy(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
       integer(c_int64_t), value :: n, ld, max_iter
-      real(c_double), intent(in) :: H(ld, *), u(*)
-      real(c_double), intent(inout) :: p(*)
-      real(c_double), intent(inout), optional :: w(*)
-      real(c_double), value :: tol
-      type(rc_direct), intent(inout), optional :: result
-    end function
-    integer(rc_status) function rc_polonsky_keer(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
-      integer(c_int64_t), value :: n, ld, max_iter
-      real(c_double), intent(in) :: H(ld, *), u(*)
-      real(c_double), intent(inout) :: p(*)
-      real(c_double), intent(inout), optional :: w(*)
-      real(c_double), value :: tol
-      type(rc_direct), intent(inout), optional :: result
-    end function
-    integer(rc_status) function rc_nnls(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
-      integer(c_int64_t), value :: n, ld, max_iter
-      real(c_double), intent(in) :: H(ld, *), u(*)
-      real(c_double), intent(inout) :: p(*)
-      real(c_double), intent(inout), optional :: w(*)
-      real(c_double), value :: tol
-      type(rc_direct), intent(inout), optional :: result
-    end function
-    integer(rc_status) function rc_gp(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
-      integer(c_int64_t), value :: n, ld, max_iter
-      real(c_double), intent(in) :: H(ld, *), u(*)
-      real(c_double), intent(inout) :: p(*)
-      real(c_double), intent(inout), optional :: w(*)
-      real(c_double), value :: tol
-      type(rc_direct), intent(inout), optional :: result
-    end function
-    integer(rc_status) function rc_admm(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
-      integer(c_int64_t), value :: n, ld, max_iter
-      real(c_double), intent(in) :: H(ld, *), u(*)
+      real(c_double), intent(in) :: H(*), u(*)
       real(c_double), intent(inout) :: p(*)
       real(c_double), intent(inout), optional :: w(*)
       real(c_double), value :: tol
@@ -269,29 +202,34 @@ module roughcontact_functions
     integer(rc_status) function rc_cmr(nx, ny, hx, hy, modulus, heights, delta, levels, h, inner, p, result) bind(c); import
       integer(c_int64_t), value :: nx, ny, levels
       real(c_double), value :: hx, hy, modulus, delta, h
-      real(c_double), intent(in) :: heights(nx, *)
+      real(c_double), intent(in) :: heights(*)
       character(kind=c_char), intent(in), optional :: inner(*)
-      real(c_double), intent(inout) :: p(nx, *)
+      real(c_double), intent(inout) :: p(*)
       type(rc_direct), intent(inout), optional :: result
     end function
-
     integer(rc_status) function rc_area_measure(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
       real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask  ! integer(c_int8_t)
+      type(c_ptr), value :: mask
       type(rc_area), intent(inout) :: out
     end function
     integer(rc_status) function rc_patches_find(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
       real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask  ! integer(c_int8_t)
+      type(c_ptr), value :: mask
       type(rc_patches), intent(inout) :: out
     end function
     integer(rc_status) function rc_histogram_fill(system, p, mask, out) bind(c); import
       type(rc_system), intent(in) :: system
       real(c_double), intent(in) :: p(*)
-      type(c_ptr), value :: mask  ! integer(c_int8_t)
+      type(c_ptr), value :: mask
       type(rc_histogram), intent(inout) :: out
     end function
   end interface
+  procedure(rc_status_name), bind(c) :: rc_status_text
+  procedure(rc_backend_count), bind(c) :: rc_solver_count, rc_kernel_count, rc_options_count
+  procedure(rc_backend_describe), bind(c) :: rc_solver_describe, rc_kernel_describe
+  procedure(rc_contact_solve), bind(c) :: rc_contact_certify
+  procedure(rc_contact_cancel), bind(c) :: rc_contact_destroy
+  procedure(rc_greedy), bind(c) :: rc_polonsky_keer, rc_nnls, rc_gp, rc_admm
 end module

@@ -8,7 +8,7 @@ module roughcontact_options
   public :: rcf_options_create, rcf_options_destroy, rcf_options_set_int, rcf_options_set_real, rcf_options_set_text, &
     rcf_options_parse, rcf_options_get_int, rcf_options_get_real, rcf_options_get_text, rcf_options_describe, &
     rcf_context_create, rcf_context_destroy, rcf_backend_describe, rcf_solver_describe, rcf_kernel_describe, &
-    rcf_pair_supported, rcf_kernel_coefficients, rcf_version, rcf_or_null
+    rcf_option_default, rcf_pair_supported, rcf_kernel_coefficients, rcf_version, rcf_or_null
 
 contains
 
@@ -149,6 +149,22 @@ contains
     value = rc_from_c(text)
     call rcf_check(status, stat, errmsg)
   end subroutine
+
+  ! What an option is where nobody sets it, real or integer.
+  function rcf_option_default(key) result(value)
+    character(*), intent(in) :: key
+    real(c_double) :: value
+    type(c_ptr) :: options
+    integer(c_int64_t) :: whole
+    value = 0
+    options = c_null_ptr
+    if (rc_options_create(c_null_ptr, options) /= RC_OK) return
+    whole = 0
+    if (rc_options_get_real(options, rc_to_c(key), value) /= RC_OK) then
+      if (rc_options_get_int(options, rc_to_c(key), whole) == RC_OK) value = real(whole, c_double)
+    end if
+    call rc_options_destroy(options)
+  end function
 
   ! Option i = 1 .. rc_options_count(c_null_ptr) of the schema. Members of spec are C strings: rc_from_c(spec%key).
   subroutine rcf_options_describe(i, spec, context, stat, errmsg)

@@ -1,7 +1,9 @@
-! The structs of <roughcontact/roughcontact.h>, member for member, with the default values of the RC_..._INIT macros.
+! The structs of <roughcontact/roughcontact.h>, member for member, with the values of the RC_..._INIT macros.
 !
-! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the library's order.
-! Callbacks are c_funloc(f) of bind(c) procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.
+! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the order of
+! the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c) procedures. Logical masks
+! of Fortran are no masks of C: integer(c_int8_t), 0 or 1.
+! Written by scripts/bindings.py.
 module roughcontact_structs
   use roughcontact_constants
   implicit none
@@ -11,32 +13,30 @@ module roughcontact_structs
     integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = RC_BOUNDARY_FREE
     integer(c_int64_t) :: nx = 1, ny = 1
     real(c_double) :: hx = 1, hy = 1, modulus = 1
-    type(c_ptr) :: dense = c_null_ptr
+    type(c_ptr) :: dense = c_null_ptr  ! const double *
     integer(c_int64_t) :: dense_ld = 0
     type(c_funptr) :: apply = c_null_funptr  ! integer(c_int32_t) function apply(x, y, n, user) bind(c)
-    type(c_ptr) :: user = c_null_ptr
+    type(c_ptr) :: user = c_null_ptr  ! void *
   end type
 
   type, bind(c) :: rc_step
     integer(c_size_t) :: struct_size = 56
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
     real(c_double) :: target = 0
-    type(c_ptr) :: gap = c_null_ptr, p0 = c_null_ptr
-    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+    type(c_ptr) :: gap = c_null_ptr, p0 = c_null_ptr  ! const double *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_result
     integer(c_size_t) :: struct_size = 552
-    type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr
+    type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: iterations = 0, applications = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
-    real(c_double) :: load = 0, displacement = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0
-    real(c_double) :: kkt_primal = 0, kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0
-    real(c_double) :: seconds = 0, setup_seconds = 0
-    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char
-    character(kind=c_char) :: note(160) = c_null_char
+    real(c_double) :: load = 0, displacement = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
+      kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, seconds = 0, setup_seconds = 0
+    character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
     real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
     real(c_double) :: tolerance = 0
@@ -46,7 +46,7 @@ module roughcontact_structs
 
   type, bind(c) :: rc_level
     integer(c_size_t) :: struct_size = 88
-    type(c_ptr) :: p = c_null_ptr
+    type(c_ptr) :: p = c_null_ptr  ! double *
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: nx = 0, ny = 0
@@ -56,11 +56,11 @@ module roughcontact_structs
 
   type, bind(c) :: rc_state
     integer(c_size_t) :: struct_size = 72
-    type(c_ptr) :: gap = c_null_ptr
-    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
-    type(c_ptr) :: p = c_null_ptr
+    type(c_ptr) :: gap = c_null_ptr  ! const double *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    type(c_ptr) :: p = c_null_ptr  ! const double *
     real(c_double) :: displacement = 0, load = 0
-    type(c_ptr) :: p_before = c_null_ptr
+    type(c_ptr) :: p_before = c_null_ptr  ! const double *
     real(c_double) :: displacement_before = 0, load_before = 0
   end type
 
@@ -68,13 +68,14 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = 120
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
     integer(c_int64_t) :: n = 0
-    type(c_ptr) :: targets = c_null_ptr, gap = c_null_ptr
-    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
-    type(c_ptr) :: load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr
-    type(c_ptr) :: certificate = c_null_ptr
-    type(c_ptr) :: applications = c_null_ptr  ! integer(c_int64_t)
-    type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c), step by value
-    type(c_ptr) :: user = c_null_ptr
+    type(c_ptr) :: targets = c_null_ptr, gap = c_null_ptr  ! const double *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    ! double *
+    type(c_ptr) :: load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
+      certificate = c_null_ptr
+    type(c_ptr) :: applications = c_null_ptr  ! int64_t *
+    type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
+    type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: completed = 0
   end type
 
@@ -82,18 +83,20 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = 200
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
-    type(c_ptr) :: targets = c_null_ptr
+    type(c_ptr) :: targets = c_null_ptr  ! const double *
     integer(c_int64_t) :: target_stride = 0
-    type(c_ptr) :: gap = c_null_ptr
+    type(c_ptr) :: gap = c_null_ptr  ! const double *
     integer(c_int64_t) :: gap_stride = 0
-    type(c_ptr) :: mask = c_null_ptr  ! integer(c_int8_t)
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int64_t) :: mask_stride = 0
-    type(c_ptr) :: p0 = c_null_ptr, p = c_null_ptr, load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr
-    type(c_ptr) :: stiffness = c_null_ptr, certificate = c_null_ptr
-    type(c_ptr) :: status = c_null_ptr  ! integer(rc_status)
-    type(c_ptr) :: iterations = c_null_ptr, applications = c_null_ptr  ! integer(c_int64_t)
-    type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c), numbers by value
-    type(c_ptr) :: user = c_null_ptr
+    type(c_ptr) :: p0 = c_null_ptr  ! const double *
+    ! double *
+    type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, &
+      stiffness = c_null_ptr, certificate = c_null_ptr
+    type(c_ptr) :: status = c_null_ptr  ! rc_status *
+    type(c_ptr) :: iterations = c_null_ptr, applications = c_null_ptr  ! int64_t *
+    type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)
+    type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
   end type
 
@@ -116,10 +119,11 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = 96
     integer(c_int32_t) :: neighbours = 4, reserved = 0
     integer(c_int64_t) :: room = 0
-    type(c_ptr) :: label = c_null_ptr, cells = c_null_ptr  ! integer(c_int64_t), patches and points from 0
-    type(c_ptr) :: area = c_null_ptr, perimeter = c_null_ptr, load = c_null_ptr
-    type(c_ptr) :: mean_pressure = c_null_ptr, max_pressure = c_null_ptr
-    type(c_ptr) :: peak = c_null_ptr  ! integer(c_int64_t)
+    type(c_ptr) :: label = c_null_ptr, cells = c_null_ptr  ! int64_t *
+    ! double *
+    type(c_ptr) :: area = c_null_ptr, perimeter = c_null_ptr, load = c_null_ptr, mean_pressure = c_null_ptr, &
+      max_pressure = c_null_ptr
+    type(c_ptr) :: peak = c_null_ptr  ! int64_t *
     integer(c_int64_t) :: count = 0
   end type
 
@@ -127,8 +131,8 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = 80
     integer(c_int64_t) :: bins = 0
     real(c_double) :: upper = 0
-    type(c_ptr) :: counts = c_null_ptr  ! integer(c_int64_t)
-    type(c_ptr) :: density = c_null_ptr
+    type(c_ptr) :: counts = c_null_ptr  ! int64_t *
+    type(c_ptr) :: density = c_null_ptr  ! double *
     real(c_double) :: width = 0
     integer(c_int64_t) :: contacts = 0, above = 0
     real(c_double) :: mean_pressure = 0, max_pressure = 0
@@ -143,19 +147,19 @@ module roughcontact_structs
   type, bind(c) :: rc_context_config
     integer(c_size_t) :: struct_size = 40
     integer(c_int32_t) :: flags = 0, reserved = 0
-    type(c_ptr) :: plugin_path = c_null_ptr
+    type(c_ptr) :: plugin_path = c_null_ptr  ! const char *
     type(c_funptr) :: log = c_null_funptr  ! subroutine log(level, message, user) bind(c)
-    type(c_ptr) :: log_user = c_null_ptr
+    type(c_ptr) :: log_user = c_null_ptr  ! void *
   end type
 
   type, bind(c) :: rc_component
     integer(c_size_t) :: struct_size = 40
-    type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, license = c_null_ptr, origin = c_null_ptr  ! rc_from_c reads them
+    type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, license = c_null_ptr, origin = c_null_ptr  ! const char *
   end type
 
   type, bind(c) :: rc_option_spec
     integer(c_size_t) :: struct_size = 64
-    type(c_ptr) :: key = c_null_ptr, default_value = c_null_ptr, choices = c_null_ptr, help = c_null_ptr
+    type(c_ptr) :: key = c_null_ptr, default_value = c_null_ptr, choices = c_null_ptr, help = c_null_ptr  ! const char *
     integer(c_int32_t) :: type = 0, fixed = 0
     real(c_double) :: minimum = 0, maximum = 0
   end type

@@ -1,15 +1,16 @@
-! The C interface of <roughcontact/surface.h>, name for name; units, rules and errors are described there. A program that uses it
-! links libroughcontact-surface, and is then under the GPL because of GSL.
+! The C interface of <roughcontact/surface.h>, name for name; units, rules and errors are described there. A program that
+! uses it links libroughcontact-surface, and is then under the GPL because of GSL.
+! Written by scripts/bindings.py.
 module roughcontact_surface_interface
   use roughcontact_constants, only: rc_status
   use, intrinsic :: iso_c_binding
   implicit none
 
+  integer(c_int32_t), parameter :: RC_SURFACE_PEAKS = 4
   integer(c_int32_t), parameter :: RC_SURFACE_PARABOLOID = 1, RC_SURFACE_SPHERE = 2, RC_SURFACE_WAVES = 3, &
     RC_SURFACE_PYRAMIDS = 4, RC_SURFACE_NOISE = 5
   integer(c_int32_t), parameter :: RC_SURFACE_TREND_AUTO = 0, RC_SURFACE_TREND_MEAN = 1, RC_SURFACE_TREND_PLANE = 2
   integer(c_int32_t), parameter :: RC_SURFACE_SUBSAMPLE = 1, RC_SURFACE_MEAN = 2, RC_SURFACE_MAX = 3
-  integer(c_int32_t), parameter :: RC_SURFACE_PEAKS = 4
 
   type, bind(c) :: rc_surface_rmd_spec
     integer(c_size_t) :: struct_size = 48
@@ -20,18 +21,15 @@ module roughcontact_surface_interface
 
   type, bind(c) :: rc_surface_spectral_spec
     integer(c_size_t) :: struct_size = 104
-    integer(c_int64_t) :: seed = 1
-    integer(c_int64_t) :: nx = 256, ny = 256
-    real(c_double) :: hx = 1, hy = 1
-    real(c_double) :: hurst = 0.8_c_double, q_low = 0, q_rolloff = 0, q_high = 0, rms_height = 1, rms_slope = 0
+    integer(c_int64_t) :: seed = 1, nx = 256, ny = 256
+    real(c_double) :: hx = 1, hy = 1, hurst = 0.8_c_double, q_low = 0, q_rolloff = 0, q_high = 0, rms_height = 1, rms_slope = 0
     integer(c_int32_t) :: fixed_amplitudes = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_surface_shape_spec
     integer(c_size_t) :: struct_size = 88
     integer(c_int32_t) :: shape = RC_SURFACE_PARABOLOID, reserved = 0
-    integer(c_int64_t) :: seed = 1
-    integer(c_int64_t) :: nx = 256, ny = 256
+    integer(c_int64_t) :: seed = 1, nx = 256, ny = 256
     real(c_double) :: hx = 1, hy = 1, radius = 1, height = 1, period_x = 0, period_y = 0
   end type
 
@@ -39,23 +37,21 @@ module roughcontact_surface_interface
     integer(c_size_t) :: struct_size = 56
     integer(c_int64_t) :: nx = 1, ny = 1
     real(c_double) :: hx = 1, hy = 1
-    type(c_ptr) :: heights = c_null_ptr
+    type(c_ptr) :: heights = c_null_ptr  ! const double *
     integer(c_int32_t) :: periodic = 0, trend = RC_SURFACE_TREND_AUTO
   end type
 
   type, bind(c) :: rc_surface_statistics
     integer(c_size_t) :: struct_size = 112
-    real(c_double) :: rms_height = 0, skewness = 0, kurtosis = 0, highest = 0, lowest = 0
-    real(c_double) :: rms_slope = 0, rms_slope_x = 0, rms_slope_y = 0, rms_curvature = 0
-    real(c_double) :: m0 = 0, m2 = 0, m4 = 0, nayak = 0
+    real(c_double) :: rms_height = 0, skewness = 0, kurtosis = 0, highest = 0, lowest = 0, rms_slope = 0, rms_slope_x = 0, &
+      rms_slope_y = 0, rms_curvature = 0, m0 = 0, m2 = 0, m4 = 0, nayak = 0
   end type
 
   type, bind(c) :: rc_surface_power_law
     integer(c_size_t) :: struct_size = 176
-    real(c_double) :: hurst = 0, hurst_error = 0, slope = 0, prefactor = 0
-    real(c_double) :: q_min = 0, q_max = 0, q_rolloff = 0, q_cutoff = 0
+    real(c_double) :: hurst = 0, hurst_error = 0, slope = 0, prefactor = 0, q_min = 0, q_max = 0, q_rolloff = 0, q_cutoff = 0
     integer(c_int64_t) :: peaks = 0
-    real(c_double) :: peak_qx(RC_SURFACE_PEAKS) = 0, peak_qy(RC_SURFACE_PEAKS) = 0, peak_share(RC_SURFACE_PEAKS) = 0
+    real(c_double) :: peak_qx(4) = 0, peak_qy(4) = 0, peak_share(4) = 0
   end type
 
   type, bind(c) :: rc_surface_cmr
@@ -71,15 +67,15 @@ module roughcontact_surface_interface
     integer(rc_status) function rc_surface_rmd(spec, stage, crop, out) bind(c); import
       type(rc_surface_rmd_spec), intent(in) :: spec
       integer(c_int32_t), value :: stage, crop
-      real(c_double), intent(out) :: out(*)
+      real(c_double), intent(inout) :: out(*)
     end function
     integer(rc_status) function rc_surface_spectral(spec, out) bind(c); import
       type(rc_surface_spectral_spec), intent(in) :: spec
-      real(c_double), intent(out) :: out(*)
+      real(c_double), intent(inout) :: out(*)
     end function
     integer(rc_status) function rc_surface_shape(spec, out) bind(c); import
       type(rc_surface_shape_spec), intent(in) :: spec
-      real(c_double), intent(out) :: out(*)
+      real(c_double), intent(inout) :: out(*)
     end function
     integer(rc_status) function rc_surface_analyze(map, out) bind(c); import
       type(rc_surface_map), intent(in) :: map
@@ -87,8 +83,8 @@ module roughcontact_surface_interface
     end function
     integer(rc_status) function rc_surface_psd(map, q, psd, modes, count) bind(c); import
       type(rc_surface_map), intent(in) :: map
-      real(c_double), intent(out), optional :: q(*), psd(*)
-      integer(c_int64_t), intent(out), optional :: modes(*)
+      real(c_double), intent(inout), optional :: q(*), psd(*)
+      integer(c_int64_t), intent(inout), optional :: modes(*)
       integer(c_int64_t), intent(inout) :: count
     end function
     integer(rc_status) function rc_surface_fit(map, out) bind(c); import
@@ -104,9 +100,9 @@ module roughcontact_surface_interface
     integer(rc_status) function rc_surface_downsample(nx, ny, heights, mask, filter, out, out_mask) bind(c); import
       integer(c_int64_t), value :: nx, ny
       real(c_double), intent(in) :: heights(*)
-      type(c_ptr), value :: mask, out_mask  ! integer(c_int8_t)
+      type(c_ptr), value :: mask, out_mask
       integer(c_int32_t), value :: filter
-      real(c_double), intent(out) :: out(*)
+      real(c_double), intent(inout) :: out(*)
     end function
   end interface
 end module

@@ -59,7 +59,7 @@ static rc_status set_target(rc_request* request, int32_t control, double value) 
 }
 
 rc_status rc_request_number(rc_request* request, const char* field, double value) {
-  if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
+  if (!strcmp(field, "hx")) return request->system.hx = value, request->hx_given = 1, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, request->hy_given = 1, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
   if (!strcmp(field, "displacement")) return set_target(request, RC_CONTROL_DISPLACEMENT, value);
@@ -112,7 +112,8 @@ static rc_status make_gap(rc_request* request, const double* heights) {
 rc_status rc_request_solve(rc_request* request, const double* heights, const double* p0, double* p, double* gap,
                            rc_progress_fn interrupted, void* user, rc_result* result) {
   if (!request->target_given) return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.displacement or opts.load");
-  if (!request->hy_given) request->system.hy = request->system.hx;
+  if (request->hx_given != request->hy_given)
+    return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.hx and opts.hy, the pitch along each index, or neither");
   rc_status status = make_gap(request, heights);
   if (status != RC_OK) return status;
   request->step.gap = request->gap;

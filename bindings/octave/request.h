@@ -13,7 +13,7 @@ typedef struct rc_request {
   rc_system system;
   rc_step step;
   rc_options* options;
-  int32_t hy_given, target_given;
+  int32_t hx_given, hy_given, target_given;
   uint8_t* mask; /* NULL: all points */
   double* gap;   /* below the highest point */
   char message[1024];

@@ -51,32 +51,40 @@ contains
   subroutine direct_routines()
     real(c_double), parameter :: H(3, 3) = reshape([2d0, 1d0, 0.5d0, 1d0, 2d0, 1d0, 0.5d0, 1d0, 2d0], [3, 3])
     real(c_double), parameter :: u(3) = [1d0, 0.2d0, 1d0], expected(3) = [0.4d0, 0d0, 0.4d0]
-    real(c_double) :: p(3), w(3), z(33, 33), pressure(33, 33)
+    real(c_double) :: p(3), w(3), z(33, 33), pressure(33, 33), again(33, 33)
     type(rc_direct) :: result
     p = 0
-    call rcf_nnls(H, u, p, w, result=result)
+    call rcf_direct(rc_nnls, H, u, p, w, result=result)
     call check('nnls', maxval(abs(p - expected)) < 1e-12 .and. abs(w(2) - 0.6) < 1e-6 .and. result%contacts == 2)
     p = 0
-    call rcf_greedy(H, u, p)
+    call rcf_direct(rc_greedy, H, u, p)
     call check('greedy', maxval(abs(p - expected)) < 1e-7)
     p = 0
-    call rcf_polonsky_keer(H, u, p)
+    call rcf_direct(rc_polonsky_keer, H, u, p)
     call check('polonsky_keer', maxval(abs(p - expected)) < 1e-7)
     p = 0
-    call rcf_gp(H, u, p, tol=1e-10_c_double)
+    call rcf_direct(rc_gp, H, u, p, tol=1e-10_c_double)
     call check('gp', maxval(abs(p - expected)) < 1e-9)
     p = 0
-    call rcf_admm(H, u, p)
+    call rcf_direct(rc_admm, H, u, p)
     call check('admm', maxval(abs(p - expected)) < 1e-7)
     p = 0
-    call rcf_gp(H, u, p, tol=1e-14_c_double, max_iter=1, stat=stat)
+    w = 0
+    call rcf_direct(rc_nnls, H, u, w)
+    p = 0
+    call rcf_direct(rc_nnls, H, u, p, tol=rcf_option_default(RC_OPT_TOL), max_iter=int(rcf_option_default(RC_OPT_MAX_ITER)))
+    call check('absent limits are those of the options', all(p == w))
+    p = 0
+    call rcf_direct(rc_gp, H, u, p, tol=1e-14_c_double, max_iter=1, stat=stat)
     call check('one iteration is not enough', stat == RC_STOP_MAX_ITER)
-    call rcf_nnls(H, u(1:2), p, stat=stat)
+    call rcf_direct(rc_nnls, H, u(1:2), p, stat=stat)
     call check('u is too short', stat == RC_ERR_SHAPE)
 
     z = rough(33, 33)
     call rcf_cmr(z, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.5_c_double, 2, pressure, result=result)
     call check('cmr', result%load > 0 .and. count(pressure > 0) == result%contacts)
+    call rcf_cmr(z, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.5_c_double, 2, again, radius=rcf_option_default('cmr.radius'))
+    call check('an absent radius is that of the option', all(again == pressure))
     call rcf_cmr(z, 1.0_c_double, 1.0_c_double, 1.0_c_double, 0.5_c_double, 2, pressure, inner='nnls', stat=stat)
     call check('cmr around nnls', stat == RC_OK)
   end subroutine

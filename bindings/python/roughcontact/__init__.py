@@ -29,13 +29,14 @@ from ._errors import (
     PluginError,
     RoughContactError,
     ShapeError,
-    Status,
 )
 from ._library import library_file
 from ._maps import Surface
+from ._status import Status
 from .analysis import Area, Histogram, Patches
 from ._batch import batch
-from .contact import Contact, Progress
+from .contact import Contact
+from ._handle import Progress
 from .context import (
     Component,
     Context,

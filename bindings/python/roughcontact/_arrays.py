@@ -6,8 +6,9 @@ from typing import Any, Dict, Optional, Sequence, Tuple, Type, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._c import bytes_, ctype, doubles, integers, statuses
 from ._errors import ArgumentError, RoughContactError, ShapeError
-from ._structs import bytes_, doubles, integers, statuses
+from ._structs import rc_system
 
 Doubles = NDArray[np.float64]
 Mask = NDArray[np.uint8]
@@ -27,6 +28,11 @@ def as_int(value: Any, name: str, bits: int = 64) -> int:
     return number
 
 
+def as_switch(value: Optional[bool]) -> Optional[int]:
+    """1 or 0 as C has it; None stays."""
+    return None if value is None else int(bool(value))
+
+
 def as_text(value: str, name: str, error: Type[RoughContactError] = ArgumentError) -> bytes:
     """value as C reads it, which ends at the first NUL."""
     try:
@@ -38,8 +44,10 @@ def as_text(value: str, name: str, error: Type[RoughContactError] = ArgumentErro
     return text
 
 
-def as_seed(value: Any) -> int:
-    """A whole number of 64 bits without a sign."""
+def as_seed(value: Any) -> Optional[int]:
+    """A whole number of 64 bits without a sign; None stays."""
+    if value is None:
+        return None
     try:
         number = operator.index(value)
     except TypeError:
@@ -86,8 +94,11 @@ def as_mask(values: Optional[ArrayLike], name: str, shape: Optional[Shape] = Non
     return array
 
 
-def as_pitch(pitch: Pitch) -> Tuple[float, float]:
-    """(hx, hy)"""
+def as_pitch(pitch: Optional[Pitch]) -> Tuple[float, float]:
+    """(hx, hy); None: the library's"""
+    if pitch is None:
+        system = rc_system()
+        return system.hx, system.hy
     sides = np.atleast_1d(np.asarray(pitch, dtype=np.float64)).tolist()
     if len(sides) not in (1, 2):
         raise ShapeError(f"pitch has {len(sides)} values: one, or (hx, hy) with hx along the last axis")
@@ -113,4 +124,4 @@ def pointer(array: Optional[NDArray[Any]]) -> Any:
     if array is None:
         return None
     kinds: Dict[str, Any] = {"float64": doubles, "int64": integers, "int32": statuses, "uint8": bytes_}
-    return array.ctypes.data_as(kinds[array.dtype.name])
+    return array.ctypes.data_as(ctype(kinds[array.dtype.name]))

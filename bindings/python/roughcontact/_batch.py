@@ -1,17 +1,18 @@
 """Many contacts in one call."""
 
-import ctypes
 from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, pointer
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, pointer
+from ._c import given
 from ._calls import Callbacks, interruptible
-from ._errors import ArgumentError, Interrupted, ShapeError, Status, as_status, error_for
+from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
 from ._maps import as_surface, gap_below
+from ._status import Status
 from ._structs import rc_batch, rc_batch_fn
 from .contact import control_and_target
 from .context import Context, Options, OptionSet
@@ -28,7 +29,7 @@ def batch(
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
     start: Optional[ArrayLike] = None,
-    warm_start: bool = True,
+    warm_start: Optional[bool] = None,
     stiffness: bool = False,
     keep_pressure: bool = False,
     each: Optional[Callable[[int, int, Result], object]] = None,
@@ -87,8 +88,7 @@ def batch(
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
     struct = rc_batch()
-    contact_library().rc_batch_init(struct, ctypes.sizeof(struct))
-    struct.control, struct.warm_start, struct.n, struct.steps = control, int(bool(warm_start)), n, steps
+    given(struct, control=control, warm_start=as_switch(warm_start), n=n, steps=steps)
     struct.targets, struct.target_stride = pointer(targets), _constants.RC_BATCH_SHARED if targets.ndim == 1 else 0
     struct.gap, struct.gap_stride = pointer(gaps), _constants.RC_BATCH_SHARED if gaps.ndim == axes else 0
     struct.mask = pointer(masks)
@@ -110,7 +110,7 @@ def batch(
     struct.fn = rc_batch_fn(callbacks.guarded(after))
     description, product = system.struct()
     # Without `each` the function is there for Ctrl-C alone: bounds, which only it would see, are not computed.
-    chosen = dict(options or {}) if each is not None else {**dict(options or {}), _constants.RC_OPT_BOUNDS: 0}
+    chosen = dict(options or {}) if each is not None else {_constants.RC_OPT_BOUNDS: 0, **dict(options or {})}
 
     def call() -> int:
         with OptionSet(chosen, context) as handle:
@@ -184,7 +184,7 @@ def _surfaces(
         if modulus is None or pitch is None:
             raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")
         system = HalfSpace(
-            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary or ("periodic" if periodic else "free")
+            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary or ("periodic" if periodic else None)
         )
     axes = len(system.shape)
     for name, array in (("heights or gap", gaps), ("mask", masks)):

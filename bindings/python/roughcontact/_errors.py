@@ -1,34 +1,8 @@
-"""Statuses and the exceptions they become."""
+"""The exceptions that statuses become."""
 
-import enum
 from typing import Any, Dict, Optional, Type
 
-from . import _constants
-
-
-class Status(enum.IntEnum):
-    """How a call ended: 0 certified, > 0 usable but not certified, < 0 failed."""
-
-    OK = _constants.RC_OK
-    STOP_MAX_ITER = _constants.RC_STOP_MAX_ITER
-    STOP_TIME = _constants.RC_STOP_TIME
-    STOP_CANCELLED = _constants.RC_STOP_CANCELLED
-    STOP_STALLED = _constants.RC_STOP_STALLED
-    STOP_UNCERTIFIED = _constants.RC_STOP_UNCERTIFIED
-    WITHIN_GOAL = _constants.RC_WITHIN_GOAL
-    ERR_ARGUMENT = _constants.RC_ERR_ARGUMENT
-    ERR_SHAPE = _constants.RC_ERR_SHAPE
-    ERR_OPTION = _constants.RC_ERR_OPTION
-    ERR_NO_BACKEND = _constants.RC_ERR_NO_BACKEND
-    ERR_NO_SOLVER = _constants.RC_ERR_NO_SOLVER
-    ERR_INCOMPATIBLE = _constants.RC_ERR_INCOMPATIBLE
-    ERR_PLUGIN = _constants.RC_ERR_PLUGIN
-    ERR_MEMORY = _constants.RC_ERR_MEMORY
-    ERR_INFEASIBLE = _constants.RC_ERR_INFEASIBLE
-    ERR_NUMERIC = _constants.RC_ERR_NUMERIC
-    ERR_EXTERNAL = _constants.RC_ERR_EXTERNAL
-    ERR_BUSY = _constants.RC_ERR_BUSY
-    ERR_INTERNAL = _constants.RC_ERR_INTERNAL
+from ._status import Status
 
 
 class RoughContactError(Exception):

@@ -13,11 +13,12 @@ import ctypes
 import os
 import pathlib
 import threading
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List, Tuple, cast
 
+from ._c import prototypes
 from ._constants import RC_ABI
 from ._errors import LibraryNotFoundError
-from ._prototypes import CONTACT_FUNCTIONS, SURFACE_FUNCTIONS, prototypes
+from ._functions import ContactFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
 SONAME = f"libroughcontact.so.{RC_ABI}"
@@ -39,7 +40,7 @@ def _candidates() -> List[Tuple[str, str]]:
     return [each for each in found if os.path.exists(each[0])] + [(SONAME, "the system")]
 
 
-def _open(candidates: List[Tuple[str, str]], functions: str) -> Tuple[Any, str]:
+def _open(candidates: List[Tuple[str, str]], functions: type) -> Tuple[Any, str]:
     reasons = []
     for file, origin in candidates:
         try:
@@ -77,13 +78,13 @@ def _file_of(library: Any, fallback: str) -> str:
     return fallback
 
 
-def contact_library() -> Any:
+def contact_library() -> ContactFunctions:
     """libroughcontact with the prototypes of all its functions."""
     if "contact" in _loaded:
-        return _loaded["contact"]
+        return cast(ContactFunctions, _loaded["contact"])
     with _lock:
         if "contact" not in _loaded:
-            library, file = _open(_candidates(), CONTACT_FUNCTIONS)
+            library, file = _open(_candidates(), ContactFunctions)
             abi = ctypes.c_int32()
             library.rc_version(None, None, None, ctypes.byref(abi))
             if abi.value != RC_ABI:
@@ -92,7 +93,7 @@ def contact_library() -> Any:
                 )
             _loaded["file"] = _file_of(library, file)
             _loaded["contact"] = library
-        return _loaded["contact"]
+        return cast(ContactFunctions, _loaded["contact"])
 
 
 def library_file() -> str:
@@ -101,11 +102,11 @@ def library_file() -> str:
     return str(_loaded["file"])
 
 
-def surface_library() -> Any:
+def surface_library() -> SurfaceFunctions:
     """libroughcontact-surface with the prototypes of all its functions."""
     beside = os.path.join(os.path.dirname(library_file()), SURFACE_SONAME)
     with _lock:
         if "surface" not in _loaded:
             candidates = [(beside, "beside libroughcontact")] if os.path.exists(beside) else []
-            _loaded["surface"], _ = _open(candidates + [(SURFACE_SONAME, "the system")], SURFACE_FUNCTIONS)
-        return _loaded["surface"]
+            _loaded["surface"], _ = _open(candidates + [(SURFACE_SONAME, "the system")], SurfaceFunctions)
+        return cast(SurfaceFunctions, _loaded["surface"])

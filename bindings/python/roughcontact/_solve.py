@@ -7,7 +7,8 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask
 from ._errors import ArgumentError
 from ._maps import as_surface
-from .contact import Contact, Progress, gap_and_mask
+from ._handle import Progress
+from .contact import Contact, gap_and_mask
 from .context import Context, Options
 from .result import Result
 from .system import HalfSpace, System
@@ -39,12 +40,12 @@ def system_for(
         raise ArgumentError("modulus is missing: the contact modulus E*, or system=")
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
-        boundary = boundary or ("periodic" if surface.periodic else "free")
+        boundary = boundary or ("periodic" if surface.periodic else None)
         return HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary), surface.gap(), surface.mask
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
     array = as_doubles(gap, "gap")  # type: ignore[arg-type]
-    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary or "free")
+    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
 

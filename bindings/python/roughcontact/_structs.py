@@ -1,332 +1,276 @@
-"""The structs of <roughcontact/roughcontact.h> for ctypes, member by member. Shapes and units: see the header."""
+"""The structs of <roughcontact/roughcontact.h>, member by member, with the values of the RC_..._INIT macros.
 
-import ctypes
-from ctypes import (
-    CFUNCTYPE,
-    POINTER,
-    Structure,
-    c_char,
-    c_char_p,
-    c_double,
-    c_int32,
-    c_int64,
-    c_size_t,
-    c_uint8,
-    c_uint32,
-    c_void_p,
-)
+Written by scripts/bindings.py.
+"""
 
-doubles = POINTER(c_double)
-integers = POINTER(c_int64)
-bytes_ = POINTER(c_uint8)
-statuses = POINTER(c_int32)
+from ctypes import c_char
+from typing import Annotated, Any
+
+from ._c import *  # noqa: F403
+from ._constants import *  # noqa: F403
+
+rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 
 
-class Sized(Structure):
-    """A struct whose first member is its size, set when it is made; the other members are zero."""
-
-    struct_size: int
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.struct_size = ctypes.sizeof(self)
-
-
-rc_apply_fn = CFUNCTYPE(c_int32, doubles, doubles, c_int64, c_void_p)
-
-
+@struct
 class rc_system(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("op", c_int32),
-        ("boundary", c_int32),
-        ("nx", c_int64),
-        ("ny", c_int64),
-        ("hx", c_double),
-        ("hy", c_double),
-        ("modulus", c_double),
-        ("dense", doubles),
-        ("dense_ld", c_int64),
-        ("apply", rc_apply_fn),
-        ("user", c_void_p),
-    ]
+    struct_size: size_t
+    op: int32_t = RC_OPERATOR_HALFSPACE
+    boundary: int32_t = RC_BOUNDARY_FREE
+    nx: int64_t = 1
+    ny: int64_t = 1
+    hx: double = 1.0
+    hy: double = 1.0
+    modulus: double = 1.0
+    dense: doubles
+    dense_ld: int64_t
+    apply: Annotated[Any, rc_apply_fn]
+    user: handle
 
 
+@struct
 class rc_step(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("control", c_int32),
-        ("warm_start", c_int32),
-        ("target", c_double),
-        ("gap", doubles),
-        ("p0", doubles),
-        ("mask", bytes_),
-        ("borrow", c_int32),
-        ("reserved", c_int32),
-    ]
+    struct_size: size_t
+    control: int32_t = RC_CONTROL_DISPLACEMENT
+    warm_start: int32_t = 1
+    target: double
+    gap: doubles
+    p0: doubles
+    mask: bytes_
+    borrow: int32_t
+    reserved: int32_t
 
 
+@struct
 class rc_result(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("p", doubles),
-        ("gap", doubles),
-        ("status", c_int32),
-        ("reserved", c_int32),
-        ("iterations", c_int64),
-        ("applications", c_int64),
-        ("points", c_int64),
-        ("candidates", c_int64),
-        ("modelled", c_int64),
-        ("contacts", c_int64),
-        ("load", c_double),
-        ("displacement", c_double),
-        ("mean_pressure", c_double),
-        ("contact_area", c_double),
-        ("energy", c_double),
-        ("stiffness", c_double),
-        ("kkt_primal", c_double),
-        ("kkt_dual", c_double),
-        ("kkt_complementarity", c_double),
-        ("kkt_control", c_double),
-        ("seconds", c_double),
-        ("setup_seconds", c_double),
-        ("solver", c_char * 32),
-        ("backend", c_char * 32),
-        ("kernel", c_char * 32),
-        ("note", c_char * 160),
-        ("duality_gap", c_double),
-        ("load_lower", c_double),
-        ("load_upper", c_double),
-        ("area_lower", c_double),
-        ("area_upper", c_double),
-        ("proven_contacts", c_int64),
-        ("proven_open", c_int64),
-        ("undecided", c_int64),
-        ("levels", c_int64),
-        ("tolerance", c_double),
-        ("model_nx", c_int64),
-        ("model_ny", c_int64),
-        ("error_estimate", c_double),
-        ("left_out", c_double),
-        ("area_estimate", c_double),
-    ]
+    struct_size: size_t
+    p: doubles
+    gap: doubles
+    status: rc_status
+    reserved: int32_t
+    iterations: int64_t
+    applications: int64_t
+    points: int64_t
+    candidates: int64_t
+    modelled: int64_t
+    contacts: int64_t
+    load: double
+    displacement: double
+    mean_pressure: double
+    contact_area: double
+    energy: double
+    stiffness: double
+    kkt_primal: double
+    kkt_dual: double
+    kkt_complementarity: double
+    kkt_control: double
+    seconds: double
+    setup_seconds: double
+    solver: Annotated[bytes, c_char * 32]
+    backend: Annotated[bytes, c_char * 32]
+    kernel: Annotated[bytes, c_char * 32]
+    note: Annotated[bytes, c_char * 160]
+    duality_gap: double
+    load_lower: double
+    load_upper: double
+    area_lower: double
+    area_upper: double
+    proven_contacts: int64_t
+    proven_open: int64_t
+    undecided: int64_t
+    levels: int64_t
+    tolerance: double
+    model_nx: int64_t
+    model_ny: int64_t
+    error_estimate: double
+    left_out: double
+    area_estimate: double
 
 
+@struct
 class rc_level(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("p", doubles),
-        ("status", c_int32),
-        ("reserved", c_int32),
-        ("nx", c_int64),
-        ("ny", c_int64),
-        ("hx", c_double),
-        ("hy", c_double),
-        ("displacement", c_double),
-        ("load", c_double),
-        ("candidates", c_int64),
-        ("contacts", c_int64),
-    ]
+    struct_size: size_t
+    p: doubles
+    status: rc_status
+    reserved: int32_t
+    nx: int64_t
+    ny: int64_t
+    hx: double
+    hy: double
+    displacement: double
+    load: double
+    candidates: int64_t
+    contacts: int64_t
 
 
-rc_path_fn = CFUNCTYPE(c_int32, c_int64, POINTER(rc_result), c_void_p)
-
-
+@struct
 class rc_state(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("gap", doubles),
-        ("mask", bytes_),
-        ("p", doubles),
-        ("displacement", c_double),
-        ("load", c_double),
-        ("p_before", doubles),
-        ("displacement_before", c_double),
-        ("load_before", c_double),
-    ]
+    struct_size: size_t
+    gap: doubles
+    mask: bytes_
+    p: doubles
+    displacement: double
+    load: double
+    p_before: doubles
+    displacement_before: double
+    load_before: double
 
 
+rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
+
+
+@struct
 class rc_path(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("control", c_int32),
-        ("warm_start", c_int32),
-        ("n", c_int64),
-        ("targets", doubles),
-        ("gap", doubles),
-        ("mask", bytes_),
-        ("load", doubles),
-        ("displacement", doubles),
-        ("contact_area", doubles),
-        ("stiffness", doubles),
-        ("certificate", doubles),
-        ("applications", integers),
-        ("fn", rc_path_fn),
-        ("user", c_void_p),
-        ("completed", c_int64),
-    ]
+    struct_size: size_t
+    control: int32_t = RC_CONTROL_DISPLACEMENT
+    warm_start: int32_t = 1
+    n: int64_t
+    targets: doubles
+    gap: doubles
+    mask: bytes_
+    load: doubles
+    displacement: doubles
+    contact_area: doubles
+    stiffness: doubles
+    certificate: doubles
+    applications: integers
+    fn: Annotated[Any, rc_path_fn]
+    user: handle
+    completed: int64_t
 
 
-rc_batch_fn = CFUNCTYPE(c_int32, c_int64, c_int64, POINTER(rc_result), c_void_p)
+rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 
 
+@struct
 class rc_batch(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("control", c_int32),
-        ("warm_start", c_int32),
-        ("n", c_int64),
-        ("steps", c_int64),
-        ("targets", doubles),
-        ("target_stride", c_int64),
-        ("gap", doubles),
-        ("gap_stride", c_int64),
-        ("mask", bytes_),
-        ("mask_stride", c_int64),
-        ("p0", doubles),
-        ("p", doubles),
-        ("load", doubles),
-        ("displacement", doubles),
-        ("contact_area", doubles),
-        ("stiffness", doubles),
-        ("certificate", doubles),
-        ("status", statuses),
-        ("iterations", integers),
-        ("applications", integers),
-        ("fn", rc_batch_fn),
-        ("user", c_void_p),
-        ("written", c_int64),
-        ("certified", c_int64),
-        ("first", c_int64),
-    ]
+    struct_size: size_t
+    control: int32_t = RC_CONTROL_DISPLACEMENT
+    warm_start: int32_t = 1
+    n: int64_t
+    steps: int64_t
+    targets: doubles
+    target_stride: int64_t
+    gap: doubles
+    gap_stride: int64_t
+    mask: bytes_
+    mask_stride: int64_t
+    p0: doubles
+    p: doubles
+    load: doubles
+    displacement: doubles
+    contact_area: doubles
+    stiffness: doubles
+    certificate: doubles
+    status: statuses
+    iterations: integers
+    applications: integers
+    fn: Annotated[Any, rc_batch_fn]
+    user: handle
+    written: int64_t
+    certified: int64_t
+    first: int64_t = -1
 
 
+@struct
 class rc_direct(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("status", c_int32),
-        ("reserved", c_int32),
-        ("iterations", c_int64),
-        ("applications", c_int64),
-        ("contacts", c_int64),
-        ("load", c_double),
-        ("energy", c_double),
-        ("kkt", c_double),
-        ("duality_gap", c_double),
-        ("load_lower", c_double),
-        ("load_upper", c_double),
-        ("note", c_char * 160),
-    ]
+    struct_size: size_t
+    status: rc_status
+    reserved: int32_t
+    iterations: int64_t
+    applications: int64_t
+    contacts: int64_t
+    load: double
+    energy: double
+    kkt: double
+    duality_gap: double
+    load_lower: double
+    load_upper: double
+    note: Annotated[bytes, c_char * 160]
 
 
+@struct
 class rc_area(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("contacts", c_int64),
-        ("area", c_double),
-        ("perimeter", c_double),
-        ("corrected_area", c_double),
-    ]
+    struct_size: size_t
+    contacts: int64_t
+    area: double
+    perimeter: double
+    corrected_area: double
 
 
+@struct
 class rc_patches(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("neighbours", c_int32),
-        ("reserved", c_int32),
-        ("room", c_int64),
-        ("label", integers),
-        ("cells", integers),
-        ("area", doubles),
-        ("perimeter", doubles),
-        ("load", doubles),
-        ("mean_pressure", doubles),
-        ("max_pressure", doubles),
-        ("peak", integers),
-        ("count", c_int64),
-    ]
+    struct_size: size_t
+    neighbours: int32_t = 4
+    reserved: int32_t
+    room: int64_t
+    label: integers
+    cells: integers
+    area: doubles
+    perimeter: doubles
+    load: doubles
+    mean_pressure: doubles
+    max_pressure: doubles
+    peak: integers
+    count: int64_t
 
 
+@struct
 class rc_histogram(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("bins", c_int64),
-        ("upper", c_double),
-        ("counts", integers),
-        ("density", doubles),
-        ("width", c_double),
-        ("contacts", c_int64),
-        ("above", c_int64),
-        ("mean_pressure", c_double),
-        ("max_pressure", c_double),
-    ]
+    struct_size: size_t
+    bins: int64_t
+    upper: double
+    counts: integers
+    density: doubles
+    width: double
+    contacts: int64_t
+    above: int64_t
+    mean_pressure: double
+    max_pressure: double
 
 
+@struct
 class rc_progress(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("iteration", c_int64),
-        ("applications", c_int64),
-        ("kkt", c_double),
-        ("seconds", c_double),
-    ]
+    struct_size: size_t
+    iteration: int64_t
+    applications: int64_t
+    kkt: double
+    seconds: double
 
 
-rc_progress_fn = CFUNCTYPE(c_int32, POINTER(rc_progress), c_void_p)
-rc_log_fn = CFUNCTYPE(None, c_int32, c_char_p, c_void_p)
+rc_progress_fn = callback(int32_t, rc_progress, handle)
 
 
+rc_log_fn = callback(None, int32_t, text, handle)
+
+
+@struct
 class rc_context_config(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("flags", c_uint32),
-        ("reserved", c_uint32),
-        ("plugin_path", c_char_p),
-        ("log", rc_log_fn),
-        ("log_user", c_void_p),
-    ]
+    struct_size: size_t
+    flags: uint32_t
+    reserved: uint32_t
+    plugin_path: text
+    log: Annotated[Any, rc_log_fn]
+    log_user: handle
 
 
+@struct
 class rc_component(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("name", c_char_p),
-        ("summary", c_char_p),
-        ("license", c_char_p),
-        ("origin", c_char_p),
-    ]
+    struct_size: size_t
+    name: text
+    summary: text
+    license: text
+    origin: text
 
 
+@struct
 class rc_option_spec(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("key", c_char_p),
-        ("default_value", c_char_p),
-        ("choices", c_char_p),
-        ("help", c_char_p),
-        ("type", c_int32),
-        ("fixed", c_int32),
-        ("minimum", c_double),
-        ("maximum", c_double),
-    ]
-
-
-STRUCTS = [
-    rc_system,
-    rc_step,
-    rc_result,
-    rc_level,
-    rc_state,
-    rc_path,
-    rc_batch,
-    rc_direct,
-    rc_area,
-    rc_patches,
-    rc_histogram,
-    rc_progress,
-    rc_context_config,
-    rc_component,
-    rc_option_spec,
-]
-CALLBACKS = [rc_path_fn, rc_batch_fn, rc_progress_fn, rc_log_fn]
+    struct_size: size_t
+    key: text
+    default_value: text
+    choices: text
+    help: text
+    type: int32_t
+    fixed: int32_t
+    minimum: double
+    maximum: double

@@ -1,132 +1,118 @@
-"""The structs of <roughcontact/surface.h> for ctypes, member by member. Shapes and units: see the header."""
+"""The structs of <roughcontact/surface.h>, member by member, with the values of the RC_..._INIT macros.
 
-from ctypes import c_char, c_double, c_int32, c_int64, c_size_t, c_uint64
+Written by scripts/bindings.py.
+"""
 
-from ._constants import RC_SURFACE_PEAKS
-from ._structs import Sized, doubles
+from ctypes import c_char, c_double
+from typing import Annotated, Any
+
+from ._c import *  # noqa: F403
+from ._constants import *  # noqa: F403
 
 
+@struct
 class rc_surface_rmd_spec(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("seed", c_uint64),
-        ("levels", c_int32),
-        ("additions", c_int32),
-        ("hurst", c_double),
-        ("sigma", c_double),
-        ("rms_height", c_double),
-    ]
+    struct_size: size_t
+    seed: uint64_t = 1
+    levels: int32_t = 8
+    additions: int32_t
+    hurst: double = 0.7
+    sigma: double = 1.0
+    rms_height: double
 
 
+@struct
 class rc_surface_spectral_spec(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("seed", c_uint64),
-        ("nx", c_int64),
-        ("ny", c_int64),
-        ("hx", c_double),
-        ("hy", c_double),
-        ("hurst", c_double),
-        ("q_low", c_double),
-        ("q_rolloff", c_double),
-        ("q_high", c_double),
-        ("rms_height", c_double),
-        ("rms_slope", c_double),
-        ("fixed_amplitudes", c_int32),
-        ("reserved", c_int32),
-    ]
+    struct_size: size_t
+    seed: uint64_t = 1
+    nx: int64_t = 256
+    ny: int64_t = 256
+    hx: double = 1.0
+    hy: double = 1.0
+    hurst: double = 0.8
+    q_low: double
+    q_rolloff: double
+    q_high: double
+    rms_height: double = 1.0
+    rms_slope: double
+    fixed_amplitudes: int32_t
+    reserved: int32_t
 
 
+@struct
 class rc_surface_shape_spec(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("shape", c_int32),
-        ("reserved", c_int32),
-        ("seed", c_uint64),
-        ("nx", c_int64),
-        ("ny", c_int64),
-        ("hx", c_double),
-        ("hy", c_double),
-        ("radius", c_double),
-        ("height", c_double),
-        ("period_x", c_double),
-        ("period_y", c_double),
-    ]
+    struct_size: size_t
+    shape: int32_t = RC_SURFACE_PARABOLOID
+    reserved: int32_t
+    seed: uint64_t = 1
+    nx: int64_t = 256
+    ny: int64_t = 256
+    hx: double = 1.0
+    hy: double = 1.0
+    radius: double = 1.0
+    height: double = 1.0
+    period_x: double
+    period_y: double
 
 
+@struct
 class rc_surface_map(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("nx", c_int64),
-        ("ny", c_int64),
-        ("hx", c_double),
-        ("hy", c_double),
-        ("heights", doubles),
-        ("periodic", c_int32),
-        ("trend", c_int32),
-    ]
+    struct_size: size_t
+    nx: int64_t = 1
+    ny: int64_t = 1
+    hx: double = 1.0
+    hy: double = 1.0
+    heights: doubles
+    periodic: int32_t
+    trend: int32_t = RC_SURFACE_TREND_AUTO
 
 
+@struct
 class rc_surface_statistics(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("rms_height", c_double),
-        ("skewness", c_double),
-        ("kurtosis", c_double),
-        ("highest", c_double),
-        ("lowest", c_double),
-        ("rms_slope", c_double),
-        ("rms_slope_x", c_double),
-        ("rms_slope_y", c_double),
-        ("rms_curvature", c_double),
-        ("m0", c_double),
-        ("m2", c_double),
-        ("m4", c_double),
-        ("nayak", c_double),
-    ]
+    struct_size: size_t
+    rms_height: double
+    skewness: double
+    kurtosis: double
+    highest: double
+    lowest: double
+    rms_slope: double
+    rms_slope_x: double
+    rms_slope_y: double
+    rms_curvature: double
+    m0: double
+    m2: double
+    m4: double
+    nayak: double
 
 
+@struct
 class rc_surface_power_law(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("hurst", c_double),
-        ("hurst_error", c_double),
-        ("slope", c_double),
-        ("prefactor", c_double),
-        ("q_min", c_double),
-        ("q_max", c_double),
-        ("q_rolloff", c_double),
-        ("q_cutoff", c_double),
-        ("peaks", c_int64),
-        ("peak_qx", c_double * RC_SURFACE_PEAKS),
-        ("peak_qy", c_double * RC_SURFACE_PEAKS),
-        ("peak_share", c_double * RC_SURFACE_PEAKS),
-    ]
+    struct_size: size_t
+    hurst: double
+    hurst_error: double
+    slope: double
+    prefactor: double
+    q_min: double
+    q_max: double
+    q_rolloff: double
+    q_cutoff: double
+    peaks: int64_t
+    peak_qx: Annotated[Any, c_double * 4]
+    peak_qy: Annotated[Any, c_double * 4]
+    peak_share: Annotated[Any, c_double * 4]
 
 
+@struct
 class rc_surface_cmr(Sized):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("trustworthy", c_int32),
-        ("levels", c_int32),
-        ("safe_levels", c_int32),
-        ("reserved", c_int32),
-        ("unresolved", c_double),
-        ("limit", c_double),
-        ("unresolved_overall", c_double),
-        ("peak_loss", c_double),
-        ("approach", c_double),
-        ("coarsest_pitch", c_double),
-        ("reason", c_char * 400),
-    ]
-
-
-SURFACE_STRUCTS = [
-    rc_surface_rmd_spec,
-    rc_surface_spectral_spec,
-    rc_surface_shape_spec,
-    rc_surface_map,
-    rc_surface_statistics,
-    rc_surface_power_law,
-    rc_surface_cmr,
-]
+    struct_size: size_t
+    trustworthy: int32_t
+    levels: int32_t
+    safe_levels: int32_t
+    reserved: int32_t
+    unresolved: double
+    limit: double
+    unresolved_overall: double
+    peak_loss: double
+    approach: double
+    coarsest_pitch: double
+    reason: Annotated[bytes, c_char * 400]

@@ -4,14 +4,14 @@ as methods.
 A point is in contact where its pressure is positive. periodic joins opposite sides of the grid.
 """
 
-import ctypes
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple
+from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, pointer
+from ._c import given, members_for
 from ._calls import check
 from ._errors import ShapeError
 from ._library import contact_library
@@ -68,7 +68,9 @@ class Histogram:
     max_pressure: float
 
 
-def _grid(pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[ArrayLike]) -> Tuple[Any, Doubles, Optional[Mask]]:
+def _grid(
+    pressure: ArrayLike, pitch: Optional[Pitch], periodic: bool, mask: Optional[ArrayLike]
+) -> Tuple[Any, Doubles, Optional[Mask]]:
     array = as_doubles(pressure, "pressure")
     if array.ndim not in (1, 2):
         raise ShapeError(f"pressure has {array.ndim} axes: [ny, nx] is needed")
@@ -84,7 +86,7 @@ def area(pressure: ArrayLike, *, pitch: Pitch, periodic: bool = False, mask: Opt
     system, p, m = _grid(pressure, pitch, periodic, mask)
     out = rc_area()
     check(contact_library().rc_area_measure(system, pointer(p), pointer(m), out))
-    return Area(out.contacts, out.area, out.perimeter, out.corrected_area)
+    return Area(**members_for(Area, out))
 
 
 def patches(
@@ -94,13 +96,15 @@ def patches(
     system, p, m = _grid(pressure, pitch, periodic, mask)
     library = contact_library()
     struct = rc_patches()
-    library.rc_patches_init(struct, ctypes.sizeof(struct))
-    struct.neighbours = 8 if corners else 4
+    if corners:
+        struct.neighbours = 8
     label = np.empty(p.shape, np.int64)
     struct.label = pointer(label)
     check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
-    whole = {name: np.empty(struct.count, np.int64) for name in ("cells", "peak")}
-    real = {name: np.empty(struct.count) for name in ("area", "perimeter", "load", "mean_pressure", "max_pressure")}
+    whole: Dict[str, Any] = {name: np.empty(struct.count, np.int64) for name in ("cells", "peak")}
+    real: Dict[str, Any] = {
+        name: np.empty(struct.count) for name in ("area", "perimeter", "load", "mean_pressure", "max_pressure")
+    }
     struct.room, struct.label = struct.count, None
     for name, array in {**whole, **real}.items():
         setattr(struct, name, pointer(array))
@@ -110,29 +114,20 @@ def patches(
 
 def histogram(
     pressure: ArrayLike,
-    bins: int = 100,
-    upper: float = 0.0,
+    bins: int,
+    upper: Optional[float] = None,
     *,
-    pitch: Pitch = 1.0,
+    pitch: Optional[Pitch] = None,
     periodic: bool = False,
     mask: Optional[ArrayLike] = None,
 ) -> Histogram:
-    """Histogram of the pressures; upper: end of the last bin [force/length^2], 0: the largest pressure. Others as in `area`."""
+    """Histogram of the pressures; upper: end of the last bin [force/length^2], None: the largest pressure. Others as in `area`."""
     system, p, m = _grid(pressure, pitch, periodic, mask)
     bins = as_int(bins, "bins")
-    library = contact_library()
     struct = rc_histogram()
-    library.rc_histogram_init(struct, ctypes.sizeof(struct))
-    struct.bins, struct.upper = bins, upper
+    given(struct, bins=bins, upper=upper)
     counts, density = np.zeros(max(bins, 0), np.int64), np.zeros(max(bins, 0))
     struct.counts, struct.density = pointer(counts), pointer(density)
-    check(library.rc_histogram_fill(system, pointer(p), pointer(m), struct))
-    return Histogram(
-        struct.width * np.arange(bins + 1),
-        counts,
-        density,
-        struct.contacts,
-        struct.above,
-        struct.mean_pressure,
-        struct.max_pressure,
-    )
+    check(contact_library().rc_histogram_fill(system, pointer(p), pointer(m), struct))
+    own = {"edges": struct.width * np.arange(bins + 1), "counts": counts, "density": density}
+    return Histogram(**{**members_for(Histogram, struct), **own})

@@ -1,36 +1,23 @@
 """One system, many steps."""
 
 import ctypes
-import weakref
-from contextlib import contextmanager
-from dataclasses import dataclass
-from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, as_doubles, as_int, as_mask, pointer
-from ._calls import Callbacks, check, interruptible
-from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, Status, error_for
+from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, pointer
+from ._c import given
+from ._calls import check
+from ._errors import ArgumentError, ShapeError
+from ._handle import Handle
+from ._history import path_on
 from ._library import contact_library
 from ._maps import as_surface
-from ._structs import rc_level, rc_progress_fn, rc_result, rc_state, rc_step
-from .context import Context, Options, OptionSet
-from .result import Grid, Level, PathResult, Result, level_from, result_from
-from .system import System
-from ._use import OwnsHandle, Use
-
-
-@dataclass(frozen=True)
-class Progress:
-    """How far a step is: iterations of the solver, products with H, its own estimate of the residual, seconds since the step
-    began."""
-
-    iteration: int
-    applications: int
-    kkt: float
-    seconds: float
+from ._structs import rc_level, rc_result, rc_state, rc_step
+from .context import Options, OptionSet
+from .result import Level, PathResult, Result, level_from, result_from
 
 
 def control_and_target(displacement: Any, load: Any) -> Tuple[int, Any]:
@@ -55,7 +42,7 @@ def gap_and_mask(
     return surface.gap(), surface.mask
 
 
-class Contact(OwnsHandle):
+class Contact(Handle):
     """A contact kept over a loading sequence: operators, factors and the last pressures stay from step to step.
 
     system: `HalfSpace`, `Matrix` or `Product`
@@ -68,63 +55,6 @@ class Contact(OwnsHandle):
     any.
     """
 
-    def __init__(
-        self,
-        system: System,
-        *,
-        options: Options = None,
-        progress: Optional[Callable[[Progress], object]] = None,
-        every: int = 1,
-        context: Optional[Context] = None,
-    ) -> None:
-        library = contact_library()
-        interval = as_int(every, "every")
-        self.system = system
-        self._context = context
-        self._options: Dict[str, Any] = {}
-        self._borrowed: List[Any] = []  # arrays that the library may still look at
-        self._mask: Optional[Mask] = None
-        self._late_cancel = False
-        struct, self._product = system.struct()
-        self._handle = ctypes.c_void_p()
-        with OptionSet(options, context) as handle:
-            status = library.rc_contact_create(struct, handle, self._handle)
-            if status < 0:
-                self._product.raise_first()
-            check(status)
-        self._close = weakref.finalize(self, library.rc_contact_destroy, self._handle)
-        self._close.atexit = False  # another thread might be solving then
-        self._use = Use(self._close)
-        self._options.update(options or {})
-        self._callbacks = Callbacks()
-        if progress is not None:
-            self._progress = rc_progress_fn(self._callbacks.guarded(_progress_caller(progress)))
-            check(library.rc_contact_on_progress(self._handle, self._progress, None, interval))
-
-    def close(self) -> None:
-        """Frees what the contact holds; it cannot be used afterwards. Again: nothing happens."""
-        if not self._use.closed():
-            with self._holding():
-                self._use.close()
-
-    def __enter__(self) -> "Contact":
-        return self
-
-    def __exit__(self, kind: Any, *_: object) -> None:
-        if kind is None:
-            self.close()
-        else:
-            self._use.close()  # a call that a signal handler's exceptions got out of closes it when it ends
-
-    @contextmanager
-    def _holding(self) -> Iterator[ctypes.c_void_p]:
-        with self._use.by_caller():
-            yield self._handle
-
-    def grid(self) -> Grid:
-        """Shape, pitch and mask of the surface that was pressed last."""
-        return Grid(self.system.shape, self.system.pitch, self.system.periodic, self._mask)
-
     def solve(
         self,
         heights: Any = None,
@@ -135,7 +65,7 @@ class Contact(OwnsHandle):
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
         start: Optional[ArrayLike] = None,
-        warm_start: bool = True,
+        warm_start: Optional[bool] = None,
         borrow: bool = False,
         want_pressure: bool = True,
         want_gap: bool = False,
@@ -150,7 +80,7 @@ class Contact(OwnsHandle):
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: what masked or NaN heights are: "reject" or "exclude"
         start: pressures to begin with [force/length^2]
-        warm_start: whether to begin with the last certified pressures
+        warm_start: whether to begin with the last certified pressures; None: as the library
         borrow: gap and mask are not copied by the library; the contact keeps them, and they are to stay as they are
         want_pressure, want_gap: which arrays the result is to hold; without a gap, sparse contact on a large grid costs no more
             than the contact
@@ -161,7 +91,7 @@ class Contact(OwnsHandle):
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         step = self._step(control, target, gap_array, mask_array)
-        step.p0, step.warm_start, step.borrow = pointer(first), int(bool(warm_start)), int(bool(borrow))
+        given(step, p0=pointer(first), warm_start=as_switch(warm_start), borrow=as_switch(borrow or None))
         pressure = np.zeros(self.system.shape) if want_pressure else None
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding():
@@ -207,23 +137,9 @@ class Contact(OwnsHandle):
 
     def _step(self, control: int, target: Any, gap: Optional[Doubles], mask: Optional[Mask]) -> rc_step:
         step = rc_step()
-        contact_library().rc_step_init(step, ctypes.sizeof(step))
         step.control, step.target = control, float(target)
         step.gap, step.mask = pointer(gap), pointer(mask)
         return step
-
-    @contextmanager
-    def _pressing(self, gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:
-        """Follows which mask the library has: a step that it refuses changes nothing."""
-        before = self._mask
-        if gap is not None or mask is not None:
-            self._mask = mask
-        try:
-            yield
-        except (ArgumentError, ShapeError, InfeasibleError) as error:
-            if error.result is None or error.result.completed == 0:
-                self._mask = before
-            raise
 
     def _run_step(
         self,
@@ -235,6 +151,7 @@ class Contact(OwnsHandle):
         *inputs: Any,
     ) -> Result:
         struct = rc_result()
+        contact_library().rc_result_init(struct, ctypes.sizeof(struct))
         struct.p, struct.gap = pointer(pressure), pointer(deformed)
         keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
@@ -242,38 +159,6 @@ class Contact(OwnsHandle):
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer
-
-    def _run(self, call: Callable[[], int], keep: Any, clears: bool = True) -> Tuple[int, str, Optional[BaseException]]:
-        """(status, message, interrupt) of a call that this contact's `cancel` ends.
-
-        clears: whether C then forgets that it was asked to.
-        """
-        asked = []
-
-        def cancel() -> None:
-            asked.append(True)
-            self.cancel()
-
-        status, message, interrupt = interruptible(call, cancel, self._use, (self, keep))
-        if status == Status.STOP_CANCELLED and self._late_cancel and not asked:
-            self._late_cancel = False  # it was meant for the call before, which had just ended
-            return self._run(call, keep, clears)
-        waits = status < 0 or not clears  # what was meant for an earlier call
-        self._late_cancel = (bool(asked) or self._late_cancel and waits) and status != Status.STOP_CANCELLED
-        return status, message, interrupt
-
-    def _conclude(
-        self, status: int, message: str, interrupt: Optional[BaseException], answer: Any, must_be_certified: bool
-    ) -> None:
-        """Raises what there is to be raised after a call."""
-        for each in (self._product, self._callbacks):
-            each.raise_first()
-        if isinstance(interrupt, KeyboardInterrupt):
-            raise Interrupted(answer) from interrupt
-        if interrupt is not None:
-            raise interrupt
-        if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
-            raise error_for(status, message, answer)
 
     def path(
         self,
@@ -284,15 +169,13 @@ class Contact(OwnsHandle):
         gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
-        warm_start: bool = True,
+        warm_start: Optional[bool] = None,
         stiffness: bool = False,
         keep_pressure: bool = False,
         each: Optional[Callable[[int, Result], object]] = None,
         check: bool = True,
     ) -> PathResult:
         """Solves a loading history; see `roughcontact.path`. Without heights and gap, on the surface of the last step."""
-        from ._path import path_on
-
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
         control, targets = control_and_target(displacement, load)
         return path_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
@@ -357,7 +240,6 @@ class Contact(OwnsHandle):
         """
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
         state = rc_state()
-        contact_library().rc_state_init(state, ctypes.sizeof(state))
         state.gap, state.mask = pointer(gap_array), pointer(mask_array)
         pressure = as_doubles(last[0], "last[0]", self.system.shape)
         state.p, state.displacement, state.load = pointer(pressure), float(last[1]), float(last[2])
@@ -367,15 +249,3 @@ class Contact(OwnsHandle):
         with self._holding() as handle:
             check(contact_library().rc_contact_restore(handle, state))
             self._borrowed, self._mask = [], mask_array
-
-    def cancel(self) -> None:
-        """Stops the running step soon, or the next one if none runs. Any thread."""
-        self._use.while_alive(lambda: contact_library().rc_contact_cancel(self._handle))
-
-
-def _progress_caller(progress: Callable[[Progress], object]) -> Callable[[Any, Any], object]:
-    def call(report: Any, _: Any) -> object:
-        at = report.contents
-        return progress(Progress(at.iteration, at.applications, at.kkt, at.seconds))
-
-    return call

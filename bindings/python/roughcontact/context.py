@@ -10,11 +10,13 @@ import numpy as np
 
 from . import _constants
 from ._arrays import Doubles, Pitch, as_pitch, as_shape, as_text, columns_and_rows, pointer
+from ._c import members_for
 from ._calls import check
-from ._errors import OptionError
+from ._errors import OptionError, error_for
 from ._library import contact_library
-from ._use import OwnsHandle
+from ._status import Status
 from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
+from ._use import OwnsHandle
 
 OptionValue = Union[int, float, str]
 Options = Optional[Mapping[str, OptionValue]]
@@ -64,7 +66,6 @@ class Context(OwnsHandle):
     ) -> None:
         library = contact_library()
         config = rc_context_config()
-        library.rc_context_config_init(config, ctypes.sizeof(config))
         config.flags = (0 if plugins else _constants.RC_CONTEXT_NO_PLUGINS) | (
             0 if environment else _constants.RC_CONTEXT_NO_ENVIRONMENT
         )
@@ -136,7 +137,7 @@ def _components(kind: str, context: Optional[Context]) -> List[Component]:
     for i in range(getattr(library, f"rc_{kind}_count")(handle)):
         each = rc_component()
         check(getattr(library, f"rc_{kind}_describe")(handle, i, each))
-        found.append(Component(_text(each.name), _text(each.summary), _text(each.license), _text(each.origin)))
+        found.append(Component(**members_for(Component, each)))
     return found
 
 
@@ -181,33 +182,37 @@ def options(context: Optional[Context] = None) -> List[OptionSpec]:
     return found
 
 
+def _value(handle: ctypes.c_void_p, key: str) -> OptionValue:
+    """Of an option, by whichever function has its type."""
+    library = contact_library()
+    for get, out in (
+        (library.rc_options_get_int, ctypes.c_int64()),
+        (library.rc_options_get_real, ctypes.c_double()),
+        (library.rc_options_get_text, ctypes.c_char_p()),
+    ):
+        status = get(handle, key.encode(), out)
+        if status == Status.OK:
+            return _text(out.value) if isinstance(out, ctypes.c_char_p) else out.value
+    raise error_for(status, library.rc_last_error().decode(errors="replace"))
+
+
 def effective_options(given: Options = None, context: Optional[Context] = None) -> Mapping[str, OptionValue]:
     """The value of every option after these were set."""
-    library = contact_library()
-    values: Dict[str, OptionValue] = {}
     with OptionSet(given, context) as handle:
-        for spec in options(context):
-            key = spec.key.encode()
-            if spec.kind is int:
-                whole = ctypes.c_int64()
-                check(library.rc_options_get_int(handle, key, whole))
-                values[spec.key] = whole.value
-            elif spec.kind is float:
-                real = ctypes.c_double()
-                check(library.rc_options_get_real(handle, key, real))
-                values[spec.key] = real.value
-            else:
-                text = ctypes.c_char_p()
-                check(library.rc_options_get_text(handle, key, text))
-                values[spec.key] = _text(text.value)
-    return values
+        return {spec.key: _value(handle, spec.key) for spec in options(context)}
+
+
+def default(key: str) -> OptionValue:
+    """What an option is where nobody sets it."""
+    with OptionSet(None, None) as handle:
+        return _value(handle, key)
 
 
 def version() -> Tuple[int, int, int]:
     """(major, minor, patch) of the library in use."""
-    numbers = [ctypes.c_int32() for _ in range(3)]
-    contact_library().rc_version(*numbers, None)
-    return numbers[0].value, numbers[1].value, numbers[2].value
+    major, minor, patch = ctypes.c_int32(), ctypes.c_int32(), ctypes.c_int32()
+    contact_library().rc_version(major, minor, patch, None)
+    return major.value, minor.value, patch.value
 
 
 def kernel_coefficients(kernel: str, shape: Union[int, Sequence[int]], pitch: Pitch) -> Doubles:

@@ -3,7 +3,6 @@
 With influence coefficients per force, p are forces.
 """
 
-import ctypes
 from dataclasses import dataclass
 from typing import Any, Optional, Tuple
 
@@ -11,10 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, as_text, columns_and_rows, pointer
+from ._c import members_for
 from ._calls import interruptible
-from ._errors import Interrupted, ShapeError, Status, as_status, error_for
+from ._constants import RC_OPT_MAX_ITER, RC_OPT_TOL
+from ._errors import Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
+from ._status import Status
 from ._structs import rc_direct
+from .context import default
 from .system import row_stride, square
 
 
@@ -45,31 +48,13 @@ class DirectResult:
     note: str
 
 
-def _call(function: str, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Doubles], check: bool) -> DirectResult:
+def _call(function: Any, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Doubles], check: bool) -> DirectResult:
     struct = rc_direct()
-    library = contact_library()
     # These routines cannot be cancelled: Ctrl-C arrives when they return.
-    status, message, interrupt = interruptible(
-        lambda: int(getattr(library, function)(*arguments, ctypes.byref(struct))), lambda: None, keep=(p, w)
-    )
+    status, message, interrupt = interruptible(lambda: int(function(*arguments, struct)), lambda: None, keep=(p, w))
     answer = None
     if status >= 0:
-        answer = DirectResult(
-            p,
-            w,
-            as_status(status),
-            message,
-            struct.iterations,
-            struct.applications,
-            struct.contacts,
-            struct.load,
-            struct.energy,
-            struct.kkt,
-            struct.duality_gap,
-            struct.load_lower,
-            struct.load_upper,
-            struct.note.decode(errors="replace"),
-        )
+        answer = DirectResult(p=p, w=w, message=message, **{**members_for(DirectResult, struct), "status": as_status(status)})
     if interrupt is not None:
         raise Interrupted(answer) if isinstance(interrupt, KeyboardInterrupt) else interrupt
     if answer is None or check and status != Status.OK:
@@ -77,86 +62,43 @@ def _call(function: str, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Dou
     return answer
 
 
-def _on_matrix(
-    name: str, H: ArrayLike, u: ArrayLike, start: Optional[ArrayLike], tol: float, max_iter: int, check: bool
-) -> DirectResult:
-    matrix = square(H)
-    n, steps = matrix.shape[0], as_int(max_iter, "max_iter")
-    right = as_doubles(u, "u", (n,))
-    p = np.zeros(n) if start is None else as_doubles(start, "start", (n,)).copy()
-    w = np.zeros(n)
-    return _call(
-        f"rc_{name}", (n, pointer(matrix), row_stride(matrix), pointer(right), pointer(p), pointer(w), tol, steps), p, w, check
-    )
+class _Routine:
+    """A method on a matrix.
 
-
-def greedy(
-    H: ArrayLike,
-    u: ArrayLike,
-    *,
-    start: Optional[ArrayLike] = None,
-    tol: float = 1e-8,
-    max_iter: int = 10000,
-    check: bool = True,
-) -> DirectResult:
-    """Greedy active set (Algorithm 1). It fails on some matrices: with an answer that is not certified.
-
-    H: [n, n] symmetric positive definite; u: [n]; start: [n], None: zeros; tol: largest residual relative to max(u);
+    H: [n, n] symmetric positive definite; u: [n]; start: [n], None: zeros
+    tol: largest residual relative to max(u); max_iter: iterations after which it stops; None: as the options of these names
     check: whether an answer that is not certified raises `NotCertifiedError`, which has it as its result
     """
-    return _on_matrix("greedy", H, u, start, tol, max_iter, check)
+
+    def __init__(self, name: str, summary: str) -> None:
+        self.__name__, self.__doc__ = name, f"{summary}\n{type(self).__doc__}"
+
+    def __call__(
+        self,
+        H: ArrayLike,
+        u: ArrayLike,
+        *,
+        start: Optional[ArrayLike] = None,
+        tol: Optional[float] = None,
+        max_iter: Optional[int] = None,
+        check: bool = True,
+    ) -> DirectResult:
+        matrix = square(H)
+        n = matrix.shape[0]
+        steps = default(RC_OPT_MAX_ITER) if max_iter is None else as_int(max_iter, "max_iter")
+        limit = default(RC_OPT_TOL) if tol is None else tol
+        right = as_doubles(u, "u", (n,))
+        p = np.zeros(n) if start is None else as_doubles(start, "start", (n,)).copy()
+        w = np.zeros(n)
+        arguments = n, pointer(matrix), row_stride(matrix), pointer(right), pointer(p), pointer(w), limit, steps
+        return _call(getattr(contact_library(), f"rc_{self.__name__}"), arguments, p, w, check)
 
 
-def polonsky_keer(
-    H: ArrayLike,
-    u: ArrayLike,
-    *,
-    start: Optional[ArrayLike] = None,
-    tol: float = 1e-8,
-    max_iter: int = 10000,
-    check: bool = True,
-) -> DirectResult:
-    """Constrained conjugate gradients (Algorithm 2). Arguments as in `greedy`."""
-    return _on_matrix("polonsky_keer", H, u, start, tol, max_iter, check)
-
-
-def nnls(
-    H: ArrayLike,
-    u: ArrayLike,
-    *,
-    start: Optional[ArrayLike] = None,
-    tol: float = 1e-8,
-    max_iter: int = 10000,
-    check: bool = True,
-) -> DirectResult:
-    """Non-negative least squares, finite and exact (Algorithm 3). Arguments as in `greedy`."""
-    return _on_matrix("nnls", H, u, start, tol, max_iter, check)
-
-
-def gp(
-    H: ArrayLike,
-    u: ArrayLike,
-    *,
-    start: Optional[ArrayLike] = None,
-    tol: float = 1e-8,
-    max_iter: int = 10000,
-    check: bool = True,
-) -> DirectResult:
-    """Accelerated gradient projection (Algorithm 4). Arguments as in `greedy`."""
-    return _on_matrix("gp", H, u, start, tol, max_iter, check)
-
-
-def admm(
-    H: ArrayLike,
-    u: ArrayLike,
-    *,
-    start: Optional[ArrayLike] = None,
-    tol: float = 1e-8,
-    max_iter: int = 10000,
-    check: bool = True,
-) -> DirectResult:
-    """Alternating direction method of multipliers (Algorithm 5). Arguments as in `greedy`."""
-    return _on_matrix("admm", H, u, start, tol, max_iter, check)
+greedy = _Routine("greedy", "Greedy active set (Algorithm 1). It fails on some matrices: with an answer that is not certified.")
+polonsky_keer = _Routine("polonsky_keer", "Constrained conjugate gradients (Algorithm 2).")
+nnls = _Routine("nnls", "Non-negative least squares, finite and exact (Algorithm 3).")
+gp = _Routine("gp", "Accelerated gradient projection (Algorithm 4).")
+admm = _Routine("admm", "Alternating direction method of multipliers (Algorithm 5).")
 
 
 def cmr(
@@ -165,8 +107,8 @@ def cmr(
     pitch: Pitch,
     modulus: float,
     delta: float,
-    levels: int = 3,
-    h: float = 1.5,
+    levels: int,
+    h: Optional[float] = None,
     inner: Optional[str] = None,
     check: bool = True,
 ) -> DirectResult:
@@ -174,18 +116,17 @@ def cmr(
 
     heights: [ny, nx], the highest touches first [length]; delta: compression below it [length]
     pitch: one number or (hx, hy) [length]; modulus: E* [force/length^2]
-    levels: grids of the cascade, the given one included; h: radius of influence in coarse cells, >= 1
+    levels: grids of the cascade, the given one included
+    h: radius of influence in coarse cells, >= 1; None: as option cmr.radius
     inner: solver on every level, None: chosen by the library
     """
     z = as_doubles(heights, "heights")
     if z.ndim not in (1, 2):
         raise ShapeError(f"heights have {z.ndim} axes: [ny, nx] is needed")
     (hx, hy), (nx, ny), grids = as_pitch(pitch), columns_and_rows(z.shape), as_int(levels, "levels")
+    radius = default("cmr.radius") if h is None else h
     p = np.zeros(z.shape)
+    name = None if inner is None else as_text(inner, "inner")
     return _call(
-        "rc_cmr",
-        (nx, ny, hx, hy, modulus, pointer(z), delta, grids, h, None if inner is None else as_text(inner, "inner"), pointer(p)),
-        p,
-        None,
-        check,
+        contact_library().rc_cmr, (nx, ny, hx, hy, modulus, pointer(z), delta, grids, radius, name, pointer(p)), p, None, check
     )

@@ -3,9 +3,10 @@
     from roughcontact import raw
     library = raw.contact_library()
     step = raw.rc_step()
-    library.rc_step_init(step, ctypes.sizeof(step))
+    step.target = 1e-6
 
-Structs are passed by reference where ctypes expects a pointer to one. Shapes, units and who keeps what: see the headers.
+A new struct has its size and the values of the header's RC_..._INIT macro. Structs are passed by reference where ctypes expects
+a pointer to one. Shapes, units and who keeps what: see the headers.
 """
 
 from ._constants import *  # noqa: F401,F403

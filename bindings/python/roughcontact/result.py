@@ -1,17 +1,17 @@
 """Answers."""
 
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from dataclasses import dataclass
+from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import analysis
 from ._arrays import Doubles, Mask, Shape
-from ._errors import Status, as_status
+from ._c import members_for
+from ._errors import as_status
+from ._status import Status
 from ._structs import rc_level, rc_result
-
-if TYPE_CHECKING:
-    from .analysis import Area, Histogram, Patches
 
 
 @dataclass(frozen=True)
@@ -110,23 +110,20 @@ class Result:
         """The largest kkt_* residual."""
         return max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control)
 
-    def area(self) -> "Area":
+    def area(self) -> analysis.Area:
         """Contact area corrected for the grid, and perimeter."""
-        from .analysis import area
+        return analysis.area(self._needed(), **self._grid())
 
-        return area(self._needed(), pitch=self.grid.pitch, periodic=self.grid.periodic, mask=self.grid.mask)
-
-    def patches(self, corners: bool = False) -> "Patches":
+    def patches(self, corners: bool = False) -> analysis.Patches:
         """Connected parts of the contact."""
-        from .analysis import patches
+        return analysis.patches(self._needed(), **self._grid(), corners=corners)
 
-        return patches(self._needed(), pitch=self.grid.pitch, periodic=self.grid.periodic, mask=self.grid.mask, corners=corners)
-
-    def histogram(self, bins: int = 100, upper: float = 0.0) -> "Histogram":
+    def histogram(self, bins: int, upper: Optional[float] = None) -> analysis.Histogram:
         """Distribution of the pressures."""
-        from .analysis import histogram
+        return analysis.histogram(self._needed(), bins, upper, **self._grid())
 
-        return histogram(self._needed(), bins, upper, pitch=self.grid.pitch, periodic=self.grid.periodic, mask=self.grid.mask)
+    def _grid(self) -> Dict[str, Any]:
+        return {"pitch": self.grid.pitch, "periodic": self.grid.periodic, "mask": self.grid.mask}
 
     def _needed(self) -> Doubles:
         if self.pressure is None:
@@ -140,15 +137,9 @@ class Result:
         )
 
 
-_NUMBERS = [each.name for each in fields(Result) if each.name not in ("status", "message", "pressure", "gap", "grid")]
-
-
 def result_from(struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles]) -> Result:
-    values = {name: getattr(struct, name) for name in _NUMBERS}
-    texts = {name: value.decode(errors="replace") for name, value in values.items() if isinstance(value, bytes)}
-    return Result(
-        status=as_status(struct.status), message=message, pressure=pressure, gap=gap, grid=grid, **{**values, **texts}
-    )
+    own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}
+    return Result(**{**members_for(Result, struct), **own})
 
 
 def result_with_copies(struct: rc_result, grid: Grid) -> Result:
@@ -176,15 +167,8 @@ class Level:
 
 
 def level_from(struct: rc_level, pressure: Doubles) -> Level:
-    return Level(
-        pressure,
-        as_status(struct.status),
-        (struct.hx, struct.hy),
-        struct.displacement,
-        struct.load,
-        struct.candidates,
-        struct.contacts,
-    )
+    own = {"status": as_status(struct.status), "pressure": pressure, "pitch": (struct.hx, struct.hy)}
+    return Level(**{**members_for(Level, struct), **own})
 
 
 @dataclass(frozen=True, eq=False)

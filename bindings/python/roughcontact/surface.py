@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_pitch, as_seed, as_shape, columns_and_rows, pointer
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_pitch, as_seed, as_shape, as_switch, columns_and_rows, pointer
+from ._c import given, members_for
 from ._calls import check_surface
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
@@ -35,12 +36,12 @@ Grid = Union[int, Sequence[int]]
 def rmd(
     levels: int,
     *,
-    pitch: Pitch = 1.0,
-    hurst: float = 0.7,
-    sigma: float = 1.0,
-    rms_height: float = 0.0,
-    seed: int = 1,
-    additions: bool = False,
+    pitch: Optional[Pitch] = None,
+    hurst: Optional[float] = None,
+    sigma: Optional[float] = None,
+    rms_height: Optional[float] = None,
+    seed: Optional[int] = None,
+    additions: Optional[bool] = None,
     stage: Optional[int] = None,
     crop: bool = True,
 ) -> Surface:
@@ -53,15 +54,8 @@ def rmd(
     crop: leave the last row and column out, 2^stage points a side remain
     pitch: of the stage [length]
     """
-    spec = rc_surface_rmd_spec()
-    spec.seed, spec.levels, spec.additions, spec.hurst, spec.sigma, spec.rms_height = (
-        as_seed(seed),
-        as_int(levels, "levels", 32),
-        int(bool(additions)),
-        hurst,
-        sigma,
-        rms_height,
-    )
+    spec = given(rc_surface_rmd_spec(), levels=as_int(levels, "levels", 32), seed=as_seed(seed), additions=as_switch(additions))
+    given(spec, hurst=hurst, sigma=sigma, rms_height=rms_height)
     at = spec.levels if stage is None else as_int(stage, "stage", 32)
     side = 2**at + (0 if crop else 1) if 0 <= at <= spec.levels <= 14 else 1  # what is refused is not written to
     heights = np.empty((side, side))
@@ -72,29 +66,29 @@ def rmd(
 def spectral(
     shape: Grid,
     *,
-    pitch: Pitch = 1.0,
-    hurst: float = 0.8,
-    q_low: float = 0.0,
-    q_rolloff: float = 0.0,
-    q_high: float = 0.0,
+    pitch: Optional[Pitch] = None,
+    hurst: Optional[float] = None,
+    q_low: Optional[float] = None,
+    q_rolloff: Optional[float] = None,
+    q_high: Optional[float] = None,
     rms_height: Optional[float] = None,
     rms_slope: Optional[float] = None,
-    fixed_amplitudes: bool = False,
-    seed: int = 1,
+    fixed_amplitudes: Optional[bool] = None,
+    seed: Optional[int] = None,
 ) -> Surface:
     """Periodic self-affine surface: C(q) = 0 below q_low, constant up to q_rolloff, ~ q^(-2 - 2H) up to q_high, 0 above.
 
     shape: (ny, nx) or nx points; pitch: one number or (hx, hy) [length]; hurst: 0 .. 1
     q_low, q_rolloff, q_high: wave numbers [1/length]; 0: none, q_high pi / max(hx, hy)
-    rms_height [length] or rms_slope: one of them, None for both: rms_height 1
+    rms_height [length] or rms_slope: one of them
     fixed_amplitudes: only the phases are random
     """
     sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
-    spec = rc_surface_spectral_spec()
-    spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy, spec.hurst = as_seed(seed), columns_and_rows(sides), hx, hy, hurst
-    spec.q_low, spec.q_rolloff, spec.q_high = q_low, q_rolloff, q_high
-    spec.rms_height = (1.0 if rms_slope is None else 0.0) if rms_height is None else rms_height
-    spec.rms_slope, spec.fixed_amplitudes = rms_slope or 0.0, int(bool(fixed_amplitudes))
+    spec = given(rc_surface_spectral_spec(), seed=as_seed(seed), hx=hx, hy=hy, hurst=hurst, q_low=q_low, q_rolloff=q_rolloff)
+    spec.nx, spec.ny = columns_and_rows(sides)
+    if rms_slope is not None:
+        spec.rms_height = 0.0
+    given(spec, q_high=q_high, rms_height=rms_height, rms_slope=rms_slope, fixed_amplitudes=as_switch(fixed_amplitudes))
     heights = np.empty(_not_negative(sides))
     check_surface(surface_library().rc_surface_spectral(spec, pointer(heights)))
     return Surface(heights, (hx, hy), periodic=True)
@@ -107,45 +101,45 @@ def _not_negative(sides: Tuple[int, ...]) -> Tuple[int, ...]:
 def _shape(
     kind: int,
     shape: Grid,
-    pitch: Pitch,
+    pitch: Optional[Pitch],
     periodic: bool = False,
-    radius: float = 0.0,
-    height: float = 0.0,
-    period: Tuple[float, float] = (0.0, 0.0),
-    seed: int = 1,
+    period: Tuple[Optional[float], Optional[float]] = (None, None),
+    **values: Any,
 ) -> Surface:
     sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
-    spec = rc_surface_shape_spec()
-    spec.shape, spec.seed, (spec.nx, spec.ny), spec.hx, spec.hy = kind, as_seed(seed), columns_and_rows(sides), hx, hy
-    spec.radius, spec.height, (spec.period_x, spec.period_y) = radius, height, period
+    nx, ny = columns_and_rows(sides)
+    spec = given(rc_surface_shape_spec(), shape=kind, nx=nx, ny=ny, hx=hx, hy=hy, **values)
+    given(spec, period_x=period[0], period_y=period[1])
     heights = np.empty(_not_negative(sides))
     check_surface(surface_library().rc_surface_shape(spec, pointer(heights)))
     return Surface(heights, (hx, hy), periodic)
 
 
-def paraboloid(shape: Grid, *, pitch: Pitch = 1.0, radius: float) -> Surface:
+def paraboloid(shape: Grid, *, pitch: Optional[Pitch] = None, radius: float) -> Surface:
     """-r^2 / (2 radius) about the grid's centre [length]."""
     return _shape(_constants.RC_SURFACE_PARABOLOID, shape, pitch, radius=radius)
 
 
-def sphere(shape: Grid, *, pitch: Pitch = 1.0, radius: float) -> Surface:
+def sphere(shape: Grid, *, pitch: Optional[Pitch] = None, radius: float) -> Surface:
     """sqrt(radius^2 - r^2) - radius about the grid's centre, -radius beyond the radius [length]."""
     return _shape(_constants.RC_SURFACE_SPHERE, shape, pitch, radius=radius)
 
 
-def waves(shape: Grid, *, pitch: Pitch = 1.0, amplitude: float, period: Tuple[float, float]) -> Surface:
+def waves(shape: Grid, *, pitch: Optional[Pitch] = None, amplitude: float, period: Tuple[float, float]) -> Surface:
     """amplitude cos(2 pi x / period[0]) cos(2 pi y / period[1]); a period of 0: no waves along it [length]."""
     return _shape(_constants.RC_SURFACE_WAVES, shape, pitch, True, height=amplitude, period=period)
 
 
-def pyramids(shape: Grid, *, pitch: Pitch = 1.0, height: float, period: Tuple[float, float]) -> Surface:
+def pyramids(shape: Grid, *, pitch: Optional[Pitch] = None, height: float, period: Tuple[float, float]) -> Surface:
     """Square pyramids of this height, base to tip, one a period; a period of 0: ridges [length]."""
     return _shape(_constants.RC_SURFACE_PYRAMIDS, shape, pitch, True, height=height, period=period)
 
 
-def noise(shape: Grid, *, pitch: Pitch = 1.0, rms_height: float = 1.0, seed: int = 1) -> Surface:
+def noise(
+    shape: Grid, *, pitch: Optional[Pitch] = None, rms_height: Optional[float] = None, seed: Optional[int] = None
+) -> Surface:
     """Independent Gaussian heights, the same numbers on every machine [length]."""
-    return _shape(_constants.RC_SURFACE_NOISE, shape, pitch, True, height=rms_height, seed=seed)
+    return _shape(_constants.RC_SURFACE_NOISE, shape, pitch, True, height=rms_height, seed=as_seed(seed))
 
 
 @dataclass(frozen=True)
@@ -233,8 +227,10 @@ TRENDS = {
 FILTERS = {"subsample": _constants.RC_SURFACE_SUBSAMPLE, "mean": _constants.RC_SURFACE_MEAN, "max": _constants.RC_SURFACE_MAX}
 
 
-def _map(surface: Any, pitch: Optional[Pitch], periodic: Optional[bool], trend: str) -> Tuple[rc_surface_map, Surface]:
-    if trend not in TRENDS:
+def _map(
+    surface: Any, pitch: Optional[Pitch], periodic: Optional[bool], trend: Optional[str]
+) -> Tuple[rc_surface_map, Surface]:
+    if trend is not None and trend not in TRENDS:
         raise ArgumentError(f"trend is {trend!r}: {', '.join(TRENDS)}")
     found = as_surface(surface, pitch, periodic)
     if found.mask is not None:
@@ -242,24 +238,28 @@ def _map(surface: Any, pitch: Optional[Pitch], periodic: Optional[bool], trend: 
     struct = rc_surface_map()
     struct.nx, struct.ny = columns_and_rows(found.shape)
     struct.hx, struct.hy = found.pitch
-    struct.heights, struct.periodic, struct.trend = pointer(found.heights), int(bool(found.periodic)), TRENDS[trend]
+    struct.heights, struct.periodic = pointer(found.heights), int(bool(found.periodic))
+    given(struct, trend=TRENDS.get(trend or ""))
     return struct, found  # the heights live as long as the surface
 
 
-def analyze(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: str = "auto") -> Statistics:
+def analyze(
+    surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: Optional[str] = None
+) -> Statistics:
     """Moments of the heights.
 
-    surface: see the module; periodic: differences across the edges; trend that is removed first: "mean", "plane", or "auto":
-        the mean
-    of periodic surfaces, else the plane
+    surface: see the module; periodic: differences across the edges
+    trend: what is removed first: "mean", "plane", or "auto": the mean of periodic surfaces, else the plane
     """
     struct, _kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_statistics()
     check_surface(surface_library().rc_surface_analyze(struct, out))
-    return Statistics(**{name: getattr(out, name) for name in Statistics.__dataclass_fields__})
+    return Statistics(**members_for(Statistics, out))
 
 
-def psd(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: str = "auto") -> Spectrum:
+def psd(
+    surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: Optional[str] = None
+) -> Spectrum:
     """Radial average of the PSD; surfaces that are not periodic get a Hann window. Arguments as in `analyze`."""
     struct, _kept = _map(surface, pitch, periodic, trend)
     library = surface_library()
@@ -270,24 +270,16 @@ def psd(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool]
     return Spectrum(q, power, modes)
 
 
-def power_law(surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: str = "auto") -> PowerLaw:
+def power_law(
+    surface: Any, *, pitch: Optional[Pitch] = None, periodic: Optional[bool] = None, trend: Optional[str] = None
+) -> PowerLaw:
     """Hurst exponent, roll-off, cut-off and periodic textures. Arguments as in `analyze`."""
     struct, _kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_power_law()
     check_surface(surface_library().rc_surface_fit(struct, out))
     peaks = np.array([out.peak_qx[: out.peaks], out.peak_qy[: out.peaks]]).T.reshape(out.peaks, 2)
-    return PowerLaw(
-        out.hurst,
-        out.hurst_error,
-        out.slope,
-        out.prefactor,
-        out.q_min,
-        out.q_max,
-        out.q_rolloff,
-        out.q_cutoff,
-        peaks,
-        np.array(out.peak_share[: out.peaks]),
-    )
+    own = {"peak_q": peaks, "peak_share": np.array(out.peak_share[: out.peaks])}
+    return PowerLaw(**{**members_for(PowerLaw, out), **own})
 
 
 def cmr_advice(
@@ -297,7 +289,7 @@ def cmr_advice(
     *,
     pitch: Optional[Pitch] = None,
     periodic: Optional[bool] = None,
-    trend: str = "auto",
+    trend: Optional[str] = None,
 ) -> CmrAdvice:
     """Whether cascade multi-resolution with `levels` halvings of the grid can be trusted.
 
@@ -306,13 +298,10 @@ def cmr_advice(
     struct, _kept = _map(surface, pitch, periodic, trend)
     out = rc_surface_cmr()
     check_surface(surface_library().rc_surface_cmr_advice(struct, as_int(levels, "levels", 32), approach, out))
-    numbers = {name: getattr(out, name) for name in CmrAdvice.__dataclass_fields__ if name not in ("trustworthy", "reason")}
-    return CmrAdvice(trustworthy=bool(out.trustworthy), reason=out.reason.decode(errors="replace"), **numbers)
+    return CmrAdvice(**{**members_for(CmrAdvice, out), "trustworthy": bool(out.trustworthy)})
 
 
-def downsample(
-    surface: Any, filter: str = "mean", *, pitch: Optional[Pitch] = None, mask: Optional[ArrayLike] = None
-) -> Surface:
+def downsample(surface: Any, filter: str, *, pitch: Optional[Pitch] = None, mask: Optional[ArrayLike] = None) -> Surface:
     """Halves a grid: blocks of 2 x 2 points become one, the point at even indices ("subsample"), the mean, or the highest
     ("max").
 

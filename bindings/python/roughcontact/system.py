@@ -1,6 +1,5 @@
 """What stays fixed over a loading sequence: a half-space grid, your own matrix, or your own product."""
 
-import ctypes
 from abc import ABC, abstractmethod
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
@@ -10,9 +9,10 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._calls import Callbacks, check
-from ._errors import ArgumentError, ShapeError, Status
+from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
 from ._maps import as_surface
+from ._status import Status
 from ._structs import rc_apply_fn, rc_system
 from .context import Context, Options, OptionSet, context_handle
 
@@ -37,7 +37,6 @@ class System(ABC):
 
 def grid_struct(shape: Shape, pitch: Tuple[float, float], periodic: bool) -> rc_system:
     system = rc_system()
-    contact_library().rc_system_init(system, ctypes.sizeof(system))
     system.nx, system.ny = columns_and_rows(shape)
     system.hx, system.hy = pitch
     system.boundary = _constants.RC_BOUNDARY_PERIODIC if periodic else _constants.RC_BOUNDARY_FREE
@@ -50,10 +49,14 @@ class HalfSpace(System):
     shape: (ny, nx) or nx points
     pitch: cell size, one number or (hx, hy) with hx along the last axis [length]
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
-    boundary: "free" or "periodic"
+    boundary: "free" or "periodic"; None: the library's
     """
 
-    def __init__(self, shape: Union[int, Sequence[int]], *, pitch: Pitch, modulus: float, boundary: str = "free") -> None:
+    def __init__(
+        self, shape: Union[int, Sequence[int]], *, pitch: Pitch, modulus: float, boundary: Optional[str] = None
+    ) -> None:
+        if boundary is None:
+            boundary = next(name for name, number in BOUNDARIES.items() if number == rc_system().boundary)
         if boundary not in BOUNDARIES:
             raise ArgumentError(f"boundary is {boundary!r}: 'free' or 'periodic'")
         self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(modulus)
@@ -65,9 +68,8 @@ class HalfSpace(System):
     ) -> "HalfSpace":
         """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
         found = as_surface(surface, pitch, missing="exclude")
-        return cls(
-            found.shape, pitch=found.pitch, modulus=modulus, boundary=boundary or ("periodic" if found.periodic else "free")
-        )
+        boundary = boundary or ("periodic" if found.periodic else None)
+        return cls(found.shape, pitch=found.pitch, modulus=modulus, boundary=boundary)
 
     def fill(self, system: rc_system) -> Callbacks:
         system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, self.modulus
@@ -82,7 +84,9 @@ class Matrix(System):
     pitch: hx hy is the area of a cell
     """
 
-    def __init__(self, H: ArrayLike, *, shape: Optional[Union[int, Sequence[int]]] = None, pitch: Pitch = 1.0) -> None:
+    def __init__(
+        self, H: ArrayLike, *, shape: Optional[Union[int, Sequence[int]]] = None, pitch: Optional[Pitch] = None
+    ) -> None:
         self.H = square(H)
         n = self.H.shape[0]
         self.shape, self.pitch = (n,) if shape is None else as_shape(shape), as_pitch(pitch)
@@ -123,7 +127,9 @@ class Product(System):
     shape, pitch: as in `Matrix`
     """
 
-    def __init__(self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Pitch = 1.0) -> None:
+    def __init__(
+        self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Optional[Pitch] = None
+    ) -> None:
         self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
 
     def _call(self, x: Any, y: Any, n: int, _: Any) -> int:

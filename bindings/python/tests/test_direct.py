@@ -35,6 +35,15 @@ def test_cascade(sphere_gap):
     whole = rc.solve(gap=sphere_gap - sphere_gap.min(), pitch=1e-6, modulus=1e11, displacement=3e-7)
     found = direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, levels=3)
     assert found.load == pytest.approx(whole.load, rel=1e-6) and found.p.shape == (64, 64) and found.w is None
-    assert direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, inner="nnls").status == rc.Status.OK
+    assert direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, levels=3, inner="nnls").status == rc.Status.OK
     with pytest.raises(rc.NoSolverError):
-        direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, inner="nonesuch")
+        direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, levels=3, inner="nonesuch")
+
+
+def test_defaults_are_the_options(small_matrix, sphere_gap):
+    u = 1.5 - np.linspace(0, 2, 12)
+    options = rc.effective_options()
+    explicit = direct.gp(small_matrix, u, tol=options["tol"], max_iter=options["max_iter"])
+    assert np.array_equal(direct.gp(small_matrix, u).p, explicit.p)
+    how = {"pitch": 1e-6, "modulus": 1e11, "delta": 3e-7, "levels": 3}
+    assert np.array_equal(direct.cmr(-sphere_gap, **how).p, direct.cmr(-sphere_gap, **how, h=options["cmr.radius"]).p)

@@ -97,7 +97,7 @@ def test_text_that_c_would_cut_off_is_refused(text, half_space):
         lambda: rc.supported(text, "fft", half_space),
         lambda: rc.supported("gp", text, half_space),
         lambda: rc.Context("/" + text),
-        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, delta=1.0, inner=text),
+        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, delta=1.0, levels=1, inner=text),
     )
     for call in calls:
         with pytest.raises(rc.ArgumentError, match="NUL|surrogate"):

@@ -1,0 +1,79 @@
+"""Types of C as annotations; structs and prototypes for ctypes from classes that are annotated with them."""
+
+import ctypes
+import dataclasses
+from ctypes import POINTER
+from typing import Annotated, Any, ClassVar, Dict, Iterator, List, Tuple, Type, TypeVar, get_args
+
+double = Annotated[float, ctypes.c_double]
+int32_t = Annotated[int, ctypes.c_int32]
+int64_t = Annotated[int, ctypes.c_int64]
+uint32_t = Annotated[int, ctypes.c_uint32]
+uint64_t = Annotated[int, ctypes.c_uint64]
+size_t = Annotated[int, ctypes.c_size_t]
+rc_status = int32_t
+text = Annotated[Any, ctypes.c_char_p]
+texts = Annotated[Any, POINTER(ctypes.c_char_p)]
+handle = Annotated[Any, ctypes.c_void_p]
+handles = Annotated[Any, POINTER(ctypes.c_void_p)]
+doubles = Annotated[Any, POINTER(ctypes.c_double)]
+integers = Annotated[Any, POINTER(ctypes.c_int64)]
+statuses = Annotated[Any, POINTER(ctypes.c_int32)]
+bytes_ = Annotated[Any, POINTER(ctypes.c_uint8)]
+
+
+def ctype(annotation: Any) -> Any:
+    """What ctypes has for it; a struct is passed by its address."""
+    if annotation in (None, type(None)):
+        return None
+    return annotation.__metadata__[0] if hasattr(annotation, "__metadata__") else POINTER(annotation)
+
+
+def callback(result: Any, *arguments: Any) -> Any:
+    """The type of a function that C calls."""
+    return ctypes.CFUNCTYPE(ctype(result), *map(ctype, arguments))
+
+
+class Sized(ctypes.Structure):
+    """A struct whose first member is its size. A new one has the values that its class gives to members, and zeros."""
+
+    struct_size: size_t
+    initial: ClassVar[Dict[str, Any]]
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.struct_size = ctypes.sizeof(self)
+        for name, value in self.initial.items():
+            setattr(self, name, value)
+
+
+S = TypeVar("S", bound=Sized)
+
+
+def struct(cls: Type[S]) -> Type[S]:
+    """The annotations of a class as members of a struct."""
+    members = cls.__annotations__
+    cls.initial = {name: vars(cls)[name] for name in members if name in vars(cls)}
+    cls._fields_ = [(name, ctype(annotation)) for name, annotation in members.items()]
+    return cls
+
+
+def prototypes(functions: type) -> Iterator[Tuple[str, Any, List[Any]]]:
+    """(name, result, arguments) of the functions that a class is annotated with."""
+    for name, annotation in functions.__annotations__.items():
+        arguments, result = get_args(annotation)
+        yield name, ctype(result), [ctype(each) for each in arguments]
+
+
+def members_for(cls: type, members: Sized) -> Dict[str, Any]:
+    """The members whose names the fields of a dataclass have, with texts decoded."""
+    found = {each.name: getattr(members, each.name) for each in dataclasses.fields(cls) if hasattr(members, each.name)}
+    return {name: value.decode(errors="replace") if isinstance(value, bytes) else value for name, value in found.items()}
+
+
+def given(members: S, **values: Any) -> S:
+    """Sets members; those that are None stay as they are."""
+    for name, value in values.items():
+        if value is not None:
+            setattr(members, name, value)
+    return members

@@ -1,0 +1,93 @@
+"""The functions of the headers.
+
+Written by scripts/bindings.py.
+"""
+
+from typing import Annotated, Any, Callable, Protocol
+
+from ._c import *  # noqa: F403
+from ._structs import *  # noqa: F403
+from ._surface_structs import *  # noqa: F403
+
+rc_greedy_like = Callable[[int64_t, doubles, int64_t, doubles, doubles, doubles, double, int64_t, rc_direct], rc_status]
+
+
+class ContactFunctions(Protocol):
+    """libroughcontact"""
+
+    rc_version: Callable[[statuses, statuses, statuses, statuses], None]
+    rc_status_name: Callable[[rc_status], text]
+    rc_status_text: Callable[[rc_status], text]
+    rc_last_error: Callable[[], text]
+    rc_system_init: Callable[[rc_system, size_t], None]
+    rc_step_init: Callable[[rc_step, size_t], None]
+    rc_result_init: Callable[[rc_result, size_t], None]
+    rc_context_config_init: Callable[[rc_context_config, size_t], None]
+    rc_path_init: Callable[[rc_path, size_t], None]
+    rc_batch_init: Callable[[rc_batch, size_t], None]
+    rc_state_init: Callable[[rc_state, size_t], None]
+    rc_level_init: Callable[[rc_level, size_t], None]
+    rc_direct_init: Callable[[rc_direct, size_t], None]
+    rc_area_init: Callable[[rc_area, size_t], None]
+    rc_patches_init: Callable[[rc_patches, size_t], None]
+    rc_histogram_init: Callable[[rc_histogram, size_t], None]
+    rc_context_create: Callable[[rc_context_config, handles], rc_status]
+    rc_context_destroy: Callable[[handle], None]
+    rc_backend_count: Callable[[handle], int64_t]
+    rc_solver_count: Callable[[handle], int64_t]
+    rc_kernel_count: Callable[[handle], int64_t]
+    rc_options_count: Callable[[handle], int64_t]
+    rc_backend_describe: Callable[[handle, int64_t, rc_component], rc_status]
+    rc_solver_describe: Callable[[handle, int64_t, rc_component], rc_status]
+    rc_kernel_describe: Callable[[handle, int64_t, rc_component], rc_status]
+    rc_pair_supported: Callable[[handle, text, text, rc_system, int32_t, handle], rc_status]
+    rc_kernel_coefficients: Callable[[text, double, double, int64_t, int64_t, doubles], rc_status]
+    rc_options_create: Callable[[handle, handles], rc_status]
+    rc_options_destroy: Callable[[handle], None]
+    rc_options_set_int: Callable[[handle, text, int64_t], rc_status]
+    rc_options_set_real: Callable[[handle, text, double], rc_status]
+    rc_options_set_text: Callable[[handle, text, text], rc_status]
+    rc_options_parse: Callable[[handle, text, text], rc_status]
+    rc_options_get_int: Callable[[handle, text, integers], rc_status]
+    rc_options_get_real: Callable[[handle, text, doubles], rc_status]
+    rc_options_get_text: Callable[[handle, text, texts], rc_status]
+    rc_options_describe: Callable[[handle, int64_t, rc_option_spec], rc_status]
+    rc_contact_create: Callable[[rc_system, handle, handles], rc_status]
+    rc_contact_set_options: Callable[[handle, handle], rc_status]
+    rc_contact_on_progress: Callable[[handle, Annotated[Any, rc_progress_fn], handle, int64_t], rc_status]
+    rc_contact_solve: Callable[[handle, rc_step, rc_result], rc_status]
+    rc_contact_certify: Callable[[handle, rc_step, rc_result], rc_status]
+    rc_contact_solve_path: Callable[[handle, rc_path], rc_status]
+    rc_contact_level: Callable[[handle, int64_t, rc_level], rc_status]
+    rc_contact_points: Callable[[handle, int64_t, integers, doubles, integers], rc_status]
+    rc_contact_reset: Callable[[handle], rc_status]
+    rc_contact_restore: Callable[[handle, rc_state], rc_status]
+    rc_contact_cancel: Callable[[handle], None]
+    rc_contact_destroy: Callable[[handle], None]
+    rc_solve: Callable[[rc_system, rc_step, handle, rc_result], rc_status]
+    rc_batch_solve: Callable[[rc_system, handle, rc_batch], rc_status]
+    rc_greedy: rc_greedy_like
+    rc_polonsky_keer: rc_greedy_like
+    rc_nnls: rc_greedy_like
+    rc_gp: rc_greedy_like
+    rc_admm: rc_greedy_like
+    rc_cmr: Callable[
+        [int64_t, int64_t, double, double, double, doubles, double, int64_t, double, text, doubles, rc_direct], rc_status
+    ]
+    rc_area_measure: Callable[[rc_system, doubles, bytes_, rc_area], rc_status]
+    rc_patches_find: Callable[[rc_system, doubles, bytes_, rc_patches], rc_status]
+    rc_histogram_fill: Callable[[rc_system, doubles, bytes_, rc_histogram], rc_status]
+
+
+class SurfaceFunctions(Protocol):
+    """libroughcontact-surface"""
+
+    rc_surface_last_error: Callable[[], text]
+    rc_surface_rmd: Callable[[rc_surface_rmd_spec, int32_t, int32_t, doubles], rc_status]
+    rc_surface_spectral: Callable[[rc_surface_spectral_spec, doubles], rc_status]
+    rc_surface_shape: Callable[[rc_surface_shape_spec, doubles], rc_status]
+    rc_surface_analyze: Callable[[rc_surface_map, rc_surface_statistics], rc_status]
+    rc_surface_psd: Callable[[rc_surface_map, doubles, doubles, integers, integers], rc_status]
+    rc_surface_fit: Callable[[rc_surface_map, rc_surface_power_law], rc_status]
+    rc_surface_cmr_advice: Callable[[rc_surface_map, int32_t, double, rc_surface_cmr], rc_status]
+    rc_surface_downsample: Callable[[int64_t, int64_t, doubles, bytes_, int32_t, doubles, bytes_], rc_status]

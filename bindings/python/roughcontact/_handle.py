@@ -1,0 +1,150 @@
+"""A contact of the library: made, used by one caller at a time, interrupted and destroyed."""
+
+import ctypes
+import weakref
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, TypeVar
+
+from ._arrays import Doubles, Mask, as_int
+from ._c import members_for
+from ._calls import Callbacks, check, interruptible
+from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, error_for
+from ._library import contact_library
+from ._status import Status
+from ._structs import rc_progress_fn
+from ._use import OwnsHandle, Use
+from .context import Context, Options, OptionSet
+from .result import Grid
+from .system import System
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a step is: iterations of the solver, products with H, its own estimate of the residual, seconds since the step
+    began."""
+
+    iteration: int
+    applications: int
+    kkt: float
+    seconds: float
+
+
+H = TypeVar("H", bound="Handle")
+
+
+class Handle(OwnsHandle):
+    """What all calls of a `Contact` share."""
+
+    def __init__(
+        self,
+        system: System,
+        *,
+        options: Options = None,
+        progress: Optional[Callable[[Progress], object]] = None,
+        every: int = 1,
+        context: Optional[Context] = None,
+    ) -> None:
+        library = contact_library()
+        interval = as_int(every, "every")
+        self.system = system
+        self._context = context
+        self._options: Dict[str, Any] = {}
+        self._borrowed: List[Any] = []  # arrays that the library may still look at
+        self._mask: Optional[Mask] = None
+        self._late_cancel = False
+        struct, self._product = system.struct()
+        self._handle = ctypes.c_void_p()
+        with OptionSet(options, context) as handle:
+            status = library.rc_contact_create(struct, handle, self._handle)
+            if status < 0:
+                self._product.raise_first()
+            check(status)
+        self._close = weakref.finalize(self, library.rc_contact_destroy, self._handle)
+        self._close.atexit = False  # another thread might be solving then
+        self._use = Use(self._close)
+        self._options.update(options or {})
+        self._callbacks = Callbacks()
+        if progress is not None:
+            self._progress = rc_progress_fn(self._callbacks.guarded(_progress_caller(progress)))
+            check(library.rc_contact_on_progress(self._handle, self._progress, None, interval))
+
+    def close(self) -> None:
+        """Frees what the contact holds; it cannot be used afterwards. Again: nothing happens."""
+        if not self._use.closed():
+            with self._holding():
+                self._use.close()
+
+    def __enter__(self: H) -> H:
+        return self
+
+    def __exit__(self, kind: Any, *_: object) -> None:
+        if kind is None:
+            self.close()
+        else:
+            self._use.close()  # a call that a signal handler's exceptions got out of closes it when it ends
+
+    @contextmanager
+    def _holding(self) -> Iterator[ctypes.c_void_p]:
+        with self._use.by_caller():
+            yield self._handle
+
+    def grid(self) -> Grid:
+        """Shape, pitch and mask of the surface that was pressed last."""
+        return Grid(self.system.shape, self.system.pitch, self.system.periodic, self._mask)
+
+    @contextmanager
+    def _pressing(self, gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:
+        """Follows which mask the library has: a step that it refuses changes nothing."""
+        before = self._mask
+        if gap is not None or mask is not None:
+            self._mask = mask
+        try:
+            yield
+        except (ArgumentError, ShapeError, InfeasibleError) as error:
+            if error.result is None or error.result.completed == 0:
+                self._mask = before
+            raise
+
+    def _run(self, call: Callable[[], int], keep: Any, clears: bool = True) -> Tuple[int, str, Optional[BaseException]]:
+        """(status, message, interrupt) of a call that this contact's `cancel` ends.
+
+        clears: whether C then forgets that it was asked to.
+        """
+        asked = []
+
+        def cancel() -> None:
+            asked.append(True)
+            self.cancel()
+
+        status, message, interrupt = interruptible(call, cancel, self._use, (self, keep))
+        if status == Status.STOP_CANCELLED and self._late_cancel and not asked:
+            self._late_cancel = False  # it was meant for the call before, which had just ended
+            return self._run(call, keep, clears)
+        waits = status < 0 or not clears  # what was meant for an earlier call
+        self._late_cancel = (bool(asked) or self._late_cancel and waits) and status != Status.STOP_CANCELLED
+        return status, message, interrupt
+
+    def _conclude(
+        self, status: int, message: str, interrupt: Optional[BaseException], answer: Any, must_be_certified: bool
+    ) -> None:
+        """Raises what there is to be raised after a call."""
+        for each in (self._product, self._callbacks):
+            each.raise_first()
+        if isinstance(interrupt, KeyboardInterrupt):
+            raise Interrupted(answer) from interrupt
+        if interrupt is not None:
+            raise interrupt
+        if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
+            raise error_for(status, message, answer)
+
+    def cancel(self) -> None:
+        """Stops the running step soon, or the next one if none runs. Any thread."""
+        self._use.while_alive(lambda: contact_library().rc_contact_cancel(self._handle))
+
+
+def _progress_caller(progress: Callable[[Progress], object]) -> Callable[[Any, Any], object]:
+    def call(report: Any, _: Any) -> object:
+        return progress(Progress(**members_for(Progress, report.contents)))
+
+    return call

@@ -1,0 +1,76 @@
+"""Loading histories of a contact that exists."""
+
+from typing import Any, Callable, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, Mask, as_doubles, as_switch, pointer
+from ._c import given
+from ._calls import Callbacks
+from ._errors import ArgumentError, as_status
+from ._handle import Handle
+from ._library import contact_library
+from ._structs import rc_path, rc_path_fn
+from .result import PathResult, Result, result_with_copies
+
+
+def path_on(
+    contact: Handle,
+    control: int,
+    values: ArrayLike,
+    gap: Optional[Doubles],
+    mask: Optional[Mask],
+    warm_start: Optional[bool],
+    stiffness: bool,
+    keep_pressure: bool,
+    each: Optional[Callable[[int, Result], object]],
+    check: bool,
+) -> PathResult:
+    """`path` on a contact that exists."""
+    targets = np.atleast_1d(as_doubles(values, "the history"))
+    if targets.ndim != 1:
+        raise ArgumentError(f"the history has {targets.ndim} axes: one value for each step is needed")
+    n = len(targets)
+    out = {name: np.full(n, np.nan) for name in ("load", "displacement", "contact_area", "certificate")}
+    applications, tangents = np.full(n, -1), np.full(n, np.nan) if stiffness else None
+    pressures = np.zeros((n, *contact.system.shape)) if keep_pressure else None
+
+    struct = rc_path()
+    given(struct, control=control, warm_start=as_switch(warm_start), n=n, targets=pointer(targets), gap=pointer(gap))
+    struct.mask = pointer(mask)
+    for name, array in out.items():
+        setattr(struct, name, pointer(array))
+    struct.applications, struct.stiffness = pointer(applications), pointer(tangents)
+
+    def after(step: int, answer: Any, _: Any) -> object:
+        found = result_with_copies(answer.contents, contact.grid())
+        if pressures is not None:
+            pressures[step] = found.pressure
+        return each is not None and each(step, found)
+
+    callbacks = Callbacks()
+    if pressures is not None or each is not None:
+        struct.fn = rc_path_fn(callbacks.guarded(after))
+    keep = (targets, gap, mask, out, applications, tangents, callbacks)
+    with contact._holding() as handle, contact._pressing(gap, mask):
+        status, message, interrupt = contact._run(
+            lambda: int(contact_library().rc_contact_solve_path(handle, struct)), keep, n > 0
+        )
+        done = struct.completed
+        answer = PathResult(
+            as_status(status),
+            message,
+            targets,
+            out["load"][:done],
+            out["displacement"][:done],
+            out["contact_area"][:done],
+            out["certificate"][:done],
+            applications[:done],
+            None if tangents is None else tangents[:done],
+            None if pressures is None else pressures[:done],
+            contact.grid(),
+        )
+        callbacks.raise_first()
+        contact._conclude(status, message, interrupt, answer, check)
+        return answer

@@ -1,0 +1,31 @@
+"""How a call ended.
+
+Written by scripts/bindings.py.
+"""
+
+import enum
+
+
+class Status(enum.IntEnum):
+    """0 certified, > 0 usable but not certified, < 0 failed."""
+
+    OK = 0
+    STOP_MAX_ITER = 1
+    STOP_TIME = 2
+    STOP_CANCELLED = 3
+    STOP_STALLED = 4
+    STOP_UNCERTIFIED = 5
+    WITHIN_GOAL = 6
+    ERR_ARGUMENT = -1
+    ERR_SHAPE = -2
+    ERR_OPTION = -3
+    ERR_NO_BACKEND = -4
+    ERR_NO_SOLVER = -5
+    ERR_INCOMPATIBLE = -6
+    ERR_PLUGIN = -7
+    ERR_MEMORY = -8
+    ERR_INFEASIBLE = -9
+    ERR_NUMERIC = -10
+    ERR_EXTERNAL = -11
+    ERR_BUSY = -12
+    ERR_INTERNAL = -99

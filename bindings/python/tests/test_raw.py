@@ -1,0 +1,52 @@
+"""The C interface as it is: structs laid out as the golden numbers say, with the values that the library begins with."""
+
+import ctypes
+import dataclasses
+import pathlib
+import re
+
+import pytest
+
+import roughcontact as rc
+from roughcontact import raw
+from roughcontact._functions import ContactFunctions
+
+GOLDEN = [pathlib.Path(__file__).resolve().parents[3] / "tests" / "abi" / f"golden_{name}.c" for name in ("contact", "surface")]
+STRUCTS = {
+    name: each
+    for name, each in vars(raw).items()
+    if isinstance(each, type) and issubclass(each, raw.Sized) and each is not raw.Sized
+}
+
+
+@pytest.mark.skipif(not GOLDEN[0].exists(), reason="the golden numbers are not beside the tests")
+def test_structs_and_constants_are_those_of_c():
+    golden, seen = "".join(file.read_text() for file in GOLDEN), 0
+    for name, size in re.findall(r"^SIZE\((\w+), (\d+)\);", golden, re.M):
+        if name in STRUCTS:
+            assert ctypes.sizeof(STRUCTS[name]) == int(size), name
+            members = re.findall(rf"^AT\({name}, (\w+), (\d+)\);", golden, re.M)
+            assert [(member, getattr(STRUCTS[name], member).offset) for member, _ in members] == [
+                (member, int(offset)) for member, offset in members
+            ]
+            assert [member for member, _ in members] == [member for member, _ in STRUCTS[name]._fields_]
+            seen += 1
+    assert seen == len(STRUCTS)
+    values = re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M)
+    assert {getattr(raw, name) - int(value) for name, value in values if hasattr(raw, name)} == {0}
+
+
+@pytest.mark.parametrize(
+    "name", [name for name, each in STRUCTS.items() if f"{name}_init" in ContactFunctions.__annotations__ and each.initial]
+)
+def test_a_new_struct_has_the_values_of_the_library(name):
+    ours, theirs = STRUCTS[name](), STRUCTS[name]()
+    ctypes.memset(ctypes.byref(theirs), 0xA5, ctypes.sizeof(theirs))
+    getattr(raw.contact_library(), f"{name}_init")(theirs, ctypes.sizeof(theirs))
+    assert bytes(ours) == bytes(theirs)
+
+
+def test_results_have_all_members_of_the_structs():
+    for result, struct in ((rc.Result, raw.rc_result), (rc.surface.Statistics, raw.rc_surface_statistics)):
+        members = {name for name, _ in struct._fields_} - {"struct_size", "reserved", "p"}
+        assert members <= {each.name for each in dataclasses.fields(result)}
