@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # headers.sh INCLUDE_DIR: each public header compiles alone, without a warning and without a hole in any struct, in every
-# language and compiler at hand; so does golden.c.
+# language and compiler at hand; so do the golden numbers.
 set -euo pipefail
 include=$1
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,7 +13,7 @@ for compiler in gcc clang; do
     for header in roughcontact plugin surface; do
       echo "#include <roughcontact/$header.h>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
     done
-    $compiler "${warnings[@]}" -x "$language" -std="$standard" "$here/golden.c"
+    for numbers in "$here"/golden_*.c; do $compiler "${warnings[@]}" -x "$language" -std="$standard" "$numbers"; done
     [ "$language" = c ] ||
       echo "#include <roughcontact/plugin.hpp>" | $compiler -Wall -Wextra -pedantic -Wshadow -Werror -fsyntax-only "-I$include" -x c++ -std="$standard" -
     echo "$compiler $standard: ok"
