@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Checks every #include against the layers: each folder may include only what stands beside it here, and no header reaches itself."""
+"""Checks every #include against the layers: each folder may include only what stands beside it here. Headers of src include each other
+without a cycle, and so do the modules of the Python package."""
+import ast
+import graphlib
 import pathlib
 import re
 import sys
@@ -72,31 +75,41 @@ def allowed(root, file, include, quoted):
     return not include.startswith('..') and not (root / 'src' / include).exists()
 
 
-def cycles(root):
-    """Headers under src that include each other, as lists that end where they begin."""
-    src = root / 'src'
+def imports_of(file):
+    """Names of the modules beside it that a Python module imports, anywhere in it."""
+    package = file.parent.name
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.ImportFrom):
+            origin = '.'.join([package] * node.level + [node.module] * bool(node.module))
+            paths = [f'{origin}.{name.name}' for name in node.names]
+        else:
+            paths = [name.name for name in node.names] if isinstance(node, ast.Import) else []
+        yield from (path.split('.')[1] for path in paths if path.startswith(f'{package}.'))
+
+
+def headers(src):
+    """Of each header below src, those that it includes."""
     graph = {}
     for header in src.rglob('*.h'):
         quoted = re.findall(r'^\s*#\s*include\s*"([^"]+)"', header.read_text(), re.M)
-        graph[str(header.relative_to(src))] = [each for each in quoted if each.endswith('.h') and (src / each).exists()]
-    found, seen = [], set()
+        graph[str(header.relative_to(src))] = {each for each in quoted if each.endswith('.h') and (src / each).exists()}
+    return graph
 
-    def follow(header, path):
-        for each in graph[header]:
-            if each in path:
-                found.append([*path[path.index(each):], each])
-            elif each not in seen:
-                seen.add(each)
-                follow(each, [*path, each])
 
-    for header in graph:
-        follow(header, [header])
-    return found
+def cycle(name, graph):
+    """Files that need each other in a circle, or nothing."""
+    try:
+        graphlib.TopologicalSorter(graph).prepare()
+    except graphlib.CycleError as error:
+        return [f'{name}: in a circle: {" <- ".join(error.args[1])}']
+    return [] if len(graph) > 1 else [f'{name}: no files']
 
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else '.').resolve()
-    edges, forbidden = 0, []
+    package = root / 'bindings' / 'python' / 'roughcontact'
+    modules = {file.stem: set(imports_of(file)) for file in package.glob('*.py')}
+    edges, forbidden = 0, [*cycle('headers of src', headers(root / 'src')), *cycle('the Python package', modules)]
     for top in ['src', *OUTSIDE]:
         for path in sorted((root / top).rglob('*')):
             if not re.search(r'\.(c|cpp|h|hpp|def|in)$', path.name):
@@ -109,8 +122,7 @@ def main():
                 edges += 1
                 if not allowed(root, file, match[2], match[1] == '"') and (str(file), match[2]) not in EXCEPTIONS:
                     forbidden.append(f'{file}:{number}: must not include {match[2]}')
-    forbidden.extend('a cycle: ' + ' -> '.join(each) for each in cycles(root))
-    print('\n'.join(forbidden) or f'{edges} includes follow the layers')
+    print('\n'.join(forbidden) or f'{edges} includes follow the layers; no header and no Python module reaches itself')
     return 1 if forbidden or not edges else 0
 
 
