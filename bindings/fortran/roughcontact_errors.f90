@@ -15,15 +15,20 @@ contains
     text = rc_from_c(rc_last_error())
   end function
 
-  ! Reports the status of a call of the library that has just been made.
-  subroutine rcf_check(status, stat, errmsg)
+  ! Reports the status of a call that has just been made, with the message of its library, libroughcontact's if absent.
+  subroutine rcf_check(status, stat, errmsg, message)
     integer(rc_status), intent(in) :: status
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    character(*), intent(in), optional :: message
     character(:), allocatable :: text
     if (present(stat)) stat = int(status)
     if (status == RC_OK) return
-    text = rc_error_message()
+    if (present(message)) then
+      text = message
+    else
+      text = rc_error_message()
+    end if
     if (len(text) == 0) text = rc_from_c(rc_status_text(status))
     if (present(errmsg)) errmsg = text
     if (.not. present(stat) .and. status /= RC_WITHIN_GOAL) error stop rc_from_c(rc_status_name(status))//': '//text
@@ -35,8 +40,6 @@ contains
     character(*), intent(in) :: message
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    if (present(stat)) stat = int(status)
-    if (present(errmsg)) errmsg = message
-    if (.not. present(stat)) error stop rc_from_c(rc_status_name(status))//': '//message
+    call rcf_check(status, stat, errmsg, message)
   end subroutine
 end module

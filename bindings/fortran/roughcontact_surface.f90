@@ -2,7 +2,7 @@
 ! Fortran (rcf_surface_...) that take height maps z(nx, ny) and report as those of module roughcontact do.
 module roughcontact_surface
   use roughcontact_constants
-  use roughcontact_functions, only: rc_status_name
+  use roughcontact_errors
   use roughcontact_strings
   use roughcontact_surface_interface
   implicit none
@@ -26,10 +26,10 @@ contains
       stage = stage + 1
     end do
     if (size(z, 2) /= side .or. 2**stage /= side - 1 + crop) then
-      call check(RC_ERR_SHAPE, 'rcf_surface_rmd: give z with 2^k or 2^k + 1 points a side', stat, errmsg)
+      call rcf_refuse(RC_ERR_SHAPE, 'rcf_surface_rmd: give z with 2^k or 2^k + 1 points a side', stat, errmsg)
       return
     end if
-    call check(rc_surface_rmd(spec, stage, int(crop, c_int32_t), z), '', stat, errmsg)
+    call check(rc_surface_rmd(spec, stage, int(crop, c_int32_t), z), stat, errmsg)
   end subroutine
 
   ! Periodic self-affine surface; nx and ny are those of z, whatever spec says. So in rcf_surface_shape.
@@ -42,7 +42,7 @@ contains
     sized = spec
     sized%nx = size(z, 1)
     sized%ny = size(z, 2)
-    call check(rc_surface_spectral(sized, z), '', stat, errmsg)
+    call check(rc_surface_spectral(sized, z), stat, errmsg)
   end subroutine
 
   subroutine rcf_surface_shape(spec, z, stat, errmsg)
@@ -54,7 +54,7 @@ contains
     sized = spec
     sized%nx = size(z, 1)
     sized%ny = size(z, 2)
-    call check(rc_surface_shape(sized, z), '', stat, errmsg)
+    call check(rc_surface_shape(sized, z), stat, errmsg)
   end subroutine
 
   ! Moments of heights, slopes and curvatures.
@@ -66,7 +66,7 @@ contains
     integer(c_int32_t), intent(in), optional :: trend
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call check(rc_surface_analyze(map_of(z, hx, hy, periodic, trend), statistics), '', stat, errmsg)
+    call check(rc_surface_analyze(map_of(z, hx, hy, periodic, trend), statistics), stat, errmsg)
   end subroutine
 
   ! Radial average of the power spectral density: wave numbers, PSD and number of modes of its rings.
@@ -87,7 +87,7 @@ contains
     status = rc_surface_psd(map, count=count)
     allocate (q(count), psd(count), modes(count))
     if (status == RC_OK .and. count > 0) status = rc_surface_psd(map, q, psd, modes, count)
-    call check(status, '', stat, errmsg)
+    call check(status, stat, errmsg)
   end subroutine
 
   ! Hurst exponent, roll-off, cut-off and periodic textures of the spectrum.
@@ -99,7 +99,7 @@ contains
     integer(c_int32_t), intent(in), optional :: trend
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call check(rc_surface_fit(map_of(z, hx, hy, periodic, trend), law), '', stat, errmsg)
+    call check(rc_surface_fit(map_of(z, hx, hy, periodic, trend), law), stat, errmsg)
   end subroutine
 
   ! Whether cascade multi-resolution without a check can be trusted on this surface. approach absent: half the height of the
@@ -117,7 +117,7 @@ contains
     real(c_double) :: d
     d = 0
     if (present(approach)) d = approach
-    call check(rc_surface_cmr_advice(map_of(z, hx, hy, periodic, trend), int(levels, c_int32_t), d, advice), '', stat, errmsg)
+    call check(rc_surface_cmr_advice(map_of(z, hx, hy, periodic, trend), int(levels, c_int32_t), d, advice), stat, errmsg)
   end subroutine
 
   ! Halves a grid: coarse((nx + 1)/2, (ny + 1)/2). filter: RC_SURFACE_SUBSAMPLE, _MEAN or _MAX.
@@ -138,7 +138,7 @@ contains
     given = c_null_ptr
     if (present(mask)) then
       if (any(shape(mask) /= shape(z))) then
-        call check(RC_ERR_SHAPE, 'rcf_surface_downsample: mask and z have different shapes', stat, errmsg)
+        call rcf_refuse(RC_ERR_SHAPE, 'rcf_surface_downsample: mask and z have different shapes', stat, errmsg)
         return
       end if
       fine = merge(1_c_int8_t, 0_c_int8_t, mask)
@@ -146,7 +146,7 @@ contains
     end if
     status = rc_surface_downsample(size(z, 1, c_int64_t), size(z, 2, c_int64_t), z, given, filter, coarse, c_loc(halved))
     if (status == RC_OK .and. present(coarse_mask)) coarse_mask = halved /= 0
-    call check(status, '', stat, errmsg)
+    call check(status, stat, errmsg)
   end subroutine
 
   function map_of(z, hx, hy, periodic, trend) result(map)
@@ -164,18 +164,10 @@ contains
     if (present(trend)) map%trend = trend
   end function
 
-  ! Reports a status with its message, the library's if it is ''.
-  subroutine check(status, message, stat, errmsg)
+  subroutine check(status, stat, errmsg)
     integer(rc_status), intent(in) :: status
-    character(*), intent(in) :: message
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    character(:), allocatable :: text
-    if (present(stat)) stat = int(status)
-    if (status == RC_OK) return
-    text = message
-    if (len(text) == 0) text = rc_from_c(rc_surface_last_error())
-    if (present(errmsg)) errmsg = text
-    if (.not. present(stat)) error stop rc_from_c(rc_status_name(status))//': '//text
+    call rcf_check(status, stat, errmsg, rc_from_c(rc_surface_last_error()))
   end subroutine
 end module

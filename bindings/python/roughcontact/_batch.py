@@ -1,6 +1,6 @@
 """Many contacts in one call."""
 
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -120,22 +120,9 @@ def batch(
     status, message, interrupt = interruptible(call, lambda: stop.append(True), keep=keep)
     answer = None
     if struct.written == n:
-        answer = BatchResult(
-            as_status(status),
-            message,
-            statuses,
-            out["load"],
-            out["displacement"],
-            out["contact_area"],
-            out["certificate"],
-            whole["iterations"],
-            whole["applications"],
-            out.get("stiffness"),
-            pressures,
-            struct.certified,
-            struct.first,
-            grid,
-        )
+        ends: Dict[str, Any] = {"certified": struct.certified, "first": struct.first, "grid": grid}
+        arrays: Dict[str, Any] = {"stiffness": None, **out, **whole, "pressure": pressures}
+        answer = BatchResult(status=as_status(status), message=message, statuses=statuses, **arrays, **ends)
     for raised in (product, callbacks):
         raised.raise_first()
     if interrupt is not None:

@@ -114,22 +114,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 _BY_STATUS: Dict[int, Type[RoughContactError]] = {
-    int(kind.default_status): kind
-    for kind in (
-        ArgumentError,
-        ShapeError,
-        OptionError,
-        NoBackendError,
-        NoSolverError,
-        IncompatibleError,
-        PluginError,
-        OutOfMemoryError,
-        InfeasibleError,
-        NumericError,
-        ExternalError,
-        BusyError,
-        InternalError,
-    )
+    int(kind.default_status): kind for kind in RoughContactError.__subclasses__() if "default_status" in vars(kind)
 }
 
 

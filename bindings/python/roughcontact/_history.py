@@ -59,17 +59,14 @@ def path_on(
         )
         done = struct.completed
         answer = PathResult(
-            as_status(status),
-            message,
-            targets,
-            out["load"][:done],
-            out["displacement"][:done],
-            out["contact_area"][:done],
-            out["certificate"][:done],
-            applications[:done],
-            None if tangents is None else tangents[:done],
-            None if pressures is None else pressures[:done],
-            contact.grid(),
+            status=as_status(status),
+            message=message,
+            targets=targets,
+            applications=applications[:done],
+            stiffness=None if tangents is None else tangents[:done],
+            pressure=None if pressures is None else pressures[:done],
+            grid=contact.grid(),
+            **{name: array[:done] for name, array in out.items()},
         )
         callbacks.raise_first()
         contact._conclude(status, message, interrupt, answer, check)

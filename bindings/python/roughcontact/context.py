@@ -159,26 +159,20 @@ def kernels(context: Optional[Context] = None) -> List[Component]:
 def options(context: Optional[Context] = None) -> List[OptionSpec]:
     """All options: the core's, then those of every component."""
     library, handle = contact_library(), context_handle(context)
+    kinds: Dict[int, Any] = {_constants.RC_TYPE_INT: int, _constants.RC_TYPE_REAL: float, _constants.RC_TYPE_TEXT: str}
     found = []
     for i in range(library.rc_options_count(handle)):
         each = rc_option_spec()
         check(library.rc_options_describe(handle, i, each))
-        kind: type = {_constants.RC_TYPE_INT: int, _constants.RC_TYPE_REAL: float, _constants.RC_TYPE_TEXT: str}[each.type]
-        number = kind is not str
-        choices = tuple(_text(each.choices).split("|")) if each.choices else None
-        default: OptionValue = float(_text(each.default_value)) if number else _text(each.default_value)
-        found.append(
-            OptionSpec(
-                _text(each.key),
-                kind,
-                int(default) if kind is int else default,
-                _text(each.help),
-                choices,
-                bool(each.fixed),
-                each.minimum if number else None,
-                each.maximum if number else None,
-            )
-        )
+        kind = kinds[each.type]
+        own = {
+            "kind": kind,
+            "default": kind(float(each.default_value)) if kind is int else kind(_text(each.default_value)),
+            "choices": tuple(_text(each.choices).split("|")) if each.choices else None,
+            "fixed": bool(each.fixed),
+        }
+        limits = {"minimum": None, "maximum": None} if kind is str else {}
+        found.append(OptionSpec(**{**members_for(OptionSpec, each), **own, **limits}))
     return found
 
 
