@@ -7,52 +7,64 @@ bindings.py [--check] [--cc CC] [--include FOLDER]
 --check changes no file: it prints what differs, and exits with 1 where something does. Exits with 77 without pycparser (Debian:
 python3-pycparser).
 """
+
 import argparse
 import collections
 import difflib
 import pathlib
 import re
 import sys
+from typing import Any, Dict, Iterable, List, Sequence, Tuple
 
 try:
-    from c_interface import Function, Type, read, struct_size
+    from c_interface import Function, Interface, Struct, Type, read, struct_size
 except ImportError as missing:
-    if missing.name != 'pycparser':
+    if missing.name != "pycparser":
         raise
-    print('skipped: pycparser is missing (Debian: python3-pycparser)')
+    print("skipped: pycparser is missing (Debian: python3-pycparser)")
     sys.exit(77)
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What a program includes to use each library. Headers that these include are read as well; the first library has them.
-HEADERS = {'contact': ['roughcontact/roughcontact.h'], 'surface': ['roughcontact/surface.h']}
+HEADERS = {"contact": ["roughcontact/roughcontact.h"], "surface": ["roughcontact/surface.h"]}
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
-SCALARS = {'rc_version': 'major minor patch abi', 'rc_options_get_int': 'out', 'rc_options_get_real': 'out',
-           'rc_contact_points': 'n', 'rc_surface_psd': 'count'}
+SCALARS = {
+    "rc_version": "major minor patch abi",
+    "rc_options_get_int": "out",
+    "rc_options_get_real": "out",
+    "rc_contact_points": "n",
+    "rc_surface_psd": "count",
+}
 # Arguments that Fortran may leave out: NULL in C.
-OPTIONAL = {'rc_version': 'major minor patch abi', 'rc_context_create': 'config', 'rc_contact_points': 'index p',
-            'rc_greedy': 'w result', 'rc_polonsky_keer': 'w result', 'rc_nnls': 'w result', 'rc_gp': 'w result',
-            'rc_admm': 'w result', 'rc_cmr': 'inner result', 'rc_surface_psd': 'q psd modes'}
-WIDTH = {'fortran': 132, 'python': 128}
+OPTIONAL = {
+    "rc_version": "major minor patch abi",
+    "rc_context_create": "config",
+    "rc_contact_points": "index p",
+    **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
+    "rc_cmr": "inner result",
+    "rc_surface_psd": "q psd modes",
+}
+WIDTH = {"fortran": 132, "python": 128}
 
 
-def wrapped(line, language, continued=False):
+def wrapped(line: str, language: str, continued: bool = False) -> List[str]:
     """A line of Fortran or Python in lines that are not too long."""
     if len(line) <= WIDTH[language]:
         return [line]
-    if language == 'fortran':
-        code, _, remark = line.partition('  !')
+    indent = line[: len(line) - len(line.lstrip())]
+    if language == "fortran":
+        code, _, remark = line.partition("  !")
         if remark:
-            return [' ' * (len(line) - len(line.lstrip())) + '!' + remark, *wrapped(code, language)]
-        cut = line.rindex(', ', 0, WIDTH[language] - 1) + 1
-        indent = ' ' * (len(line) - len(line.lstrip()) + (0 if continued else 2))
-        return [line[:cut] + ' &', *wrapped(indent + line[cut + 1:], language, True)]
-    head, body, tail = re.fullmatch(r'(.*?\[)(\[.*\], \w+)(\])', line).groups()
-    return [head, f'    {line[:len(line) - len(line.lstrip())]}{body}', line[:len(line) - len(line.lstrip())] + tail]
+            return [f"{indent}!{remark}", *wrapped(code, language)]
+        cut = line.rindex(", ", 0, WIDTH[language] - 1) + 1
+        return [line[:cut] + " &", *wrapped(indent + ("" if continued else "  ") + line[cut + 1 :], language, True)]
+    head, body = line[:-1].split("[", 1)
+    return [f"{head}[", f"{indent}    {body}", f"{indent}]"]
 
 
-def grouped(pairs):
+def grouped(pairs: Iterable[Tuple[Any, str]]) -> List[Tuple[Any, List[str]]]:
     """[(key, [value, ...])] of [(key, value)], neighbours of one key together."""
-    groups = []
+    groups: List[Tuple[Any, List[str]]] = []
     for key, value in pairs:
         if groups and groups[-1][0] == key:
             groups[-1][1].append(value)
@@ -61,268 +73,327 @@ def grouped(pairs):
     return groups
 
 
-def alike(functions):
+def alike(functions: Dict[str, Function]) -> List[List[str]]:
     """[[name, ...]] of functions that have the same result and arguments, by the first of each."""
-    groups = {}
+    groups: Dict[str, List[str]] = {}
     for name, function in functions.items():
         groups.setdefault(repr((function, OPTIONAL.get(name), SCALARS.get(name))), []).append(name)
-    return groups.values()
+    return list(groups.values())
 
 
-# Fortran ------------------------------------------------------------------------------------------------------------------------
-KINDS = {'int32_t': 'integer(c_int32_t)', 'uint32_t': 'integer(c_int32_t)', 'int64_t': 'integer(c_int64_t)',
-         'uint64_t': 'integer(c_int64_t)', 'uint8_t': 'integer(c_int8_t)', 'size_t': 'integer(c_size_t)',
-         'double': 'real(c_double)', 'rc_status': 'integer(rc_status)', 'char': 'character(kind=c_char)'}
+KINDS = {
+    "int32_t": "integer(c_int32_t)",
+    "uint32_t": "integer(c_int32_t)",
+    "int64_t": "integer(c_int64_t)",
+    "uint64_t": "integer(c_int64_t)",
+    "uint8_t": "integer(c_int8_t)",
+    "size_t": "integer(c_size_t)",
+    "double": "real(c_double)",
+    "rc_status": "integer(rc_status)",
+    "char": "character(kind=c_char)",
+}
 
 
-def c_words(kind):
+def c_words(kind: Type) -> str:
     return f"{'const ' if kind.const else ''}{kind.base} {'*' * kind.stars}"
 
 
-def fortran_number(expression, kind):
-    expression = re.sub(r'\.0$', '', expression)
-    return f'{expression}_c_double' if '.' in expression and kind.base == 'double' else expression
+def fortran_number(expression: str, kind: Type) -> str:
+    expression = re.sub(r"\.0$", "", expression)
+    return f"{expression}_c_double" if "." in expression and kind.base == "double" else expression
 
 
-def fortran_signature(name, function):
+def fortran_signature(name: str, function: Function) -> str:
     """Of a callback, as a comment."""
-    result = KINDS[function.result.base] + ' function' if function.result.base != 'void' else 'subroutine'
+    result = KINDS[function.result.base] + " function" if function.result.base != "void" else "subroutine"
     return f"{result} {name}({', '.join(argument for argument, _ in function.arguments)}) bind(c)"
 
 
-def fortran_member(name, kind, struct, interface):
+def fortran_member(name: str, kind: Type, struct: Struct, interface: Interface) -> Tuple[Tuple[str, str], str]:
     """((declaration, remark), text)"""
     function = interface.callback(kind)
-    if name == 'struct_size':
-        return ('integer(c_size_t)', ''), f'struct_size = {struct_size(struct)}'
+    if name == "struct_size":
+        return ("integer(c_size_t)", ""), f"struct_size = {struct_size(struct)}"
     if function:
-        return ('type(c_funptr)', fortran_signature(name, function)), f'{name} = c_null_funptr'
+        return ("type(c_funptr)", fortran_signature(name, function)), f"{name} = c_null_funptr"
     if kind.stars:
-        return ('type(c_ptr)', c_words(kind)), f'{name} = c_null_ptr'
-    extent, value = f'({kind.array})' if kind.array else '', fortran_number(struct.initial.get(name, '0'), kind)
-    return (KINDS[kind.base], ''), f"{name}{extent} = {'c_null_char' if kind.base == 'char' else value}"
+        return ("type(c_ptr)", c_words(kind)), f"{name} = c_null_ptr"
+    extent, value = f"({kind.array})" if kind.array else "", fortran_number(struct.initial.get(name, "0"), kind)
+    return (KINDS[kind.base], ""), f"{name}{extent} = {'c_null_char' if kind.base == 'char' else value}"
 
 
-def fortran_structs(interface):
+def fortran_structs(interface: Interface) -> List[str]:
     lines = []
     for struct in interface.structs():
-        lines += ['', f'  type, bind(c) :: {struct.name}']
+        lines += ["", f"  type, bind(c) :: {struct.name}"]
         members = (fortran_member(name, kind, struct, interface) for name, kind in struct.members)
         for (declaration, remark), names in grouped(members):
             lines.append(f"    {declaration} :: {', '.join(names)}{'  ! ' * bool(remark)}{remark}")
-        lines.append('  end type')
+        lines.append("  end type")
     return lines
 
 
-def fortran_argument(function, name, kind, interface):
+def fortran_argument(function: str, name: str, kind: Type, interface: Interface) -> Tuple[str, str]:
     """(declaration, name)"""
-    optional = ', optional' * (name in OPTIONAL.get(function, '').split())
+    optional = ", optional" * (name in OPTIONAL.get(function, "").split())
     intent = f", intent({'in' if kind.const else 'inout'}){optional}"
     if interface.callback(kind):
-        return 'type(c_funptr), value', name
+        return "type(c_funptr), value", name
     if kind.base in interface.known:
-        return f'type({kind.base}){intent}', name
+        return f"type({kind.base}){intent}", name
     if kind.stars == 2:
-        return 'type(c_ptr), intent(inout)', name
+        return "type(c_ptr), intent(inout)", name
     if kind.stars == 0:
-        return f'{KINDS[kind.base]}, value', name
-    if kind.base not in KINDS or kind.base == 'uint8_t':  # an object, or a mask
-        return 'type(c_ptr), value', name
-    return f'{KINDS[kind.base]}{intent}', name if name in SCALARS.get(function, '').split() else f'{name}(*)'
+        return f"{KINDS[kind.base]}, value", name
+    if kind.base not in KINDS or kind.base == "uint8_t":  # an object, or a mask
+        return "type(c_ptr), value", name
+    return f"{KINDS[kind.base]}{intent}", name if name in SCALARS.get(function, "").split() else f"{name}(*)"
 
 
-def fortran_functions(interface):
-    lines = ['', '  interface']
+def fortran_functions(interface: Interface) -> List[str]:
+    lines = ["", "  interface"]
     for name, *_ in alike(interface.functions):
         function = interface.functions[name]
         pointer = function.result.stars
-        result = 'subroutine' if function.result == Type('void') else \
-            f"{'type(c_ptr)' if pointer else KINDS[function.result.base]} function"
+        result = (
+            "subroutine"
+            if function.result == Type("void")
+            else f"{'type(c_ptr)' if pointer else KINDS[function.result.base]} function"
+        )
         lines.append(f"    {result} {name}({', '.join(argument for argument, _ in function.arguments)}) bind(c); import")
         declared = collections.defaultdict(list)
         for declaration, argument in (fortran_argument(name, *each, interface) for each in function.arguments):
             declared[declaration].append(argument)
         lines += [f"      {declaration} :: {', '.join(names)}" for declaration, names in declared.items()]
         lines.append(f"    end {result.split()[-1]}")
-    lines.append('  end interface')
-    return lines + [f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(interface.functions) if others]
+    lines.append("  end interface")
+    return lines + [
+        f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(interface.functions) if others
+    ]
 
 
-def fortran_constants(interface):
+def fortran_constants(interface: Interface) -> List[str]:
     lines = []
     for values in [interface.numbers, *interface.enums]:
-        pairs = ', '.join(f'{name} = {value}' for name, value in values.items())
-        lines.append(f'  integer(c_int32_t), parameter :: {pairs}')
+        pairs = ", ".join(f"{name} = {value}" for name, value in values.items())
+        lines.append(f"  integer(c_int32_t), parameter :: {pairs}")
     if interface.strings:
-        pairs = ', '.join(f"{name} = '{value}'" for name, value in interface.strings.items())
-        lines.append(f'  character(*), parameter :: {pairs}')
+        pairs = ", ".join(f"{name} = '{value}'" for name, value in interface.strings.items())
+        lines.append(f"  character(*), parameter :: {pairs}")
     return lines
 
 
-def fortran_module(name, head, uses, *parts):
-    lines = [*(f'! {line}'.rstrip() for line in head), '! Written by scripts/bindings.py.', f'module {name}', *uses, '  implicit none']
-    lines += [line for part in parts for line in part] + ['end module']
-    return '\n'.join(each for line in lines for each in wrapped(line, 'fortran')) + '\n'
+def fortran_module(name: str, head: List[str], uses: List[str], *parts: List[str]) -> str:
+    lines = [
+        *(f"! {line}".rstrip() for line in head),
+        "! Written by scripts/bindings.py.",
+        f"module {name}",
+        *uses,
+        "  implicit none",
+    ]
+    lines += [line for part in parts for line in part] + ["end module"]
+    return "\n".join(each for line in lines for each in wrapped(line, "fortran")) + "\n"
 
 
-# Python -------------------------------------------------------------------------------------------------------------------------
-POINTERS = {'double': 'doubles', 'int64_t': 'integers', 'int32_t': 'statuses', 'rc_status': 'statuses', 'uint8_t': 'bytes_'}
+POINTERS = {"double": "doubles", "int64_t": "integers", "int32_t": "statuses", "rc_status": "statuses", "uint8_t": "bytes_"}
 
 
-def python_type(kind, interface):
+def python_type(kind: Type, interface: Interface) -> str:
     """Its name in _c.py or a struct; an expression for arrays."""
     if interface.callback(kind):
-        return f'Annotated[Any, {kind.base}]'
+        return f"Annotated[Any, {kind.base}]"
     if kind.array:
         return f"Annotated[{'bytes' if kind.base == 'char' else 'Any'}, c_{kind.base} * {kind.array}]"
     if kind.base in interface.known or not kind.stars:
-        return 'None' if kind.base == 'void' else kind.base
+        return "None" if kind.base == "void" else kind.base
     if kind.base in POINTERS:
         return POINTERS[kind.base]
-    return ('text' if kind.base == 'char' else 'handle') + 's' * (kind.stars - 1)
+    return ("text" if kind.base == "char" else "handle") + "s" * (kind.stars - 1)
 
 
-def python_callback(name, function, interface):
+def python_callback(name: str, function: Function, interface: Interface) -> str:
     kinds = [python_type(each, interface) for each in (function.result, *(kind for _, kind in function.arguments))]
     return f"{name} = callback({', '.join(kinds)})"
 
 
-def python_structs(interface):
+def python_structs(interface: Interface) -> str:
     lines = []
     for name, declared in interface.types.items():
         if isinstance(declared, Function):
-            lines += ['', '', python_callback(name, declared, interface)]
+            lines += ["", "", python_callback(name, declared, interface)]
             continue
         body = []
         for member, kind in declared.members:
             if kind.function:
-                lines += ['', '', python_callback(f'rc_{member}_fn', kind.function, interface)]
-                kind = kind._replace(base=f'rc_{member}_fn')
-            value = declared.initial.get(member, '0')
-            begins = '' if member == 'struct_size' or value in ('0', '0.0', 'NULL') else f' = {value}'
-            body.append(f'    {member}: {python_type(kind, interface)}{begins}')
-        lines += ['', '', '@struct', f'class {name}(Sized):', *body]
-    return '\n'.join(lines).strip('\n')
+                lines += ["", "", python_callback(f"rc_{member}_fn", kind.function, interface)]
+                kind = kind._replace(base=f"rc_{member}_fn")
+            value = declared.initial.get(member, "0")
+            begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL") else f" = {value}"
+            body.append(f"    {member}: {python_type(kind, interface)}{begins}")
+        lines += ["", "", "@struct", f"class {name}(Sized):", *body]
+    return "\n".join(lines).strip("\n")
 
 
-def python_functions(libraries):
+def python_functions(libraries: Dict[str, Tuple[str, Interface]]) -> str:
     """libraries: {class: (summary, Interface)}"""
     signatures, classes = [], []
     for title, (summary, interface) in libraries.items():
-        classes += ['', '', f'class {title}(Protocol):', f'    """{summary}"""', '']
+        classes += ["", "", f"class {title}(Protocol):", f'    """{summary}"""', ""]
         for names in alike(interface.functions):
             function = interface.functions[names[0]]
-            arguments = ', '.join(python_type(kind, interface) for _, kind in function.arguments)
-            signature = f'Callable[[{arguments}], {python_type(function.result, interface)}]'
+            arguments = ", ".join(python_type(kind, interface) for _, kind in function.arguments)
+            signature = f"Callable[[{arguments}], {python_type(function.result, interface)}]"
             if len(names) > 1 and len(signature) > 80:
-                signatures += wrapped(f'{names[0]}_like = {signature}', 'python')
-                signature = f'{names[0]}_like'
-            classes += [line for name in names for line in wrapped(f'    {name}: {signature}', 'python')]
-    return '\n'.join(signatures + classes)
+                signatures += wrapped(f"{names[0]}_like = {signature}", "python")
+                signature = f"{names[0]}_like"
+            classes += [line for name in names for line in wrapped(f"    {name}: {signature}", "python")]
+    return "\n".join(signatures + classes)
 
 
-def python_constants(interfaces):
+def python_constants(interfaces: List[Interface]) -> str:
     lines = []
     for interface in interfaces:
         for values in [interface.numbers, *interface.enums]:
             if not values:
                 continue
             line = f"{', '.join(values)} = {', '.join(map(str, values.values()))}"
-            short = len(line) <= WIDTH['python']
-            lines += ['', line] if short else ['', *(f'{name} = {value}' for name, value in values.items())]
-        lines += ['' for _ in interface.strings][:1] + [f'{name} = "{value}"' for name, value in interface.strings.items()]
-    return '\n'.join(lines[1:])
+            short = len(line) <= WIDTH["python"]
+            lines += ["", line] if short else ["", *(f"{name} = {value}" for name, value in values.items())]
+        lines += ["" for _ in interface.strings][:1] + [f'{name} = "{value}"' for name, value in interface.strings.items()]
+    return "\n".join(lines[1:])
 
 
-def python_status(interface):
-    members = next(values for values in interface.enums if 'RC_OK' in values)
-    return '\n'.join(['import enum', '', '', 'class Status(enum.IntEnum):',
-                      '    """0 certified, > 0 usable but not certified, < 0 failed."""', '',
-                      *(f"    {name.replace('RC_', '', 1)} = {value}" for name, value in members.items())])
+def python_status(interface: Interface) -> str:
+    members = next(values for values in interface.enums if "RC_OK" in values)
+    return "\n".join(
+        [
+            "import enum",
+            "",
+            "",
+            "class Status(enum.IntEnum):",
+            '    """0 certified, > 0 usable but not certified, < 0 failed."""',
+            "",
+            *(f"    {name.replace('RC_', '', 1)} = {value}" for name, value in members.items()),
+        ]
+    )
 
 
-# All files ----------------------------------------------------------------------------------------------------------------------
-def python_module(summary, *parts, after=()):
+def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
     """after: modules of the package that it needs."""
-    body = '\n'.join(parts)
-    lines = [f'"""{summary}', '', 'Written by scripts/bindings.py.', '"""', '']
-    for module, names in {'ctypes': 'c_char c_double', 'typing': 'Annotated Any Callable Protocol'}.items():
-        used = [name for name in names.split() if re.search(rf'\b{name}\b', body)]
+    lines = [f'"""{summary}', "", "Written by scripts/bindings.py.", '"""', ""]
+    for module, names in {"ctypes": "c_char c_double", "typing": "Annotated Any Callable Protocol"}.items():
+        used = [name for name in names.split() if re.search(rf"\b{name}\b", body)]
         lines += [f"from {module} import {', '.join(used)}"] if used else []
-    lines += [''] * (len(lines) > 5) + [f'from .{module} import *  # noqa: F403' for module in after]
-    return '\n'.join([*lines, *[''] * (bool(after) + body.startswith('@')), body]) + '\n'
+    lines += [""] * (len(lines) > 5) + [f"from .{module} import *  # noqa: F403" for module in after]
+    return "\n".join([*lines, *[""] * (bool(after) + body.startswith("@")), body]) + "\n"
 
 
-def generated(include, cc):
+def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
-    contact = read(HEADERS['contact'], include, cc)
-    surface = read(HEADERS['surface'], include, cc, contact)
-    own, fortran, python = '<roughcontact/roughcontact.h>', 'bindings/fortran/roughcontact', 'bindings/python/roughcontact'
-    use_c = '  use, intrinsic :: iso_c_binding'
-    members = [f"{'TEXT' if kind.array else 'NUMBER'}({name})" for name, kind in contact.types['rc_result'].members
-               if not kind.stars and name not in ('struct_size', 'reserved')]
+    contact = read(HEADERS["contact"], include, cc)
+    surface = read(HEADERS["surface"], include, cc, contact)
+    unknown = (SCALARS.keys() | OPTIONAL.keys()) - contact.functions.keys() - surface.functions.keys()
+    if unknown:
+        sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
+    own, fortran, python = "<roughcontact/roughcontact.h>", "bindings/fortran/roughcontact", "bindings/python/roughcontact"
+    use_c = "  use, intrinsic :: iso_c_binding"
+    members = [
+        f"{'TEXT' if kind.array else 'NUMBER'}({name})"
+        for struct in contact.structs()
+        if struct.name == "rc_result"
+        for name, kind in struct.members
+        if not kind.stars and name not in ("struct_size", "reserved")
+    ]
     return {
-        f'{fortran}_constants.f90': fortran_module(
-            'roughcontact_constants', [f'The constants of {own}, name for name.'], [use_c],
-            ['', '  integer, parameter :: rc_status = c_int32_t  ! the kind of a status'], fortran_constants(contact)),
-        f'{fortran}_structs.f90': fortran_module(
-            'roughcontact_structs',
-            [f'The structs of {own}, member for member, with the values of the RC_..._INIT macros.', '',
-             'Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the order of',
-             'the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c) procedures. Logical masks',
-             'of Fortran are no masks of C: integer(c_int8_t), 0 or 1.'], ['  use roughcontact_constants'],
-            fortran_structs(contact)),
-        f'{fortran}_functions.f90': fortran_module(
-            'roughcontact_functions',
-            [f'The functions of {own}, name for name; units, rules and errors are described there.', '',
-             'Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed as',
-             "rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t) arrays, 0 or 1."],
-            ['  use roughcontact_structs'], fortran_functions(contact)),
-        f'{fortran}_surface_interface.f90': fortran_module(
-            'roughcontact_surface_interface',
-            ['The C interface of <roughcontact/surface.h>, name for name; units, rules and errors are described there. A program that',
-             'uses it links libroughcontact-surface, and is then under the GPL because of GSL.'],
-            ['  use roughcontact_constants, only: rc_status', use_c], [''], fortran_constants(surface), fortran_structs(surface),
-            fortran_functions(surface)),
-        f'{python}/_constants.py': python_module('The constants of the headers, under their names there.',
-                                                 python_constants([contact, surface])),
-        f'{python}/_status.py': python_module('How a call ended.', python_status(contact)),
-        f'{python}/_structs.py': python_module(
-            f'The structs of {own}, member by member, with the values of the RC_..._INIT macros.', python_structs(contact),
-            after=['_c', '_constants']),
-        f'{python}/_surface_structs.py': python_module(
-            'The structs of <roughcontact/surface.h>, member by member, with the values of the RC_..._INIT macros.',
-            python_structs(surface), after=['_c', '_constants']),
-        f'{python}/_functions.py': python_module(
-            'The functions of the headers.',
-            python_functions({'ContactFunctions': ('libroughcontact', contact),
-                              'SurfaceFunctions': ('libroughcontact-surface', surface)}),
-            after=['_c', '_structs', '_surface_structs']),
-        'bindings/octave/result_fields.def': '/* Members of rc_result that rc_solve returns in info, under their names. Written by '
-                                             'scripts/bindings.py. */\n' + '\n'.join(members) + '\n',
+        f"{fortran}_constants.f90": fortran_module(
+            "roughcontact_constants",
+            [f"The constants of {own}, name for name."],
+            [use_c],
+            ["", "  integer, parameter :: rc_status = c_int32_t  ! the kind of a status"],
+            fortran_constants(contact),
+        ),
+        f"{fortran}_structs.f90": fortran_module(
+            "roughcontact_structs",
+            [
+                f"The structs of {own}, member for member, with the values of the RC_..._INIT macros.",
+                "",
+                "Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the",
+                "order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)",
+                "procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.",
+            ],
+            ["  use roughcontact_constants"],
+            fortran_structs(contact),
+        ),
+        f"{fortran}_functions.f90": fortran_module(
+            "roughcontact_functions",
+            [
+                f"The functions of {own}, name for name; units, rules and errors are described there.",
+                "",
+                "Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed",
+                "as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)",
+                "arrays, 0 or 1.",
+            ],
+            ["  use roughcontact_structs"],
+            fortran_functions(contact),
+        ),
+        f"{fortran}_surface_interface.f90": fortran_module(
+            "roughcontact_surface_interface",
+            [
+                "The C interface of <roughcontact/surface.h>, name for name; units, rules and errors are described there. A",
+                "program that uses it links libroughcontact-surface, and is then under the GPL because of GSL.",
+            ],
+            ["  use roughcontact_constants, only: rc_status", use_c],
+            [""],
+            fortran_constants(surface),
+            fortran_structs(surface),
+            fortran_functions(surface),
+        ),
+        f"{python}/_constants.py": python_module(
+            "The constants of the headers, under their names there.", python_constants([contact, surface])
+        ),
+        f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
+        f"{python}/_structs.py": python_module(
+            f"The structs of {own}, member by member, with the values of the RC_..._INIT macros.",
+            python_structs(contact),
+            after=["_c", "_constants"],
+        ),
+        f"{python}/_surface_structs.py": python_module(
+            "The structs of <roughcontact/surface.h>, member by member, with the values of the RC_..._INIT macros.",
+            python_structs(surface),
+            after=["_c", "_constants"],
+        ),
+        f"{python}/_functions.py": python_module(
+            "The functions of the headers.",
+            python_functions(
+                {"ContactFunctions": ("libroughcontact", contact), "SurfaceFunctions": ("libroughcontact-surface", surface)}
+            ),
+            after=["_c", "_structs", "_surface_structs"],
+        ),
+        "bindings/octave/result_fields.def": "/* Members of rc_result that rc_solve returns in info, under their names. Written by "
+        "scripts/bindings.py. */\n" + "\n".join(members) + "\n",
     }
 
 
-def main():
+def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument('--check', action='store_true', help='compare, change nothing')
-    arguments.add_argument('--cc', default='cc', help='C compiler, used as preprocessor')
-    arguments.add_argument('--include', type=pathlib.Path, default=ROOT / 'include', help='folder of the headers')
+    arguments.add_argument("--check", action="store_true", help="compare, change nothing")
+    arguments.add_argument("--cc", default="cc", help="C compiler, used as preprocessor")
+    arguments.add_argument("--include", type=pathlib.Path, default=ROOT / "include", help="folder of the headers")
     given = arguments.parse_args()
     differing = 0
     for name, text in generated(given.include, given.cc).items():
         path = ROOT / name
-        present = path.read_text() if path.exists() else ''
+        present = path.read_text() if path.exists() else ""
         if present == text:
             continue
         differing += 1
         if given.check:
-            sys.stdout.writelines(difflib.unified_diff(present.splitlines(True), text.splitlines(True), name, 'the headers'))
+            sys.stdout.writelines(difflib.unified_diff(present.splitlines(True), text.splitlines(True), name, "the headers"))
         else:
             path.write_text(text)
-            print(f'wrote {name}')
+            print(f"wrote {name}")
     if given.check:
-        print(f'{differing} files differ; scripts/bindings.py renews them' if differing else 'as the headers say')
+        print(f"{differing} files differ; scripts/bindings.py renews them" if differing else "as the headers say")
     return 1 if given.check and differing else 0
 
 

@@ -1,7 +1,8 @@
 ! The functions of <roughcontact/roughcontact.h>, name for name; units, rules and errors are described there.
 !
-! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed as
-! rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t) arrays, 0 or 1.
+! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed
+! as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)
+! arrays, 0 or 1.
 ! Written by scripts/bindings.py.
 module roughcontact_functions
   use roughcontact_structs

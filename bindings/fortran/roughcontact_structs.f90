@@ -1,8 +1,8 @@
 ! The structs of <roughcontact/roughcontact.h>, member for member, with the values of the RC_..._INIT macros.
 !
-! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the order of
-! the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c) procedures. Logical masks
-! of Fortran are no masks of C: integer(c_int8_t), 0 or 1.
+! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the
+! order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)
+! procedures. Logical masks of Fortran are no masks of C: integer(c_int8_t), 0 or 1.
 ! Written by scripts/bindings.py.
 module roughcontact_structs
   use roughcontact_constants

@@ -1,5 +1,5 @@
-! The C interface of <roughcontact/surface.h>, name for name; units, rules and errors are described there. A program that
-! uses it links libroughcontact-surface, and is then under the GPL because of GSL.
+! The C interface of <roughcontact/surface.h>, name for name; units, rules and errors are described there. A
+! program that uses it links libroughcontact-surface, and is then under the GPL because of GSL.
 ! Written by scripts/bindings.py.
 module roughcontact_surface_interface
   use roughcontact_constants, only: rc_status

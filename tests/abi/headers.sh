@@ -10,8 +10,8 @@ for compiler in gcc clang; do
   command -v $compiler >/dev/null || { echo "$compiler: not installed, left out"; continue; }
   for mode in "c c99" "c c11" "c++ c++17"; do
     read -r language standard <<<"$mode"
-    for header in roughcontact plugin surface; do
-      echo "#include <roughcontact/$header.h>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
+    for header in "$include"/roughcontact/*.h; do
+      echo "#include <roughcontact/$(basename "$header")>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
     done
     for numbers in "$here"/golden_*.c; do $compiler "${warnings[@]}" -x "$language" -std="$standard" "$numbers"; done
     [ "$language" = c ] ||

@@ -4,13 +4,14 @@ structs with the values that the library gives. (The Python package: bindings/py
 
 layouts.py SOURCE FC LIBDIR MODULE...
 """
+
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
-PROGRAM = '''program layouts
+PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface
   implicit none
@@ -32,39 +33,62 @@ contains
   end function
 {bodies}
 end program
-'''
+"""
 
 
-def main():
+def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
-    golden = ''.join((source / 'tests' / 'abi' / f'golden_{name}.c').read_text() for name in ('contact', 'surface'))
-    headers = ''.join(file.read_text() for file in (source / 'include' / 'roughcontact').glob('*.h'))
-    functions = set(re.findall(r'\b(rc_\w+_init)\(', headers))
+    golden = "".join((source / "tests" / "abi" / f"golden_{name}.c").read_text() for name in ("contact", "surface"))
+    headers = "".join(file.read_text() for file in (source / "include" / "roughcontact").glob("*.h"))
+    functions = set(re.findall(r"\b(rc_\w+_init)\(", headers))
     calls, bodies, structs = [], [], 0
-    for name, value in re.findall(r'^VALUE\((\w+), (-?\d+)\);', golden, re.M):
+    for name, value in re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M):
         calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
-    for struct, size in re.findall(r'^SIZE\((rc_\w+), (\d+)\);', golden, re.M):
-        members = re.findall(rf'^AT\({struct}, (\w+), (\d+)\);', golden, re.M)
+    for struct, size in re.findall(r"^SIZE\((rc_\w+), (\d+)\);", golden, re.M):
+        members = re.findall(rf"^AT\({struct}, (\w+), (\d+)\);", golden, re.M)
         if not members:
             continue  # a number
         structs += 1
-        calls.append(f'  call check_{struct}()')
-        lines = [f'type({struct}), target :: x', f'integer(c_int8_t) :: ours({size}), theirs({size})',
-                 f"call check('{struct}', storage_size(x, c_size_t) / 8, {size})",
-                 f"call check('{struct}%struct_size', x%struct_size, {size})"]
-        lines += [f"call check('{struct}%{member}', distance(c_loc(x%{member}), c_loc(x)), {offset})" for member, offset in members]
-        if f'{struct}_init' in functions and f'#define {struct.upper()}_INIT' in headers:
-            lines += ['ours = transfer(x, ours)', f'call {struct}_init(x, {size}_c_size_t)', 'theirs = transfer(x, theirs)',
-                      f"call check('values of {struct}', count(ours /= theirs, kind=c_size_t), 0)"]
-        bodies += [f'  subroutine check_{struct}()', *(f'    {line}' for line in lines), '  end subroutine']
+        calls.append(f"  call check_{struct}()")
+        lines = [
+            f"type({struct}), target :: x",
+            f"integer(c_int8_t) :: ours({size}), theirs({size})",
+            f"call check('{struct}', storage_size(x, c_size_t) / 8, {size})",
+            f"call check('{struct}%struct_size', x%struct_size, {size})",
+        ]
+        lines += [
+            f"call check('{struct}%{member}', distance(c_loc(x%{member}), c_loc(x)), {offset})" for member, offset in members
+        ]
+        if f"{struct}_init" in functions and f"#define {struct.upper()}_INIT" in headers:
+            lines += [
+                "ours = transfer(x, ours)",
+                f"call {struct}_init(x, {size}_c_size_t)",
+                "theirs = transfer(x, theirs)",
+                f"call check('values of {struct}', count(ours /= theirs, kind=c_size_t), 0)",
+            ]
+        bodies += [f"  subroutine check_{struct}()", *(f"    {line}" for line in lines), "  end subroutine"]
     with tempfile.TemporaryDirectory() as folder:
-        program = pathlib.Path(folder) / 'layouts.f90'
-        program.write_text(PROGRAM.format(calls='\n'.join(calls), bodies='\n'.join(bodies)))
-        files = [str(source / 'bindings' / 'fortran' / module) for module in modules]
-        subprocess.run([compiler, '-O0', *files, str(program), '-o', 'layouts', f'-L{libraries}', f'-Wl,-rpath,{libraries}',
-                        '-lroughcontact-surface', '-lroughcontact'], check=True, cwd=folder)
-        status = subprocess.run([str(program.with_suffix(''))]).returncode
-    print(f'{structs} structs, {len(calls) - structs} constants')
+        program = pathlib.Path(folder) / "layouts.f90"
+        program.write_text(PROGRAM.format(calls="\n".join(calls), bodies="\n".join(bodies)))
+        files = [str(source / "bindings" / "fortran" / module) for module in modules]
+        subprocess.run(
+            [
+                compiler,
+                "-O0",
+                *files,
+                str(program),
+                "-o",
+                "layouts",
+                f"-L{libraries}",
+                f"-Wl,-rpath,{libraries}",
+                "-lroughcontact-surface",
+                "-lroughcontact",
+            ],
+            check=True,
+            cwd=folder,
+        )
+        status = subprocess.run([str(program.with_suffix(""))]).returncode
+    print(f"{structs} structs, {len(calls) - structs} constants")
     return status
 
 
