@@ -36,7 +36,8 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'fuzz': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'examples': PUBLIC,
 }
-BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}  # what a folder outside src takes from it: headers alone, but for grid
+# What a folder outside src takes from it: headers alone, but for grid.
+BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}
 NARROWER = {  # folders below those of LAYERS, and files that stand for all in a folder: headers of the tree they may include
     'contact/proof': ('contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/', 'kernel/'),
     'contact/history': ('contact/contact.h', 'contact/history/', 'registry/', 'core/'),
@@ -64,7 +65,8 @@ def allowed(root, file, include, quoted):
             if quoted and (inner.match(where) or str(inner.parent) == where) and not include.startswith(may):
                 return False
         return layer(include) in LAYERS[layer(inside)] if layer(include) else not quoted
-    if (root / file.parent / include).resolve().is_relative_to((root / top / folder).resolve()) and (root / file.parent / include).exists():
+    beside = root / file.parent / include
+    if beside.exists() and beside.resolve().is_relative_to((root / top / folder).resolve()):
         return True  # a file of its own
     if top == 'backends' and quoted and include.startswith('common/'):
         return (root / 'backends' / include).exists()
