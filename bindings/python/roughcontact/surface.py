@@ -1,9 +1,9 @@
 """Making and judging rough surfaces. These functions load libroughcontact-surface, which links the GNU Scientific Library
 (GPL).
 
-Generators return a `Surface`. Whatever takes a surface takes a `Surface`, a topography of SurfaceTopography, or heights with a
-pitch. The PSD is C(qx, qy) = nx ny hx hy |a|^2 with a = DFT(heights)/(nx ny) [length^4]; wave numbers are 2 pi / wavelength
-[1/length].
+Generators return a `Surface`; what they are not given has the value of the header's RC_SURFACE_..._INIT macros. Whatever takes a
+surface takes a `Surface`, a topography of SurfaceTopography, or heights with a pitch. The PSD is C(qx, qy) = nx ny hx hy |a|^2 with
+a = DFT(heights)/(nx ny) [length^4]; wave numbers are 2 pi / wavelength [1/length].
 """
 
 import ctypes
