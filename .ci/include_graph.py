@@ -22,11 +22,16 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core'},
     'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
-NARROW = {  # files under src with all that they may include of this tree
-    'solvers/haar_cg/machine.h': set(),
-    'solvers/haar_cg/iteration.h': {'solvers/haar_cg/machine.h'},
-    'solvers/haar_cg/plain_tree.h': {'solvers/haar_cg/tree_inputs.h'},
-    'solvers/haar_cg/plain_machine.h': {'solvers/haar_cg/machine.h', 'solvers/haar_cg/plain_tree.h'},
+NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
+    'solvers/haar_cg/machine.h': (),
+    'solvers/haar_cg/iteration.h': ('solvers/haar_cg/machine.h',),
+    'solvers/haar_cg/plain_tree.h': ('solvers/haar_cg/tree_inputs.h',),
+    'solvers/haar_cg/plain_machine.h': ('solvers/haar_cg/machine.h', 'solvers/haar_cg/plain_tree.h'),
+    'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
+                        'kernel/'),
+    'contact/history/*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
+    'contact/step/*.h': ('roughcontact/', 'contact/answer.h', 'contact/memory.h', 'contact/system.h', 'contact/workspace.h',
+                         'contact/step/', 'operator/', 'registry/', 'solvers/'),
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
@@ -38,12 +43,6 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 }
 # What a folder outside src takes from it: headers alone, but for grid.
 BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}
-NARROWER = {  # folders below those of LAYERS, and files that stand for all in a folder: headers of the tree they may include
-    'contact/proof': ('contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/', 'kernel/'),
-    'contact/history': ('contact/contact.h', 'contact/history/', 'registry/', 'core/'),
-    'contact/step/*.h': ('contact/answer.h', 'contact/memory.h', 'contact/system.h', 'contact/workspace.h', 'contact/step/', 'operator/',
-                         'registry/', 'solvers/'),
-}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 
@@ -55,15 +54,12 @@ def layer(path):
 def allowed(root, file, include, quoted):
     top, folder, *_ = file.parts
     inside = '/'.join(file.parts[1:])
-    if top == 'src' and inside in NARROW:
-        return include in NARROW[inside] if quoted or include in PUBLIC else True
+    ours = quoted or include in PUBLIC
+    if top == 'src' and any(ours and file.match(where) and not include.startswith(may) for where, may in NARROW.items()):
+        return False
     if include in PUBLIC:
         return include in OUTSIDE.get(top, PUBLIC)
     if top == 'src':
-        inner = file.relative_to(top)
-        for where, may in NARROWER.items():
-            if quoted and (inner.match(where) or str(inner.parent) == where) and not include.startswith(may):
-                return False
         return layer(include) in LAYERS[layer(inside)] if layer(include) else not quoted
     beside = root / file.parent / include
     if beside.exists() and beside.resolve().is_relative_to((root / top / folder).resolve()):
