@@ -1,5 +1,6 @@
 """The claims of Bemporad & Paggi (2015) beside what paper.json says of them."""
-from paper_data import BEST_OF_PAPER, median, median_interval, ratios, rows, values_of
+from paper_rows import BEST_OF_PAPER, rows
+from samples import median, median_interval, ratios, values_of
 from tables import table
 
 UNKNOWN = 'not measured yet'

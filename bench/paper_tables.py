@@ -1,13 +1,11 @@
-#!/usr/bin/env python3
-"""paper_tables.py RESULTS DOCUMENT: writes the tables of paper.json in the folder RESULTS between the markers of DOCUMENT,
-docs/paper.md. What has not been measured is named with the command that does."""
+"""Tables of docs/paper.md. What has not been measured is named with the command that does."""
 import math
-import sys
 
 from paper_claims import claims_table
-from paper_data import BEST_OF_PAPER, METHODS, median_interval, ratios, rows, values_of
-from results import groups, load_known
-from tables import error, fill, provenance, table
+from paper_rows import BEST_OF_PAPER, METHODS, rows
+from samples import groups, median_interval, ratios, values_of
+from store import load_known
+from tables import error, missing, provenance, table
 
 # Shares of wrong answers by an independent program, with half of their 95 % intervals [%].
 INDEPENDENT = {25: (17.1, 2.3), 100: (35.9, 3.0), 400: (63.1, 3.0), 900: (85.0, 3.5)}
@@ -15,8 +13,8 @@ INDEPENDENT = {25: (17.1, 2.3), 100: (35.9, 3.0), 400: (63.1, 3.0), 900: (85.0, 
 SETTINGS = {'small': 'dense, eq9', 'small, love': 'dense, love', 'dense': 'dense, eq9', 'fft': 'FFT, eq9'}
 
 
-def missing(figure):
-    return f'Not measured yet: `bench/paper.sh build --figures {figure}`.'
+def unmeasured(figure):
+    return missing(f'roughcontact-bench documents paper --figures {figure}')
 
 
 def number(value):
@@ -30,7 +28,7 @@ def interval(values, scale=1, form=number):
 
 def provenance_text(document):
     if not document:
-        return missing('2,4,5,6,8,9,10')
+        return unmeasured('2,4,5,6,8,9,10')
     newest = document['provenance']['library']
     older = sorted(name for name, found in document.items() if isinstance(found, list) and any(r.get('library') != newest for r in found))
     text = provenance(document)
@@ -233,12 +231,7 @@ SECTIONS = {'example-1': ('example_1', 2, example_1_table), 'figure-2': ('figure
             'figure-9': ('figure_9', 9, figure_9_table), 'figure-10': ('figure_10', 10, figure_10_tables)}
 
 
-def main():
-    results, file = sys.argv[1:]
+def sections(results):
     document = load_known(results, 'paper') or {}
-    filled = {name: make(document) if rows(document, of) else missing(figure) for name, (of, figure, make) in SECTIONS.items()}
-    fill(file, {'provenance': provenance_text(document), 'claims': claims_table(document), **filled})
-
-
-if __name__ == '__main__':
-    main()
+    filled = {name: make(document) if rows(document, of) else unmeasured(figure) for name, (of, figure, make) in SECTIONS.items()}
+    return {'provenance': provenance_text(document), 'claims': claims_table(document), **filled}

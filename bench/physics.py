@@ -1,181 +1,163 @@
-#!/usr/bin/env python3
-"""physics.py RESULTS IMAGES DOCUMENT: draws physics-area.png, -gap.png, -patches.png and -mesh.png into the folder IMAGES from physics.json
-in the folder RESULTS, with gnuplot, and writes the tables of DOCUMENT, docs/physics.md. Without gnuplot, the tables alone."""
+"""Area, mean gap, stiffness, patches and pressures of rough surfaces against load, beside the theories of rough contact."""
 import math
-import os
-import shutil
 import sys
 
-from charts import OPEN_MARKERS, STYLES, Panels, style
-from results import groups, load, solved
-from tables import fill, provenance, table
+import numpy as np
+import roughcontact as rc
 
-PERSSON, BUSH = math.sqrt(8 / math.pi), math.sqrt(2 * math.pi)
-PRESSURE = 'set xlabel "mean pressure / (E* rms slope)" offset 0,0.4\n'
-LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofreq\n'
-GREY = 'lines lw 2 lc rgb "#888888"'
+from case import Failure
+from contact import OK, record_of, unit_square
+from options import THREADS, Question, listed, ranged, side, threads
+from samples import line, mean
+from store import Store
+from surfaces import self_affine_gap
+from tables import show
 
-
-def hollow(number):
-    return f'points ps 1.3 lw 1.4 {STYLES[number].split(" dt ")[0]} pt {OPEN_MARKERS[number]}'
-
-
-def curve(document, key):
-    return [(row['pressure'], row[key]) for row in document['curve'] if row.get(key) is not None]
-
-
-def area_picture(document, file):
-    drawing = Panels(800, 430, 2, 1, 90)
-    raw, corrected = curve(document, 'area'), curve(document, 'corrected_area')
-    bush = f'(x < {1 / BUSH!r} ? {BUSH!r}*x : 1/0)'
-    drawing.panel(0, 0, 'contact area', 'set format "%g"\nset xrange [0.003:3]\nset yrange [0.005:2]\n' + PRESSURE +
-                  'set ylabel "contact area / nominal area" offset 1,0',
-                  [f'erf(sqrt(2)*x) with {GREY} dt 1', f'{bush} with {GREY} dt (8,5)',
-                   f'{drawing.block(raw)} with {hollow(1)}', f'{drawing.block(corrected)} with {style(2)}'])
-    spread = [(row['pressure'], *(row['corrected_ratio'][key] for key in ('mean', 'lowest', 'highest'))) for row in document['curve']]
-    drawing.script.append('$spread << EOD\n' + ''.join(' '.join(map(repr, line)) + '\n' for line in spread) + 'EOD\n')
-    look = style(2).replace('linespoints', '')
-    drawing.panel(1, 0, 'area per pressure', LINEAR + 'set logscale x\nset xrange [0.003:3]\nset yrange [0:3]\n' + PRESSURE +
-                  'set ylabel "A E* slope / F" offset 1,0',
-                  [f'erf(sqrt(2)*x)/x with {GREY} dt 1', f'{BUSH!r} with {GREY} dt (8,5)',
-                   f'{drawing.block([(p, a / p) for p, a in raw])} with {hollow(1)}',
-                   f'$spread with linespoints {look}', f'$spread using 1:2:3:4 with yerrorbars {look}'])
-    drawing.draw(file, [('cells in contact', hollow(1)), ('corrected; bars: all surfaces', style(2)), ('Persson, erf(√2 p)', GREY + ' dt 1'),
-                        ('Bush, Gibson, Thomas, √(2π) p', GREY + ' dt (8,5)')], 2)
+RMS_SLOPE = 0.1
+BINS, HIGHEST = 50, 2  # of the histograms, whose end is HIGHEST E* rms slope
+# Mean pressures over E* times the rms slope of the surface.
+PRESSURES = (0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.3, 0.5, 0.75, 1, 1.5)
+SHOWN = (0.01, 0.04, 0.16)  # those with distributions of patches and pressures
+MESH_PRESSURES, MESH_SEEDS = (0.02, 0.16), 2  # on all grids, the first surfaces
+LIGHT = 0.04  # area and load are proportional up to this pressure
+FITTED = (0.01, 0.2)  # pressure falls exponentially with the mean gap
 
 
-def gap_picture(document, file):
-    drawing = Panels(800, 400, 2, 1, 60)
-    fits = document['fits']
-    gaps = [(row['mean_gap'], row['pressure']) for row in document['curve']]
-    u0 = fits['decay']['mean']
-    inside = [(u, p) for u, p in gaps if fits['from'] <= p <= fits['to']]
-    beta = math.exp(sum(math.log(p) + u / u0 for u, p in inside) / len(inside))
-    drawing.panel(0, 0, 'pressure against mean gap', LINEAR + 'set logscale y\nset xrange [0:*]\nset yrange [0.002:3]\n'
-                  'set xlabel "mean gap / rms height" offset 0,0.4\nset ylabel "mean pressure / (E* rms slope)" offset 1,0',
-                  [f'{beta!r}*exp(-x/{u0!r}) with {GREY} dt 1', f'{drawing.block(gaps)} with {style(2)}'])
-    stiffness = curve(document, 'stiffness')
-    drawing.panel(1, 0, 'contact stiffness', 'set logscale xy\nset format "%g"\nset xrange [0.003:3]\nset yrange [*:*]\n' + PRESSURE +
-                  'set ylabel "K rms height / (E* rms slope A0)" offset 1.5,0',
-                  [f'x/{fits["stiffness_decay"]["mean"]!r} with {GREY} dt (8,5)', f'{drawing.block(stiffness)} with {style(1)}'])
-    drawing.draw(file, [('mean gap', style(2)), ('exponential fit', GREY + ' dt 1'), ('stiffness of the last step', style(1)),
-                        ('proportional to the load', GREY + ' dt (8,5)')], 2)
+class Pressed:
+    """One surface on one grid, pressed by growing loads. E*, the side and with it the nominal area are 1."""
+
+    def __init__(self, request, n, seed, stiffness):
+        self.gap = self_affine_gap(n, seed, request.hurst, request.roll_off, request.cut_off, RMS_SLOPE)
+        options = {'tol': request.tol, 'threads': request.threads, 'stiffness': int(stiffness)}
+        self.contact = rc.Contact(unit_square(n, 'periodic'), options=options)
+        self.mean, self.rms_height = self.gap.mean(), self.gap.std()
+
+    def at(self, pressure, distributions):
+        result = self.contact.solve(load=pressure * RMS_SLOPE, gap=self.gap, borrow=True, check=False)
+        area, cells = result.area(), result.patches().cells
+        row = {**record_of(result), 'area': area.area, 'corrected_area': area.corrected_area, 'perimeter': area.perimeter,
+               'mean_gap': (self.mean - result.displacement) / self.rms_height}
+        if math.isfinite(result.stiffness):  # over E* times slope and nominal area, as the pressure is
+            row['stiffness'] = result.stiffness * self.rms_height / RMS_SLOPE
+        row.update(patches=len(cells), largest_patch=cells.max() / cells.sum() if len(cells) else 0)
+        if distributions:
+            row['patch_octaves'] = np.bincount(np.frexp(cells.astype(float))[1] - 1)  # patches of 2^k .. 2^(k+1) - 1 cells
+            found = result.histogram(BINS, HIGHEST * RMS_SLOPE)
+            # Density over all points, per pressure over E* rms slope.
+            row['histogram'] = {'width': HIGHEST / BINS, 'above': found.above, 'density': found.density * area.area * RMS_SLOPE}
+        return row
 
 
-def shown(document):
-    """Rows with distributions, by pressure."""
-    rows = [row for row in solved(document['rows']) if row['n'] == document['surface']['points'] and 'patch_octaves' in row]
-    return sorted(groups(rows, 'pressure').items())
+def spread(values):
+    return {'mean': mean(values), 'lowest': min(values), 'highest': max(values)}
 
 
-def patch_density(document, rows):
-    """(area, patches per area and nominal area), in squares of the shortest wave, by octaves of cells."""
-    wave = document['surface']['points'] / document['surface']['cut_off']
-    points = []
-    for k in range(max(len(row['patch_octaves']) for row in rows)):
-        count = sum(row['patch_octaves'][k] for row in rows if k < len(row['patch_octaves'])) / len(rows)
-        # Sizes 2^k .. 2^(k+1) - 1: their number and their geometric mean.
-        sizes, middle = 2**k, math.sqrt(2**k * max(2**(k + 1) - 1, 1))
-        if count > 0:
-            points.append((middle / wave**2, count / sizes * wave**2 / document['surface']['cut_off']**2))
-    return points
+class Summary:
+    """Of certified rows."""
+
+    def __init__(self, rows, request):
+        self.request = request
+        self.rows = {(row['n'], row['seed'], row['pressure']): row for row in rows if row['status'] == OK}
+
+    def at(self, pressure, n=None):
+        keys = [(n or self.request.points, seed, pressure) for seed in self.request.seeds]
+        return [self.rows[key] for key in keys if key in self.rows]
+
+    def curve(self):
+        for pressure in PRESSURES:
+            found = self.at(pressure)
+            if not found:
+                continue
+            entry = {'pressure': pressure, 'surfaces': len(found), 'persson': math.erf(math.sqrt(2) * pressure)}
+            for key in ('area', 'corrected_area', 'perimeter', 'mean_gap', 'stiffness', 'patches', 'largest_patch'):
+                if all(key in row for row in found):
+                    entry[key] = mean(row[key] for row in found)
+            entry['corrected_ratio'] = spread([row['corrected_area'] / pressure for row in found])
+            if 'stiffness' in entry:
+                entry['decay'] = pressure / entry['stiffness']
+            yield entry
+
+    def fits(self):
+        found = {'kappa': [], 'corrected_kappa': [], 'decay': [], 'stiffness_decay': []}
+        for seed in self.request.seeds:
+            rows = [row for pressure in PRESSURES for row in self.at(pressure) if row['seed'] == seed]
+            light = [row for row in rows if row['pressure'] <= LIGHT]
+            middle = [row for row in rows if FITTED[0] <= row['pressure'] <= FITTED[1]]
+            for name, key in (('kappa', 'area'), ('corrected_kappa', 'corrected_area')):  # least squares through the origin
+                if light:
+                    found[name].append(sum(row['pressure'] * row[key] for row in light) / sum(row['pressure']**2 for row in light))
+            if len(middle) > 1:  # length, over the rms height, in which the pressure falls by e
+                found['decay'].append(-1 / line([(row['mean_gap'], math.log(row['pressure'])) for row in middle])[0])
+            stiff = [row['pressure'] / row['stiffness'] for row in middle if 'stiffness' in row]  # the same: K = p / u0
+            if stiff:
+                found['stiffness_decay'].append(mean(stiff))
+        if not all(found.values()):
+            return {}
+        return {'light': LIGHT, 'from': FITTED[0], 'to': FITTED[1], **{name: spread(values) for name, values in found.items()}}
+
+    def meshes(self):
+        """Errors against the raw area, which is off in proportion to the cell size, for cells of no size by the two finest grids."""
+        sizes = sorted(self.request.sizes)
+        for pressure in MESH_PRESSURES if len(sizes) > 1 else ():
+            for n in sizes:
+                sets = [[self.rows.get((m, seed, pressure)) for m in (n, sizes[-1], sizes[-2])] for seed in self.request.seeds]
+                sets = [rows for rows in sets if all(rows)]
+                if not sets:
+                    continue
+                a, b = 1 / sizes[-1], 1 / sizes[-2]
+                limits = [(b * last['area'] - a * before['area']) / (b - a) for _, last, before in sets]
+                areas, corrected = ([rows[0][key] for rows in sets] for key in ('area', 'corrected_area'))
+                yield {'pressure': pressure, 'n': n, 'cells_a_wave': n / self.request.cut_off, 'surfaces': len(sets), 'area': mean(areas),
+                       'corrected_area': mean(corrected), 'raw_error': mean(area / limit - 1 for area, limit in zip(areas, limits)),
+                       'corrected_error': mean(area / limit - 1 for area, limit in zip(corrected, limits))}
 
 
-def persson_density(pressure):
-    # The variance of the pressure in full contact is a quarter of (E* slope)^2.
-    return (f'sqrt(2/pi)*(exp(-2*(x-{pressure!r})**2)-exp(-2*(x+{pressure!r})**2))')
+def solve(request, store, settings, n, seed, pressures):
+    pressed = None
+    for pressure in pressures:
+        key = {'n': n, 'seed': seed, 'pressure': pressure, **settings}
+        name = f'{n}^2, surface {seed}, p/(E* slope) = {pressure:g}'
+        if store.find('rows', {**key, 'library': store.library}):
+            print(f'{name}: measured before', file=sys.stderr)
+            continue
+        pressed = pressed or Pressed(request, n, seed, n == request.points)
+        row = store.put('rows', key, pressed.at(pressure, n == request.points and pressure in SHOWN))
+        print(f'{name}: {row["area"]:.4f} in contact, {row["solve_seconds"]:.3g} s', file=sys.stderr)
 
 
-def pressure_density(rows):
-    width = rows[0]['histogram']['width']
-    values = [row['histogram']['density'] for row in rows]
-    return [((k + 0.5) * width, sum(value[k] for value in values) / len(values)) for k in range(len(values[0]))]
+def run(request):
+    """Solves that the file has from the same library are not repeated."""
+    for n in [*request.sizes, request.points]:
+        if 2 * request.cut_off >= n:
+            raise Failure(f'a wave of 1/{request.cut_off:g} of the side needs more than two cells, a grid of {n}^2 has fewer')
+    store = Store(request.json, 'physics', request.threads)
+    settings = {key: getattr(request, key) for key in ('hurst', 'roll_off', 'cut_off', 'tol')}
+    for seed in request.seeds:
+        solve(request, store, settings, request.points, seed, PRESSURES)
+    for n in request.sizes:
+        for seed in request.seeds[:MESH_SEEDS]:
+            solve(request, store, settings, n, seed, MESH_PRESSURES)
+    found = Summary(store.rows('rows', **settings), request)
+    curve, fits, meshes = list(found.curve()), found.fits(), list(found.meshes())
+    store.document.update(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes)
+    store.save()
+    print(f'Periodic self-affine surfaces on {request.points}^2 points, mean of the surfaces')
+    show('p/(E* slope)=pressure; A/A0=area:.5f; corrected=corrected_area:.5f; Persson=persson:.5f; mean gap/rms=mean_gap:.3f; '
+         'K rms/(E* slope)=stiffness:.4g; p/(K rms)=decay:.3f; patches; largest=largest_patch:.3f; surfaces', curve)
+    for name, words in (('kappa', 'kappa, raw'), ('corrected_kappa', 'kappa, corrected'), ('decay', 'u0/rms height by the gap'),
+                        ('stiffness_decay', 'u0/rms height by the stiffness')):
+        if fits:
+            print('{}: {mean:.3f} ({lowest:.3f} to {highest:.3f})'.format(words, **fits[name]))
+    print('The same surfaces on several grids; errors against the raw areas of the two finest, extrapolated')
+    show('p/(E* slope)=pressure; n; cells a wave=cells_a_wave; A/A0=area:.5f; corrected=corrected_area:.5f; error=raw_error:+.2e; '
+         'corrected=corrected_error:+.2e', meshes)
 
 
-def distribution_picture(document, file):
-    drawing = Panels(800, 450, 2, 1, 90)
-    hurst = document['surface']['hurst']
-    patches, pressures, entries = [], [], []
-    for number, ((pressure,), rows) in enumerate(shown(document)):
-        points = patch_density(document, rows)
-        if number == 1:
-            x, y = points[len(points) // 2]
-            slope = 2 - hurst / 2
-            patches.append(f'{3 * y!r}*(x/{x!r})**(-{slope!r}) with {GREY} dt (8,5)')
-        patches.append(f'{drawing.block(points)} with {style(number)}')
-        pressures += [f'{drawing.block(pressure_density(rows))} with {hollow(number)}',
-                      f'{persson_density(pressure)} with lines lw 1.4 {STYLES[number].split(" dt ")[0]} dt 1']
-        entries.append((f'p = {pressure:g} E* slope', style(number)))
-    drawing.panel(0, 0, 'patch sizes', 'set format "10^{%T}"\nset xrange [*:*]\nset yrange [*:*]\n'
-                  'set xlabel "area of a patch / λ_s²" offset 0,0.4\nset ylabel "patches per area / (A0 / λ_s⁴)" offset 1.2,0', patches)
-    drawing.panel(1, 0, 'pressures (hollow), Persson (lines)', LINEAR + 'set xrange [0:2]\nset yrange [0:*]\n'
-                  'set xlabel "pressure / (E* rms slope)" offset 0,0.4\nset ylabel "density over all points" offset 1,0', pressures)
-    drawing.draw(file, entries + [(f'area^{{-(2-H/2)}}, H = {hurst:g}', GREY + ' dt (8,5)')], 2)
-
-
-def mesh_picture(document, file):
-    drawing = Panels(800, 420, 2, 1, 80)
-    areas, errors, entries = [], [], []
-    for number, ((pressure,), rows) in enumerate(groups(document['meshes'], 'pressure').items()):
-        limit = rows[-1]['area'] / (1 + rows[-1]['raw_error'])
-        number += 1
-        for key, error, look in (('area', 'raw_error', hollow(number)), ('corrected_area', 'corrected_error', style(number))):
-            areas.append(f'{drawing.block([(1 / row["cells_a_wave"], row[key] / limit) for row in rows])} with {look}')
-            errors.append(f'{drawing.block([(row["cells_a_wave"], 100 * max(abs(row[error]), 1e-6)) for row in rows])} with {look}')
-        entries += [(f'cells, p = {pressure:g} E* slope', hollow(number)), (f'corrected, p = {pressure:g} E* slope', style(number))]
-    drawing.panel(0, 0, 'area against cell size', LINEAR + 'set xrange [0:*]\nset yrange [*:*]\n'
-                  'set xlabel "cell size / shortest wave" offset 0,0.4\nset ylabel "area / area for cells of no size" offset 1,0',
-                  [f'1 with {GREY} dt 1'] + areas)
-    drawing.panel(1, 0, 'error of the area', 'set logscale xy\nset format "%g"\nset xrange [3:90]\nset yrange [*:*]\n'
-                  'set xtics (4,8,16,32,64)\nset xlabel "cells in the shortest wave" offset 0,0.4\nset ylabel "error [%]" offset 1,0',
-                  errors)
-    drawing.draw(file, entries, 2)
-
-
-PICTURES = {'area': area_picture, 'gap': gap_picture, 'patches': distribution_picture, 'mesh': mesh_picture}
-
-
-def spread(fit, digits):
-    return f'{fit["mean"]:.{digits}f} ({fit["lowest"]:.{digits}f} to {fit["highest"]:.{digits}f})'
-
-
-def fit_table(document):
-    fits = document['fits']
-    rows = [['κ, cells in contact', spread(fits['kappa'], 2)], ['κ, corrected area', spread(fits['corrected_kappa'], 2)],
-            ['κ, Persson: √(8/π)', f'{PERSSON:.2f}'], ['κ, Bush, Gibson & Thomas: √(2π)', f'{BUSH:.2f}'],
-            ['u0 / rms height, by the mean gap', spread(fits['decay'], 3)],
-            ['u0 / rms height, by the stiffness', spread(fits['stiffness_decay'], 3)]]
-    return table(['', 'mean (lowest to highest surface)'], rows)
-
-
-def curve_table(document):
-    rows = [[f'{row["pressure"]:g}', f'{100 * row["area"]:.2f}', f'{100 * row["corrected_area"]:.2f}', f'{100 * row["persson"]:.2f}',
-             f'{row["corrected_ratio"]["mean"]:.2f}', f'{row["mean_gap"]:.3f}', f'{row["decay"]:.3f}' if 'decay' in row else '',
-             f'{row["patches"]:.0f}', f'{100 * row["largest_patch"]:.0f}'] for row in document['curve']]
-    return table(['p / (E* slope)', 'A/A0 [%]', 'corrected [%]', 'Persson [%]', 'κ, corrected', 'mean gap / rms', 'p / (K rms)', 'patches',
-                  'largest [% of the contact]'], rows)
-
-
-def mesh_table(document):
-    rows = [[f'{row["pressure"]:g}', f'{row["n"]}²', f'{row["cells_a_wave"]:g}',
-             *(f'{100 * row[key]:.3f}' for key in ('area', 'corrected_area')),
-             *(f'{100 * row[key]:+.2f}' for key in ('raw_error', 'corrected_error'))] for row in document['meshes']]
-    return table(['p / (E* slope)', 'grid', 'cells in the shortest wave', 'A/A0 [%]', 'corrected [%]', 'error [%]', 'corrected, error [%]'],
-                 rows)
-
-
-def main():
-    results, images, file = sys.argv[1:]
-    document = load(results, 'physics')
-    if shutil.which('gnuplot'):
-        os.makedirs(images, exist_ok=True)
-        for name, draw in PICTURES.items():
-            draw(document, os.path.join(images, f'physics-{name}.png'))
-    else:
-        print('no gnuplot: the pictures stay as they are')
-    fill(file, {'fits': fit_table(document), 'curve': curve_table(document), 'meshes': mesh_table(document),
-                'provenance': provenance(document)})
-
-
-if __name__ == '__main__':
-    main()
+QUESTION = Question('physics', 'area, gap, stiffness, patches and pressures of rough surfaces against load', run, {
+    'seeds': (listed(int), [1, 2, 3, 4], 'of the surfaces'), 'hurst': (ranged(float, 0.05, 1), 0.8, 'exponent'),
+    'roll_off': (ranged(float, 1, 1024), 4.0, 'waves a side below which the spectrum is flat'),
+    'cut_off': (ranged(float, 1, 4096), 64.0, 'waves a side above which it is zero'),
+    'points': (side, 1024, 'points per side, over all loads'),
+    'sizes': (listed(side), [256, 512, 1024, 2048, 4096], 'points per side, at two loads'), 'tol': (float, 1e-8, 'certified tolerance'),
+    'threads': (threads, THREADS, 'threads')},
+    {'seeds': [1, 2], 'roll_off': 2.0, 'cut_off': 16.0, 'points': 128, 'sizes': [64, 128, 256]}, 'two surfaces of 16 waves a side on up to 256^2')

@@ -1,9 +1,29 @@
-#!/usr/bin/env python3
-"""tables.py RESULTS DOCUMENT: writes the tables of the JSON files in the folder RESULTS between the markers of DOCUMENT."""
+"""Tables: of records, for a terminal, and for documents between the markers that name them."""
 import re
 import sys
 
-from results import load
+
+def cell(row, key, form):
+    value = row.get(key)
+    if value is None:
+        return ''
+    return value if isinstance(value, str) else f'{value:{form or "g"}}'
+
+
+def aligned(rows):
+    """Text of rows of cells, columns of one width."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return '\n'.join('  '.join(text.rjust(width) for text, width in zip(row, widths)) for row in rows)
+
+
+def show(columns, rows):
+    """Prints records. columns: "title=key:format; ..."; the title alone where it is the key."""
+    titles, keys, forms = zip(*(re.fullmatch('(?:(.*)=)?([^:=]*)(?::(.*))?', each).groups() for each in columns.split('; ')))
+    lines = [[title or key for title, key in zip(titles, keys)]]
+    for row in rows:
+        lines.append([cell(row, key, form) for key, form in zip(keys, forms)])
+        lines[-1][-1] += row.get('error', '')
+    print(aligned(lines), flush=True)
 
 
 def table(titles, rows):
@@ -19,8 +39,8 @@ def error(value):
     return '0' if value == 0 else f'{value:.0e}'
 
 
-def worst_residual(row):
-    return max(row[key] for key in row if key.startswith('kkt_'))
+def missing(command):
+    return f'Not measured yet: `{command}`.'
 
 
 def provenance(document):
@@ -28,18 +48,6 @@ def provenance(document):
     threads = f'{known["threads"]} thread{"s" if known["threads"] > 1 else ""}'
     return (f'{known["cpu"]}, {threads}; {known["compiler"]}, {known["flags"]}; {known["fftw"]}; roughcontact {known["version"]} '
             f'({known["commit"]}); {known["date"][:10]}; load average at the start {known["load_average_at_start"]:.1f}.')
-
-
-def product_table(document):
-    rows = []
-    for row in document['products']:
-        rows.append([f'{row["n"]}²', str(row['threads'])])
-        for of in ('', 'single_') if 'single_ratio' in row else ('',):
-            times = [row[of + key] for key in ('estimate_best', 'measure_best', 'padded_estimate_best', 'padded_measure_best')]
-            rows[-1] += [f'{1000 * t:.3g}' for t in times] + [f'{times[3] / times[0]:.2f}', error(row[of + 'difference'])]
-    names = ['fft [ms]', 'fft, measured plan', 'padded [ms]', 'padded, measured plan', 'ratio', 'difference']
-    both = 'single_ratio' in document['products'][0]
-    return table(['grid', 'threads'] + names + ([f'single: {name}' for name in names] if both else []), rows)
 
 
 def fill(file, sections):
@@ -53,13 +61,3 @@ def fill(file, sections):
             sys.exit(f'{file}: no markers "begin {name}" and "end {name}"')
     with open(file, 'w', encoding='utf-8') as out:
         out.write(text)
-
-
-def main():
-    results, file = sys.argv[1:]
-    products = load(results, 'products')
-    fill(file, {'provenance': provenance(products), 'products': product_table(products)})
-
-
-if __name__ == '__main__':
-    main()

@@ -5,7 +5,7 @@
 
 namespace failures {
 
-Problem problem_of(const bench::Scene& scene) {
+Problem problem_of(const Scene& scene) {
   Problem problem;
   problem.system = scene.system;
   problem.kernel = scene.kernel;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "failure_scenes.h"
+#include "failures/failure_scenes.h"
 #include "pairs/contact.h"
 #include "pairs/registry.h"
 
@@ -12,7 +12,7 @@ namespace failures {
 
 using namespace pairs;
 
-Problem problem_of(const bench::Scene& scene);
+Problem problem_of(const Scene& scene);
 // By nnls on the dense backend, to 1e-12.
 Answer truth_of(const Problem& problem);
 

@@ -4,29 +4,29 @@
 #include <cmath>
 
 #include "failures/cascade.h"
-#include "measured_surface.h"
-#include "rough_surface.h"
+#include "failures/measured_surface.h"
+#include "failures/rough_surface.h"
 
 namespace failures {
 
 namespace {
 
-Problem pressed(const bench::SurfaceClass& surface, std::uint64_t seed) {
+Problem pressed(const SurfaceClass& surface, std::uint64_t seed) {
   const std::int64_t n = 256;
   Problem problem;
   problem.system.nx = problem.system.ny = n;
-  problem.gap = bench::gap_below_highest(surface.heights(n, seed));
-  problem.target = bench::mean_of(problem.gap) / 2;
+  problem.gap = gap_below_highest(surface.heights(n, seed));
+  problem.target = mean_of(problem.gap) / 2;
   return problem;
 }
 
-const bench::SurfaceClass& named(const std::string& name) {
-  for (const bench::SurfaceClass& each : bench::surface_classes())
+const SurfaceClass& named(const std::string& name) {
+  for (const SurfaceClass& each : surface_classes())
     if (each.name == name) return each;
   throw Failure("no class of surfaces is called " + name);
 }
 
-void check_class(const bench::SurfaceClass& surface) {
+void check_class(const SurfaceClass& surface) {
   for (std::uint64_t seed = 1; seed <= (full() ? 4 : 1); ++seed)
     for (const std::string filter : {"max", "mean", "subsample"}) {
       if (quick() && filter != "max") break;
@@ -44,13 +44,13 @@ void published_method_is_good_on_a_power_law_only() {
 
 void advice_tells_the_classes_apart() {
   if (quick()) throw Skipped("left out of the reduced set");
-  for (const bench::SurfaceClass& surface : bench::surface_classes()) {
+  for (const SurfaceClass& surface : surface_classes()) {
     const Problem problem = pressed(surface, 1);
-    bench::Scene scene;
+    Scene scene;
     scene.system = problem.system;
     scene.gap = problem.gap;
     scene.approach = problem.target;
-    const bench::CmrVerdict verdict = bench::cmr_verdict(scene, 2);
+    const CmrVerdict verdict = cmr_verdict(scene, 2);
     const double error = check_cascade(problem, "mean").plain_error;
     report(surface.name + ": unresolved " + text(verdict.unresolved) + ", load off by " + text(100 * error) + " %");
     if (verdict.trustworthy) check(std::abs(error) < 0.1, surface.name + ": called trustworthy");
@@ -64,8 +64,7 @@ void advice_tells_the_classes_apart() {
 int main(int argc, char** argv) {
   using namespace failures;
   std::vector<pairs::Test> tests;
-  for (const bench::SurfaceClass& surface : bench::surface_classes())
-    tests.push_back({surface.name, [&surface] { check_class(surface); }});
+  for (const SurfaceClass& surface : surface_classes()) tests.push_back({surface.name, [&surface] { check_class(surface); }});
   tests.push_back({"published_method_is_good_on_a_power_law_only", published_method_is_good_on_a_power_law_only});
   tests.push_back({"advice_tells_the_classes_apart", advice_tells_the_classes_apart});
   return pairs::run_group("failures.cmr", tests, argc, argv);

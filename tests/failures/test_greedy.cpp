@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "failures/atlas.h"
-#include "inverse_m.h"
-#include "wilson.h"
+#include "failures/inverse_m.h"
+#include "failures/wilson.h"
 
 namespace failures {
 
@@ -20,12 +20,12 @@ struct Count {
 };
 
 Count count_failures(const std::string& kernel, std::int64_t side, std::int64_t spacing, std::int64_t draws) {
-  Problem problem = problem_of(bench::example_one(side, spacing, 0));
+  Problem problem = problem_of(example_one(side, spacing, 0));
   problem.kernel = kernel;
   const Contact eliminating(problem, greedy, exact), reference(problem, {"nnls", "dense"}, {{"tol", "1e-10"}});
   Count count;
   for (; count.draws < draws; ++count.draws) {
-    problem.gap = bench::example_one(side, spacing, static_cast<std::uint64_t>(count.draws)).gap;
+    problem.gap = example_one(side, spacing, static_cast<std::uint64_t>(count.draws)).gap;
     rc_step step = problem.step();
     step.warm_start = 0;
     const Answer found = eliminating.solve(step), truth = reference.solve(step);
@@ -46,7 +46,7 @@ Count count_failures(const std::string& kernel, std::int64_t side, std::int64_t 
 void check_share(const std::string& kernel, std::int64_t side, double lowest, double highest) {
   const std::int64_t draws = full() ? 1000 : quick() ? 30 : side < 20 ? 200 : 60;
   const Count count = count_failures(kernel, side, 1, draws);
-  const bench::Interval interval = bench::wilson(count.failures, count.draws, 3.29);
+  const Interval interval = wilson(count.failures, count.draws, 3.29);
   report(std::to_string(count.failures) + " of " + std::to_string(count.draws) + " draws fail");
   check(interval.lower <= highest && interval.upper >= lowest, "share between " + text(interval.lower) + " and " +
                                                                    text(interval.upper) + " instead of " + text(lowest) + " to " +
@@ -105,7 +105,7 @@ void stored_draws_fail_with_greedy_alone() {
 void check_coupling(const std::string& kernel, double expected, double tolerance) {
   for (const std::int64_t side : {10, 20, 30, 50}) {
     if (side > 20 && !full()) continue;
-    const double found = bench::largest_inverse_coupling(kernel, side, 1);
+    const double found = largest_inverse_coupling(kernel, side, 1);
     report(kernel + ", n = " + std::to_string(side * side) + ": " + text(found));
     check_near(found, expected, tolerance, "the largest entry off the diagonal of H^-1");
   }
@@ -121,22 +121,22 @@ void inverse_has_none_where_greedy_is_exact() {
   for (const char* kernel : {"love", "disc"})
     for (const std::int64_t side : {5, 10, 20, 30}) {
       if (side > 20 && !full()) continue;
-      check(bench::largest_inverse_coupling(kernel, side, 1) <= 0, std::string(kernel) + " has a positive coupling");
+      check(largest_inverse_coupling(kernel, side, 1) <= 0, std::string(kernel) + " has a positive coupling");
     }
   for (const std::string kernel : {"eq9", "punch", "galerkin", "love", "disc"})
     for (const std::int64_t side : {5, 10, 20})
-      check(bench::largest_inverse_coupling(kernel, side, 2) <= 0, kernel + " has a positive coupling at two cells' distance");
+      check(largest_inverse_coupling(kernel, side, 2) <= 0, kernel + " has a positive coupling at two cells' distance");
 }
 
 // Necessity: whatever positive coupling there is makes a surface on which greedy fails.
 void a_positive_coupling_makes_a_counterexample() {
   for (const std::string kernel : {"eq9", "galerkin", "punch"}) {
-    const Problem problem = with_compenetration(bench::greedy_counterexample(kernel, 6), 6, kernel);
+    const Problem problem = with_compenetration(greedy_counterexample(kernel, 6), 6, kernel);
     const Answer found = solve(problem, greedy, exact), truth = truth_of(problem);
     check_status(found, RC_STOP_UNCERTIFIED, kernel);
     report(kernel + ": greedy's pressures are off by " + text(difference(found.p, truth.p)));
   }
-  for (const char* kernel : {"love", "disc"}) check(bench::greedy_counterexample(kernel, 6).empty(), "there should be none");
+  for (const char* kernel : {"love", "disc"}) check(greedy_counterexample(kernel, 6).empty(), "there should be none");
 }
 
 std::vector<Test> all_tests() {

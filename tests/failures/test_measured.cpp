@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "failures/cascade.h"
-#include "measured_surface.h"
-#include "rough_surface.h"
+#include "failures/measured_surface.h"
+#include "failures/rough_surface.h"
 
 namespace failures {
 
@@ -23,15 +23,15 @@ std::vector<std::string> surface_files(const std::string& folder) {
 }
 
 Problem pressed(const std::string& file) {
-  const bench::MeasuredSurface surface = bench::read_measured(file);
+  const MeasuredSurface surface = read_measured(file);
   Problem problem;
   problem.system.nx = surface.nx;
   problem.system.ny = surface.ny;
   problem.system.hx = surface.hx;
   problem.system.hy = surface.hy;
-  problem.gap = bench::gap_below_highest(surface.heights);
+  problem.gap = gap_below_highest(surface.heights);
   // Half of the highest point's height, less where most of the surface would touch.
-  problem.target = bench::mean_of(problem.gap) / 2;
+  problem.target = mean_of(problem.gap) / 2;
   for (int halvings = 0; halvings < 6; ++halvings) {
     const Answer loose = solve(problem, {"polonsky-keer", "fft"}, {{"tol", "1e-2"}});
     if (static_cast<double>(loose.result.contacts) <= densest * static_cast<double>(problem.points())) break;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* iterations_enough = "1000000";
 
-Problem rough(std::int64_t levels) { return problem_of(bench::rough_scene(levels, 1)); }
+Problem rough(std::int64_t levels) { return problem_of(rough_scene(levels, 1)); }
 
 Answer with(const Problem& problem, const std::string& solver, const Settings& settings) {
   Settings all = {{"tol", "1e-10"}, {"max_iter", iterations_enough}};
@@ -24,7 +24,7 @@ Answer from(const Problem& problem, const std::string& solver, const Field& p0) 
 }
 
 void unattainable_tolerance_ends_with_a_status() {
-  const Problem hertz = problem_of(bench::hertz_scene(full() ? 96 : 32));
+  const Problem hertz = problem_of(hertz_scene(full() ? 96 : 32));
   for (const std::string& solver : solvers_on("dense", hertz)) {
     const Answer answer = solve(hertz, {solver, "dense"}, {{"tol", "1e-16"}, {"max_iter", "20000"}});
     check(answer.status >= 0 && answer.status != RC_OK, solver + ": " + rc_status_name(answer.status));
@@ -88,13 +88,13 @@ void bad_starts_do_not_change_the_answer() {
 
 // Printed tolerances are absolute: lengths of 1e-9 would pass for zero. Neither work nor answers depend on units.
 void units_change_nothing() {
-  const bench::Scene scene = bench::rough_scene(5, 1);
+  const Scene scene = rough_scene(5, 1);
   for (const std::string& solver : solvers_on("dense", problem_of(scene))) {
     const Answer plain = with(problem_of(scene), solver, {});
     check_status(plain, RC_OK, solver);
     for (const double length : {1e-9, 1e9})
       for (const double pressure : {1e-9, 1e11}) {
-        Answer changed = with(problem_of(bench::in_units(scene, length, pressure)), solver, {});
+        Answer changed = with(problem_of(in_units(scene, length, pressure)), solver, {});
         check_status(changed, RC_OK, solver);
         // These factors are no powers of two: the last bits of the problem change.
         check_near(static_cast<double>(changed.result.iterations), static_cast<double>(plain.result.iterations),
@@ -106,7 +106,7 @@ void units_change_nothing() {
 }
 
 void ties_leave_the_pressures_alone() {
-  const Problem problem = problem_of(bench::tied_scene(full() ? 16 : 8));
+  const Problem problem = problem_of(tied_scene(full() ? 16 : 8));
   const Answer truth = truth_of(problem);
   std::vector<std::int64_t> contacts;
   for (const std::string& solver : solvers_on("dense", problem)) {

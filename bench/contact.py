@@ -1,0 +1,119 @@
+"""Calls of the library as the benchmarks make them, and what is recorded of them."""
+import ctypes
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+import roughcontact as rc
+from roughcontact import raw
+from roughcontact._errors import error_for
+from roughcontact.context import OptionSet
+from roughcontact.result import result_from
+
+from case import cpu_seconds, repeats
+
+OK = 'RC_OK'
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A gap [ny, nx] pressed to an approach; contact modulus 1."""
+    name: str
+    gap: np.ndarray
+    approach: float = 0.0
+    pitch: tuple = (1.0, 1.0)
+    kernel: str = 'love'
+    mask: np.ndarray = None
+    modulus: float = 1.0
+
+    @property
+    def system(self):
+        return rc.HalfSpace(self.gap.shape, pitch=self.pitch, modulus=self.modulus)
+
+    def but(self, **changes):
+        return replace(self, **changes)
+
+
+def unit_square(n, boundary='free', aspect=1.0):
+    """n x n cells of the unit square, contact modulus 1."""
+    return rc.HalfSpace((n, n), pitch=(1 / n, aspect / n), modulus=1, boundary=boundary)
+
+
+def target_of(control, value):
+    return {control: value}
+
+
+def status_of(result):
+    return 'RC_' + result.status.name
+
+
+def solve(system, gap, options, **more):
+    """A cold solve; its status says how it ended. more: displacement or load, mask, start, want_pressure."""
+    with rc.Contact(system, options=options) as contact:
+        return contact.solve(gap=gap, check=False, borrow=True, **more)
+
+
+def press(scene, options, start=None):
+    """(result, processor time of the whole call [s])"""
+    before = cpu_seconds()
+    found = solve(scene.system, scene.gap, {'kernel': scene.kernel, **options}, displacement=scene.approach, mask=scene.mask, start=start)
+    return found, cpu_seconds() - before
+
+
+def certified(result):
+    if status_of(result) != OK:
+        raise rc.NotCertifiedError(f'{status_of(result)}: {result.message}')
+    return result
+
+
+def share_in_contact(result):
+    return result.contacts / result.points
+
+
+def runs(solver, backend, system, load=False):
+    return rc.supported(solver, backend, system, load=load)[0] == rc.Status.OK
+
+
+def names(components):
+    return [each.name for each in components()]
+
+
+def difference(a, b):
+    """Largest |a - b| over largest |b|."""
+    largest = np.abs(b).max()
+    return float(np.abs(a - b).max() / (largest if largest > 0 else 1))
+
+
+def record_of(result):
+    same = ('displacement', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
+            'points', 'candidates', 'modelled', 'contacts', 'iterations')
+    return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'products': result.applications,
+            'solve_seconds': result.seconds}
+
+
+def cold_call(system, gap, options, control, target, pressure=None):
+    """(result, seconds of the whole call, its processor time) of one cold solve by the C functions themselves."""
+    struct, _ = system.struct()
+    library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
+    library.rc_step_init(step, ctypes.sizeof(step))
+    step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
+    step.gap = gap.ctypes.data_as(raw.doubles)
+    if pressure is not None:
+        answer.p = pressure.ctypes.data_as(raw.doubles)
+    with OptionSet(options, None) as chosen:
+        begun, cpu = time.perf_counter(), cpu_seconds()
+        status = library.rc_contact_create(struct, chosen, handle)
+        if status >= 0:
+            status = library.rc_contact_solve(handle, step, answer)
+            library.rc_contact_destroy(handle)
+        seconds, cpu = time.perf_counter() - begun, cpu_seconds() - cpu
+    if status < 0:
+        raise error_for(status, library.rc_last_error().decode())
+    return result_from(answer, '', None, pressure, None), seconds, cpu
+
+
+def time_solve(system, gap, options, budget, control, target, pressure=None):
+    """(result, record) of the fastest of several cold solves; set-up is what the whole call took besides the solve."""
+    found = repeats(lambda: cold_call(system, gap, options, control, target, pressure), budget)
+    result, seconds, cpu = min(found, key=lambda each: each[1])
+    return result, {**record_of(result), 'setup_seconds': max(0.0, seconds - result.seconds), 'cpu_seconds': cpu, 'repeats': len(found)}

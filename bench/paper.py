@@ -1,0 +1,316 @@
+"""The figures of Bemporad & Paggi (2015), measured anew: the rows behind docs/paper.md."""
+import os
+import time
+
+import numpy as np
+import roughcontact as rc
+
+import cascade
+from case import Progress, cpu_seconds, in_child, repeats
+from contact import OK, certified, press, status_of
+from draws import Draw
+from failures import greedy_on_draws
+from histories import History
+from options import Question, folder, listed, one_of, threads
+from paper_algorithm_2 import VARIANTS, algorithm_2
+from store import Store
+from surfaces import Scene, SurfaceClass, example_one, hertz_scene, influence, measured_scene, rough_scene
+
+# Below the folder of measured surfaces.
+MEASURED = ('measured/afm_selfaffine_10um.gsf', 'measured/afm_film_10um.gsf', 'measured-lgpl/fv_rubber_2mm.gsf',
+            'measured-lgpl/fv_skibase_4mm.gsf')
+SIDE, RMS_HEIGHT = 100e-6, 1e-6  # of generated surfaces [m]
+COARSEST_SIDE = 64  # of the cascade, the paper's
+
+
+def greedy(scene):
+    return press(scene, {'solver': 'greedy', 'greedy.inner': 'cholesky', 'backend': 'dense', 'tol': 1e-10})[0]
+
+
+def first_wrong_draw():
+    """Figure 2: the first draw of 100 points that greedy gets wrong."""
+    seed, found = -1, None
+    while found is None or status_of(found) == OK:
+        seed += 1
+        scene = example_one(10, 1, seed, 'eq9')
+        found = press(scene, {'solver': 'greedy', 'backend': 'dense', 'tol': 1e-10})[0]
+    truth = certified(press(scene, {'solver': 'nnls', 'backend': 'dense', 'tol': 1e-10})[0])
+    u = (scene.approach - scene.gap).ravel()
+    return {'seed': seed, 'status': status_of(found), 'u': u, 'w': influence('eq9', 10) @ found.pressure.ravel() - u,
+            'greedy': found.pressure.ravel(), 'exact': truth.pressure.ravel()}
+
+
+def smooth(shape, kernel, draws):
+    """Shapes on which greedy elimination is said never to fail."""
+    if shape == 'spheres between the points':
+        failures, deepest, random, n, radius = 0, 0.0, Draw(1), 24, 100
+        for _ in range(draws):  # paraboloids whose tip lies anywhere between the points, contact radii of 3 to 9 cells
+            x, y = np.arange(n)[None, :] - (n / 2 - random.uniform()), np.arange(n)[:, None] - (n / 2 - random.uniform())
+            contact = 3 + 6 * random.uniform()
+            found = greedy(Scene(shape, (x * x + y * y) / (2 * radius), contact**2 / radius, kernel=kernel))
+            failures, deepest = failures + int(status_of(found) != OK), max(deepest, found.kkt_dual)
+        return {'draws': draws, 'failures': failures, 'deepest_overlap': deepest}
+    scene = hertz_scene(96) if shape == 'sphere' else Scene(shape, np.zeros((20, 20)), 1.0)
+    found = press(scene.but(kernel=kernel), {'solver': 'greedy', 'backend': 'dense'})[0]
+    row = {'draws': 1, 'failures': int(status_of(found) != OK), 'status': status_of(found), 'load': found.load}
+    if shape == 'sphere':  # Hertz: load 4/3 E* sqrt(R d^3), for a radius of curvature of n cells
+        row['load_error'] = found.load / (4 / 3 * (96 * scene.approach**3)**0.5) - 1
+    return row
+
+
+def example_1(request):
+    draws = [('eq9', 5, 1, 10000, 1000, 3e-4), ('eq9', 10, 1, 5000, 500, 1e-3), ('eq9', 20, 1, 1000, 60, 1e-2), ('eq9', 30, 1, 400, 0, 0.1),
+             ('eq9', 5, 2, 1000, 0, 3e-4), ('eq9', 10, 2, 1000, 200, 1e-3), ('eq9', 20, 2, 1000, 0, 1e-2), ('love', 10, 1, 1000, 200, 1e-3),
+             ('punch', 10, 1, 1000, 200, 1e-3), ('disc', 10, 1, 1000, 0, 1e-3), ('galerkin', 10, 1, 1000, 0, 1e-3)]
+    for kernel, side, spacing, full, quick, cost in draws:
+        count = quick if request.quick else full
+        if count:
+            yield ('example_1', {'kernel': kernel, 'n': side * side, 'spacing': spacing, 'draws': count}, cost * count,
+                   lambda kernel=kernel, side=side, spacing=spacing, count=count: greedy_on_draws(kernel, side, spacing, count))
+    yield 'figure_2', {'kernel': 'eq9', 'n': 100}, 0.1, first_wrong_draw
+    count = 60 if request.quick else 2000
+    for kernel in ('eq9', 'love'):
+        for shape, cost in (('sphere', 0.5), ('flat punch', 0.1), ('spheres between the points', 5e-3 * count)):
+            yield ('smooth', {'shape': shape, 'kernel': kernel}, cost, lambda shape=shape, kernel=kernel: smooth(shape, kernel, count))
+
+
+SINGLE = {'solver': 'nnls', 'nnls.pivoting': 'single'}
+STEPS = {'warmup': 'gp', 'warmup.iterations': 100, 'gp.lipschitz': 'frobenius', 'gp.restart': 0}
+METHODS = {  # options, whether warm, whether on stored matrices alone: one solve for every point of the contact set
+    'P&K 1999': ({'solver': 'polonsky-keer'}, False, False), 'P&K 1999, warm': ({'solver': 'polonsky-keer'}, True, False),
+    'greedy CG': ({'solver': 'greedy'}, False, False), 'ADMM, warm': ({'solver': 'admm', 'admm.relaxation': 1.5}, True, False),
+    'NNLS': (SINGLE, False, True), 'NNLS, warm': (SINGLE, True, True), 'NNLS + 100 GP': ({**SINGLE, **STEPS}, False, False),
+    'NNLS by blocks, warm': ({'solver': 'nnls'}, True, False), 'haar-cg, warm': ({'solver': 'haar-cg'}, True, False)}
+
+
+def step_of(result, cpu, *keys):
+    names = {'products': 'applications'}
+    return {'mean_pressure': result.mean_pressure, 'candidates': result.candidates, 'contacts': result.contacts, 'cpu_seconds': cpu,
+            **{key: getattr(result, names.get(key, key)) for key in keys}}
+
+
+def worst_status(steps):
+    return next((status_of(result) for result, _ in reversed(steps) if status_of(result) != OK), OK)
+
+
+def loading(levels, backend, kernel, most, method, seed, count):
+    """Figure 4: steps with up to `most` candidates of one loading history."""
+    options, warm, _ = METHODS[method]
+    history = History(levels, 0.7, seed, 10)
+    last, squares = history.approaches[-1], history.gap - history.gap.mean()
+    fitting = [approach for approach in history.approaches if np.count_nonzero(history.gap < approach) <= most]
+    history.approaches = fitting
+    found = history.run({'backend': backend, 'kernel': kernel, 'tol': 1e-8, 'max_iter': 100000, 'bounds': 0, 'threads': count, 'time_limit': 60,
+                         **options}, warm)
+    steps = [{'approach': result.displacement / (fitting or [last])[-1], **step_of(result, cpu, 'iterations', 'products'),
+              'status': status_of(result)} for result, cpu in found]
+    return {'points_a_side': history.n, 'backend': backend, 'kernel': kernel, 'rms_height': np.sqrt(np.mean(squares**2)),
+            'steps_of_ten': len(fitting), **{key: sum(step[key] for step in steps) for key in ('cpu_seconds', 'products', 'iterations')},
+            'status': worst_status(found), 'steps': steps}
+
+
+def figure_4(request):
+    """The algorithms of sections 3 and 4 on one loading history, with dense products as in the paper and with FFT products."""
+    settings = [('small', 7, 'dense', 'eq9', 10, 1e12, 2), ('small, love', 7, 'dense', 'love', 10, 1e12, 2), ('dense', 9, 'dense', 'eq9', 3, 6000, 20),
+                ('fft', 9, 'fft', 'eq9', 5, 1e12, 10)]
+    if request.quick:
+        settings = [('small', 6, 'dense', 'eq9', 2, 1e12, 0.1), ('small, love', 6, 'dense', 'love', 2, 1e12, 0.1),
+                    ('dense', 7, 'dense', 'eq9', 1, 600, 0.3), ('fft', 7, 'fft', 'eq9', 1, 1e12, 1)]
+    for setting, levels, backend, kernel, seeds, most, cost in settings:
+        for seed in range(1, seeds + 1):
+            for method, (_, _, dense_only) in METHODS.items():
+                if backend == 'dense' or not dense_only:
+                    given = levels, backend, kernel, most, method, seed, request.threads
+                    yield 'figure_4', {'setting': setting, 'method': method, 'seed': seed}, cost, lambda given=given: loading(*given)
+
+
+def algorithm_2_plan(request):
+    levels, most = (5, 500) if request.quick else (7, 5000)
+    for kernel in ('eq9', 'love'):
+        for variant in VARIANTS:
+            yield ('algorithm_2', {'kernel': kernel, 'variant': variant}, 0.1 if request.quick else 10,
+                   lambda kernel=kernel, variant=variant: algorithm_2(rough_scene(levels, 1).but(kernel=kernel), variant, most))
+
+
+def inner_solver(levels, n, inner, seed):
+    """Figure 5: greedy elimination by conjugate gradients, a Cholesky factor, and Gauss & Seidel's method, which stores the matrix before its
+    first iteration."""
+    scene = rough_scene(levels, seed)
+    approach = np.partition(scene.gap, n, axis=None)[n]  # n points are nearer
+    options = {'solver': 'greedy', 'greedy.inner': inner, 'backend': 'dense', 'kernel': 'eq9', 'tol': 1e-8, 'max_iter': 100000, 'bounds': 0}
+
+    def one():
+        first, before = [], cpu_seconds()
+        with rc.Contact(scene.system, options=options, progress=lambda _: first.append(cpu_seconds()) if not first else None) as contact:
+            result = contact.solve(displacement=approach, gap=scene.gap, check=False, want_pressure=False)
+        return cpu_seconds() - before, (first or [before])[0] - before, result
+
+    found = repeats(one, 0.3)
+    cpu, storing, results = zip(*found)
+    row = {**step_of(results[-1], sorted(cpu)[len(cpu) // 2], 'iterations', 'products'), 'repeats': len(found), 'status': status_of(results[-1])}
+    return {**row, 'storing_seconds': sorted(storing)[len(cpu) // 2]} if inner == 'gauss-seidel' else row
+
+
+def figure_5(request):
+    levels, seeds, sizes = (7, 2, (100, 300)) if request.quick else (9, 6, (250, 500, 1000, 2000, 4000))
+    for seed in range(1, seeds + 1):
+        for n in sizes:
+            for inner in ('cg', 'cholesky', 'gauss-seidel'):
+                if n <= 2000 or inner != 'gauss-seidel':  # the matrix is stored by n products
+                    yield ('figure_5', {'n': n, 'inner': inner, 'seed': seed}, 0.4 + (1 if inner == 'gauss-seidel' else 0.1) * (n / 1000)**3,
+                           lambda given=(levels, n, inner, seed): inner_solver(*given))
+
+
+def projected(levels, pivoting, projections, seed):
+    """Figure 6: how many gradient projections pay before NNLS."""
+    history = History(levels, 0.7, seed, 10)
+    common = {'nnls.pivoting': pivoting, 'backend': 'dense', 'kernel': 'eq9', 'tol': 1e-8, 'bounds': 0, 'gp.lipschitz': 'frobenius', 'gp.restart': 0}
+    warmup = {'warmup': 'gp', 'warmup.iterations': projections} if projections else {}
+    steps = history.run({**common, 'solver': 'nnls', 'max_iter': 1000000, **warmup}, False)
+    # The projections count as iterations, too, and end early where they have solved the problem.
+    alone = history.run({**common, 'solver': 'gp', 'max_iter': projections}, False) if projections else []
+    solves, spent = (sum(result.iterations for result, _ in found) for found in (steps, alone))
+    return {'points_a_side': history.n, 'cpu_seconds': sum(cpu for _, cpu in steps), 'solves': solves - spent, 'status': worst_status(steps),
+            'steps': [step_of(*step) for step in steps]}
+
+
+def figure_6(request):
+    levels, seeds, cost = (6, 2, 0.02) if request.quick else (7, 8, 1)
+    for seed in range(1, seeds + 1):
+        for pivoting in ('single', 'block'):
+            for projections in (0, 10, 50, 100, 200):
+                yield ('figure_6', {'pivoting': pivoting, 'projections': projections, 'seed': seed},
+                       cost * (0.5 if pivoting == 'block' else 8 if projections == 10 else 2),
+                       lambda given=(levels, pivoting, projections, seed): projected(*given))
+
+
+INNER = {'fft': 'polonsky-keer', 'dense': 'nnls'}  # the solver of the cascade and of the whole problem, by the products
+
+
+def timed(scene, options, count):
+    return press(scene, {'bounds': 0, 'threads': count, **options})
+
+
+def whole_of(scene, backend, count):
+    """(result, record)"""
+    whole, cpu = timed(scene, {'solver': INNER[backend], 'backend': backend}, count)
+    certified(whole)
+    return whole, {'candidates': whole.candidates, 'contacts': whole.contacts, 'whole_cpu_seconds': cpu, 'whole_products': whole.applications}
+
+
+def compared(scene, whole, count, *given, **more):
+    """Algorithm 6 against the whole problem."""
+    (plain, plain_cpu), (sound, sound_cpu) = (timed(scene, cascade.options(*given, **more, certified=each), count) for each in (0, 1))
+    note = cascade.note(sound.note)
+    return {'load_error': plain.load / whole.load - 1, 'status': status_of(plain), 'kept': note.share_at_first, 'rounds': note.rounds,
+            'cpu_seconds': plain_cpu, 'products': plain.applications, 'certified_error': sound.load / whole.load - 1,
+            'certified_status': status_of(sound), 'certified_cpu_seconds': sound_cpu, 'certified_products': sound.applications}
+
+
+def by_exponent(levels, hurst, seed, kernel, backend, count):
+    scene = rough_scene(levels, seed, hurst).but(kernel=kernel)
+    whole, row = whole_of(scene, backend, count)
+    products = {'backend': backend, 'inner': INNER[backend]}
+    return {**row, **compared(scene, whole, count, **products), 'diagonal': compared(scene, whole, count, area='diagonal', **products)}
+
+
+def by_radius(levels, seed, radii, backend, count):
+    scene = rough_scene(levels, seed).but(kernel='eq9')
+    whole, row = whole_of(scene, backend, count)
+    entries = [{'h': h, **compared(scene, whole, count, 'subsample', h, backend=backend, inner=INNER[backend])} for h in radii]
+    return {**row, 'radii': entries}
+
+
+def figure_8(request):
+    """Cascade multi-resolution on midpoint displacement surfaces, by Hurst exponent."""
+    runs = [('eq9', 'fft', 30, 0.5), ('love', 'fft', 30, 0.5), ('eq9', 'dense', 8, 8)]
+    levels, exponents = 8, (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
+    if request.quick:
+        runs = [('eq9', 'fft', 8, 0.03), ('love', 'fft', 8, 0.03), ('eq9', 'dense', 2, 0.1)]
+        levels, exponents = 6, (0.3, 0.6, 0.9)
+    for kernel, backend, seeds, cost in runs:
+        for seed in range(1, seeds + 1):
+            for hurst in exponents:
+                yield ('figure_8', {'hurst': hurst, 'kernel': kernel, 'backend': backend, 'seed': seed}, cost,
+                       lambda given=(levels, hurst, seed, kernel, backend, request.threads): by_exponent(*given))
+
+
+def figure_9(request):
+    """The same by radius h."""
+    levels, radii = (6, (1.25, 2, 3)) if request.quick else (8, (1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3))
+    for backend, seeds, cost in (('fft', 6, 0.2), ('dense', 2, 0.2)) if request.quick else (('fft', 30, 2), ('dense', 6, 30)):
+        for seed in range(1, seeds + 1):
+            yield ('figure_9', {'backend': backend, 'seed': seed}, cost,
+                   lambda given=(levels, seed, radii, backend, request.threads): by_radius(*given))
+
+
+def spectrum_of(heights, pitch, periodic):
+    """Spectrum, what it is like, and the heights along the middle row less their mean."""
+    surface = rc.Surface(np.ascontiguousarray(heights), pitch, periodic)
+    spectrum, law, moments = rc.surface.psd(surface), rc.surface.power_law(surface), rc.surface.analyze(surface)
+    profile = heights[len(heights) // 2]
+    numbers = {key: getattr(law, key) for key in ('hurst', 'hurst_error', 'slope', 'prefactor', 'q_min', 'q_max', 'q_rolloff', 'q_cutoff')}
+    return {'nx': heights.shape[1], 'ny': heights.shape[0], 'hx': pitch[0], 'hy': pitch[1], 'rms_height': moments.rms_height,
+            'rms_slope': moments.rms_slope, **numbers, 'textures': len(law.peak_q), 'q': spectrum.q, 'psd': spectrum.psd,
+            'profile': profile - profile.mean()}
+
+
+def classified(scene, periodic, count):
+    """A surface with or without a power-law spectrum, and what the cascade makes of it, at approaches of the highest point's height over a
+    part: the paper's, and that of its section 4."""
+    row, halvings = spectrum_of(-scene.gap, scene.pitch, periodic), 0
+    while min(scene.gap.shape) >> (halvings + 1) >= COARSEST_SIDE:
+        halvings += 1
+    cases = []
+    for part in (5.0, 2.0):
+        pressed = scene.but(approach=scene.gap.mean() / part)
+        verdict, (whole, same) = cascade.verdict(pressed, halvings), whole_of(pressed, 'fft', count)
+        same.pop('whole_products')
+        for kind in cascade.FILTERS:
+            found = compared(pressed, whole, count, kind, 1.5, halvings + 1)
+            cases.append({'part': part, 'filter': kind, 'halvings': halvings, **found, **same, **verdict})
+    return {**row, 'cases': cases}
+
+
+def figure_10(request):
+    """Figures 10 and 11: surfaces with and without a power-law spectrum, measured and generated."""
+    n = 128 if request.quick else 512
+    for surface in (SurfaceClass('generated, power law', 0.6), SurfaceClass('generated, roll-off', 0.6, roll_off=n / 10)):
+        def generated(surface=surface):
+            heights = RMS_HEIGHT * surface.heights(n, 1)
+            return classified(Scene(surface.name, heights.max() - heights, pitch=(SIDE / n, SIDE / n)), True, request.threads)
+        yield 'figure_10', {'surface': surface.name, 'origin': 'generated'}, 1 if request.quick else 10, generated
+    files = [os.path.join(request.surfaces, file) for file in MEASURED if request.surfaces]
+    files = [file for file in files if os.path.exists(file)]
+    for file in files:
+        yield ('figure_10', {'surface': os.path.splitext(os.path.basename(file))[0], 'origin': 'measured'}, 8 if request.quick else 20,
+               lambda file=file: classified(measured_scene(file), False, request.threads))
+    if not files:
+        print(f'no measured surfaces in "{request.surfaces}" (--surfaces): figures 10 and 11 show generated ones alone')
+
+
+# The longest last.
+PARTS = ((2, example_1), (4, algorithm_2_plan), (10, figure_10), (5, figure_5), (9, figure_9), (8, figure_8), (6, figure_6), (4, figure_4))
+FIGURES = sorted({figure for figure, _ in PARTS})
+
+
+def run(request):
+    """Measures what this library has not measured before, each row in a process of its own, and writes it at once. Prints counts."""
+    store = Store(request.json, 'paper', request.threads)
+    store.document['quick'] = request.quick
+    plan = [entry for figure, part in PARTS if not request.figure or str(figure) in request.figure for entry in part(request)]
+    left = [entry for entry in plan if not store.known(*entry[:2])]
+    progress, failed = Progress(sum(cost for _, _, cost, _ in left)), 0
+    for name, key, cost, work in left:
+        begun = time.monotonic()
+        row = store.put(name, key, in_child(work))
+        failed += 'error' in row
+        progress.done(f'{name}, {", ".join(f"{what} {value}" for what, value in key.items())}: {row.get("error", "measured")}', cost,
+                      time.monotonic() - begun)
+    print(f'{len(left)} measured, {failed} of them failed; {len(plan) - len(left)} measured before')
+
+
+QUESTION = Question('paper', 'the figures of Bemporad & Paggi (2015)', run, {
+    'figure': (listed(one_of(*map(str, FIGURES))), [], '2 (with Example 1), 4, 5, 6, 8, 9, 10 (with 11); all'),
+    'surfaces': (folder, '', 'folder with measured surfaces for figure 10'), 'threads': (threads, 1, 'threads of FFT products')},
+    {}, 'small grids, few seeds')

@@ -1,0 +1,345 @@
+"""Side by side: roughcontact, the field's standard method and the peers on the same surfaces, every answer judged by roughcontact's
+certificate."""
+import argparse
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+import roughcontact as rc
+
+import peers_codes
+import peers_surfaces
+from case import plain
+from contact import unit_square
+from options import Question, listed
+from peers_plan import CODES, LARGEST_MATRIX, LEVELS, cases
+from peers_report import best, print_case, total
+from store import Store
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+REPEATED = 10  # seconds: longer solves are not repeated
+SPENT = 'budget spent'
+ALLOWED = 0.01  # of the largest Hertz pressure
+THREAD_VARIABLES = ('OMP_NUM_THREADS', 'OPENBLAS_NUM_THREADS', 'MKL_NUM_THREADS', 'NUMEXPR_NUM_THREADS')
+SCENES = ('hertz', 'self-affine', 'rmd-0.7', 'afm_film')  # of the comparison of speed with accuracy
+SCENE_CODES = ('aspher-fft', 'aspher-h2', 'tamaas-free', 'contactmechanics')
+
+
+class Judge:
+    """The one judge of every code, for the cases of one grid and boundary: a fresh product with H over all points."""
+
+    def __init__(self, n, boundary, threads):
+        self.contact = rc.Contact(unit_square(n, boundary), options={'threads': threads})
+
+    def judge(self, control, target, gap, pressure):
+        """Residuals of pressures [force/length^2] for a load or an approach. The load of a code that keeps the mean pressure is mean
+        pressure x 1, because the cells fill the unit square with modulus 1."""
+        pressure = np.array(pressure, dtype=np.float64).reshape(gap.shape)
+        if not np.isfinite(pressure).all():
+            return {'residual': math.inf, 'reason': 'pressures are not finite'}
+        result = self.contact.certify(pressure, gap=gap, check=False, **{control: target})
+        values = {key: getattr(result, 'kkt_' + key) for key in ('primal', 'dual', 'complementarity', 'control')}
+        worst = math.inf if any(math.isnan(value) for value in values.values()) else result.residual
+        return {'residual': worst, **values, 'area': result.contacts / gap.size, 'load': result.load, 'approach': result.displacement}
+
+
+class Bench:
+    def __init__(self, request):
+        self.request, self.threads, self.begun, self.usable, self.files = request, request.threads, time.monotonic(), {}, {}
+        self.store = Store(request.json, 'peers', self.threads)
+        document = self.store.document
+        if request.fresh:  # the loads found for the surfaces are no measurement
+            document.update(codes={}, calibration={}, groups=[])
+        for key, empty in (('codes', {}), ('calibration', {}), ('cases', {}), ('groups', [])):
+            document.setdefault(key, empty)
+        document['provenance'].update(python=sys.version.split()[0], numpy=np.__version__, quick=request.quick, limit_seconds=request.limit,
+                                      repeats=request.repeats)
+
+    # What runs
+
+    def find_codes(self):
+        codes = self.store.document['codes']
+        for name in self.request.only or CODES:
+            code = CODES[name]
+            version, reason = self.calibrate(name)
+            codes[name] = {'title': code.title, 'version': version or (None if code.package else self.store.document['provenance']['version'])}
+            if reason:
+                codes[name]['not_run'] = reason
+                print(f'{code.title}: {reason}')
+            else:
+                self.usable[name] = code
+        codes['mirco'] = {'title': 'MIRCO', 'version': None, 'not_run': 'not installed: not on the package index'}
+        self.store.save()
+
+    def calibrate(self, name):
+        """Each code first solves a Hertz contact of radius 1, E* = 1, for every boundary that it has. A code whose largest pressure is off is not
+        compared: its units or operator are not what the comparison takes them for. Returns its version, and why it must not run or None."""
+        code, version = CODES[name], None
+        for boundary in code.boundaries:
+            n, radius = (32, 0.3) if code.small else (256, 0.1)  # 0.1 keeps periodic images away; dense codes have few cells
+            load, exact, control = 4 * radius**3 / 3, 2 * radius / math.pi, code.controls[0]
+            file = self.surface('sphere', n)['file']
+            target, tol = load if control == 'load' else radius**2, 1e-4 if 'float' in name else 1e-6
+            request = {'gap': file, 'n': n, 'boundary': boundary, 'control': control, 'target': target, 'tol': tol if code.tols[0] else 0.0,
+                       'threads': self.threads, 'out': os.path.join(self.request.work, 'hertz.npy')}
+            answer = peers_codes.solve(code, request, 60)[-1]
+            place = f'{name}, {boundary}'
+            if answer.get('error'):
+                missing = f'not installed: {self.installer_said(code) or answer["error"]}' if answer.get('missing') else None
+                self.store.document['calibration'][place] = {'error': answer['error']}
+                return version, missing or f'Hertz, {boundary}: {answer["error"]}'
+            pressure, version = np.load(answer['file']), answer.get('version')
+            residual = Judge(n, boundary, self.threads).judge(control, target, np.load(file), pressure)['residual']
+            off = float(pressure.max()) / exact - 1
+            self.store.document['calibration'][place] = plain({
+                'version': version, 'n': n, 'largest_pressure': pressure.max(), 'exact': exact, 'deviation': off,
+                'load_deviation': pressure.mean() / load - 1, 'residual': residual, 'passed': abs(off) <= ALLOWED})
+            if abs(off) > ALLOWED:
+                return version, f'Hertz, {boundary}: largest pressure {100 * off:+.2f} % off'
+        return version, None
+
+    def installer_said(self, code):
+        """Why a package could not be installed."""
+        file = os.path.join(environment(), 'not-installed.json')
+        if not os.path.exists(file):
+            return None
+        with open(file) as text:
+            return json.load(text).get(code.package)
+
+    # Problems
+
+    def surface(self, kind, n):
+        if (kind, n) not in self.files:
+            self.files[kind, n] = peers_surfaces.write(kind, n, self.request.work)
+        return self.files[kind, n]
+
+    def problem(self, case):
+        """Target of a case for the wanted area: loose solves in load control, kept in the results for the same surface."""
+        surface, document = self.surface(case.surface, case.n), self.store.document
+        known = document['cases'].get(case.key, {})
+        if known.get('digest') == surface['digest']:
+            return {**known, 'file': surface['file']}
+        gap, share, exponent, last = np.load(surface['file']), case.percent / 100, 1.0, None
+        near = [entry['load'] for entry in document['cases'].values()
+                if (entry['surface'], entry['boundary'], entry['percent']) == (case.surface, case.boundary, case.percent)]
+        load = near[-1] if near else 0.2 * share
+        with rc.Contact(unit_square(case.n, case.boundary), options={'threads': self.threads, 'tol': 1e-3}) as contact:
+            for _ in range(8):
+                result = contact.solve(load=load, gap=gap, check=False, warm_start=False)
+                area = max(result.contacts, 1) / gap.size
+                if abs(area / share - 1) < 0.05:
+                    break
+                if last and area != last[1]:
+                    exponent = min(max(math.log(load / last[0]) / math.log(area / last[1]), 0.5), 3)
+                last = load, area
+                load *= (share / area)**exponent
+            result = contact.solve(load=load, gap=gap, check=False, warm_start=False)
+        entry = {'title': case.title, 'surface': case.surface, 'maker': surface['maker'], 'digest': surface['digest'], 'n': case.n,
+                 'boundary': case.boundary, 'control': case.control, 'percent': case.percent, 'load': load,
+                 'area': result.contacts / gap.size, 'target': load if case.control == 'load' else result.displacement}
+        document['cases'][case.key] = entry
+        document['groups'] = [group for group in document['groups'] if group['case'] != case.key or group['digest'] == surface['digest']]
+        return {**entry, 'file': surface['file']}
+
+    # Runs
+
+    def solve(self, name, case, problem, tol, judge, gap):
+        """One process; its answers judged."""
+        self.wait_until_idle()
+        request = {'gap': problem['file'], 'n': case.n, 'boundary': case.boundary, 'control': case.control, 'target': problem['target'], 'tol': tol,
+                   'threads': self.threads, 'out': os.path.join(self.request.work, 'pressure.npy')}
+        answers = peers_codes.solve(CODES[name], request, self.request.limit)
+        for answer in answers:
+            if not answer.get('error'):
+                answer.update(judge.judge(case.control, problem['target'], gap, np.load(answer['file'])))
+                os.remove(answer.pop('file'))
+        return answers
+
+    def wait_until_idle(self):
+        """Until the other work on the machine takes less than a tenth of a core, for as long as asked."""
+        until = time.monotonic() + self.request.wait_idle
+        while time.monotonic() < until:
+            before = peers_codes.busy_seconds()
+            time.sleep(1)
+            if before is None or peers_codes.busy_seconds() - before < 0.1:
+                return
+
+    def measured(self, name, key):
+        """Whether a group need not be measured again."""
+        group = self.store.find('groups', {'case': key, 'code': name})
+        return (not self.request.again and group and group['threads'] == self.threads and
+                group['digest'] == self.store.document['cases'][key]['digest'] and
+                (CODES[name].family != 'ours' or group['library'] == self.store.library) and
+                group['stopped'] != SPENT and not ('limit' in group['stopped'] and group['limit'] < self.request.limit))
+
+    def too_slow_before(self, name, case):
+        """A problem of the same family, with no more points and contact, on which even the loosest tolerance was over the limit."""
+        for group in self.store.document['groups']:
+            known = self.store.document['cases'][group['case']]
+            if (group['code'] == name and group['case'] != case.key and known['n'] <= case.n and group['limit'] >= self.request.limit and
+                    not any('residual' in run for run in group['runs']) and 'limit' in group['stopped'] and
+                    (known['surface'], known['boundary'], known['control']) == (case.surface, case.boundary, case.control) and
+                    known['percent'] <= case.percent):
+                return f'not run: {group["stopped"]} at {known["n"]}², {known["percent"]:g} %'
+        return ''
+
+    def run_case(self, case):
+        """First a sweep of tolerances, then repeats of the runs that matter; the codes take turns in both."""
+        names, problem = [name for name in case.codes() if name in self.usable], self.problem(case)
+        groups = {name: {'threads': self.threads, 'limit': self.request.limit, 'digest': problem['digest'],
+                         'library': self.store.library if CODES[name].family == 'ours' else '',
+                         'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'runs': [], 'stopped': self.too_slow_before(name, case)}
+                  for name in names if not self.measured(name, case.key)}
+        gap, judge = np.load(problem['file']), Judge(case.n, case.boundary, self.threads)
+        self.sweep(case, problem, {name: group for name, group in groups.items() if not group['stopped']}, judge, gap)
+        self.repeat(case, problem, groups, judge, gap)
+        for name, group in groups.items():
+            self.store.put('groups', {'case': case.key, 'code': name}, group)
+        print_case(self.store.document, case.key)
+
+    def sweep(self, case, problem, groups, judge, gap):
+        waiting, backwards = {name: list(CODES[name].tols) for name in groups}, False
+        while any(waiting.values()):
+            for name in sorted(groups, reverse=backwards):
+                group = groups[name]
+                if waiting[name] and self.out_of_budget():
+                    group['stopped'], waiting[name] = SPENT, []
+                if not waiting[name]:
+                    continue
+                answers = self.solve(name, case, problem, waiting[name].pop(0), judge, gap)
+                group['runs'] += [answer for answer in answers if not answer.get('error')]
+                errors = [answer['error'] for answer in answers if answer.get('error')]
+                if errors:
+                    group['stopped'], waiting[name] = errors[0], []
+                if CODES[name].family != 'ours' and best(group, LEVELS[-1]):
+                    waiting[name] = []
+            backwards = not backwards
+
+    def repeat(self, case, problem, groups, judge, gap):
+        for turn in range(1, self.request.repeats):
+            for name in sorted(groups, reverse=turn % 2 == 1):
+                chosen = [best(groups[name], level) for level in LEVELS]
+                tols = sorted({run['tol'] for run in chosen if run and total(run) < REPEATED})
+                for tol in () if self.out_of_budget() else tols[:1] if CODES[name].family == 'baseline' else tols:
+                    answers = self.solve(name, case, problem, tol, judge, gap)
+                    groups[name]['runs'] += [{**answer, 'repeat': turn} for answer in answers if not answer.get('error')]
+
+    def out_of_budget(self):
+        return time.monotonic() - self.begun > 60 * self.request.budget
+
+    def run(self):
+        self.find_codes()
+        left = []
+        for case in cases(self.request.sizes, self.request.percents, self.request.quick):
+            if not [name for name in case.codes() if name in self.usable]:
+                continue
+            if self.out_of_budget():
+                left.append(case.title)
+                print('not run, budget spent:', case.title)
+            else:
+                self.run_case(case)
+        self.store.document['left_out'] = left
+        self.store.save()
+
+
+def solve_scenes(request):
+    """Solves the scenes that `pareto --export FOLDER` wrote with other codes, each at its own tolerances, from loose to tight, and under the load
+    of the certified solution, and adds a list "peers" to its results. What is there already is not solved again."""
+    store = Store(request.json, 'pareto', request.threads)
+    with open(os.path.join(request.scenes, 'scenes.json')) as file:
+        scenes = [scene for scene in json.load(file) if scene['scene'] in SCENES and scene['n'] >= 64]  # ASPHER's least grid
+    for code in SCENE_CODES:
+        for scene in scenes:
+            name, out = f'{CODES[code].title}, {scene["scene"]}', os.path.join(request.work, 'pressure.npy')
+            key, truth = {'scene': scene['scene'], 'contact': scene['contact'], 'n': scene['n'], 'code': code}, np.load(scene['pressure'])
+            if store.find('peers', {name: key[name] for name in ('scene', 'n', 'code')}):
+                print(f'{name}: measured before')
+                continue
+            for tol in CODES[code].tols:
+                answer = peers_codes.solve(CODES[code], {
+                    'gap': scene['gap'], 'out': out, 'n': scene['n'], 'target': scene['load'], 'tol': tol, 'threads': request.threads,
+                    'boundary': 'free', 'control': 'load'}, request.limit)[0]
+                if answer.get('missing'):
+                    print(f'{CODES[code].title} is not installed: left out')
+                    break
+                if 'error' in answer:
+                    store.put('peers', {**key, 'tol': tol}, {'error': answer['error']})
+                    break
+                pressure, same = np.load(out), ('version', 'setup_seconds', 'solve_seconds', 'cpu_seconds')
+                row = store.put('peers', {**key, 'tol': tol}, {
+                    **{what: answer[what] for what in same}, 'memory_bytes': answer['peak_bytes'] - answer['start_bytes'],
+                    'load_error': abs(pressure.mean() / scene['load'] - 1),  # the grid has the area 1
+                    'area_error': abs(np.count_nonzero(pressure > 0) / np.count_nonzero(truth > 0) - 1),
+                    'pressure_error': np.linalg.norm(pressure - truth) / np.linalg.norm(truth)})
+                print(f'{name}, tol {tol:g}: pressure error {row["pressure_error"]:.1e}', flush=True)
+
+
+def environment():
+    """The folder of the virtual environment that the peers are installed into."""
+    cache = os.environ.get('XDG_CACHE_HOME')
+    return os.path.join(cache, 'roughcontact-peers') if cache else os.path.join(os.environ['RC_BENCH_BUILD'], 'peers')
+
+
+def install():
+    """A package that cannot be installed leaves its reason; the others run without it."""
+    folder, refused = environment(), {}
+    with open(os.path.join(HERE, 'peers_requirements.txt')) as file:
+        wanted = file.read().split()
+    python, done = os.path.join(folder, 'bin', 'python3'), os.path.join(folder, 'installed.json')
+    if not os.path.exists(done) or json.load(open(done)) != wanted:
+        subprocess.run([sys.executable, '-m', 'venv', folder], check=True)
+        for requirement in wanted:
+            print('installing', requirement)
+            found = subprocess.run([python, '-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', requirement], text=True,
+                                   stderr=subprocess.PIPE)
+            if found.returncode:
+                refused[requirement.split('==')[0]] = next((line for line in found.stderr.splitlines()[::-1] if 'error' in line.lower()), '')
+        subprocess.run([python, '-c', 'import numpy'], check=True)
+        for name, content in (('not-installed.json', refused), ('installed.json', wanted)):
+            with open(os.path.join(folder, name), 'w') as out:
+                json.dump(content, out)
+    return python
+
+
+def run(request):
+    variables = {name: str(request.threads) for name in THREAD_VARIABLES}
+    if not request.here or any(os.environ.get(name) != value for name, value in variables.items()):
+        program = os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'roughcontact-bench')  # again, with the peers' Python and these threads
+        python = sys.executable if request.here else install()
+        sys.stdout.flush()
+        os.execve(program, [program, *sys.argv[1:], *([] if request.here else ['--here'])], {**os.environ, **variables, 'PYTHON': python})
+    request.limit = request.limit or (10 if request.quick or request.scenes else 60)
+    request.budget = request.budget or (2.5 if request.quick else 38)
+    request.repeats = request.repeats or (2 if request.quick else 3)
+    with tempfile.TemporaryDirectory() as folder:
+        request.work = request.work or folder
+        if request.scenes:
+            solve_scenes(request)
+        else:
+            Bench(request).run()
+
+
+def code_names(text):
+    names = [name for word in text.split(',') for name in CODES if name == word or name.startswith(word + '-')]
+    if not names:
+        raise argparse.ArgumentTypeError(f'no code {text}')
+    return names
+
+
+QUESTION = Question('peers', 'side by side with the standard method and other codes', run, {
+    'only': (code_names, [],
+             'codes; a first word takes its variants: ' + ', '.join(CODES)),
+    'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),
+    'percents': (listed(float), [], 'contact areas'), 'threads': (int, 2, 'threads'),
+    'repeats': (int, 0, f'of solves below {REPEATED} s; 0: 3, quick 2'), 'limit': (float, 0, 'seconds for one run; 0: 60, quick 10'),
+    'budget': (float, 0, 'minutes after which no run is begun; 0: 38, quick 2.5'),
+    'wait_idle': (float, 0, 'seconds to wait for an idle machine before every run'), 'fresh': (bool, False, 'measure everything anew'),
+    'again': (bool, False, 'measure the chosen codes and problems anew, keep the others'),
+    'work': (str, '', 'folder for surfaces and pressures; a temporary one'),
+    'here': (bool, False, 'with the packages of this Python: installs nothing'),
+    'scenes': (str, '', 'the scenes in this folder, into the results of pareto')}, {}, '256 and 512 points a side, fewer areas, 10 s a run')

@@ -1,0 +1,77 @@
+"""Statistics of samples: medians with their intervals, shares, ratios, slopes; rows by the values of keys."""
+import math
+
+
+def groups(rows, *keys):
+    """Rows by the values of keys, in order of appearance."""
+    found = {}
+    for row in rows:
+        found.setdefault(tuple(row[key] for key in keys), []).append(row)
+    return found
+
+
+def values_of(found, key):
+    return sorted({row[key] for row in found})
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def median_interval(values, confidence=0.95):
+    """Median and the distribution-free interval that holds the true one with at least this confidence, from order statistics
+    (Conover 1999, 3.2); least and greatest value where there are too few."""
+    ordered = sorted(values)
+    count = len(ordered)
+    middle = (ordered[(count - 1) // 2] + ordered[count // 2]) / 2
+    below, tail = 0, 0.5**count
+    while tail + math.comb(count, below + 1) * 0.5**count <= (1 - confidence) / 2:
+        below += 1
+        tail += math.comb(count, below) * 0.5**count
+    return middle, ordered[below], ordered[count - 1 - below]
+
+
+def median(values):
+    return median_interval(values)[0]
+
+
+def wilson(hits, trials, z=1.959963984540054):
+    """Wilson's score interval (1927) for a proportion."""
+    share, shrink = hits / trials, 1 + z * z / trials
+    middle = (share + z * z / (2 * trials)) / shrink
+    half = z / shrink * math.sqrt(share * (1 - share) / trials + z * z / (4 * trials**2))
+    return 0 if hits == 0 else max(0.0, middle - half), 1 if hits == trials else min(1.0, middle + half)
+
+
+def ratios(found, others, key='cpu_seconds'):
+    """key of found over that of others, seed by seed."""
+    first, second = ({row['seed']: row[key] for row in rows} for rows in (found, others))
+    return [first[seed] / second[seed] for seed in sorted(first.keys() & second.keys())]
+
+
+def line(points):
+    """(slope, intercept) of least squares of y over x."""
+    mean_x, mean_y = (mean(values) for values in zip(*points))
+    steepness = sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x)**2 for x, _ in points)
+    return steepness, mean_y - steepness * mean_x
+
+
+def slope(points):
+    """Least squares of log y over log x."""
+    return line([(math.log(x), math.log(y)) for x, y in points])[0]
+
+
+def solved(rows):
+    return [row for row in rows if row.get('status') == 'RC_OK']
+
+
+def total_seconds(row):
+    return row['setup_seconds'] + row['solve_seconds']
+
+
+def scaling_rows(document, **values):
+    """Certified cold solves by everything that `auto` chooses, or with other values of their keys, by growing size."""
+    wanted = {'tol': 1e-8, 'precision': 'mixed', 'solver_option': 'auto', 'backend_option': 'auto', **values}
+    rows = [row for row in solved(document['solves']) if all(row.get(key) == value for key, value in wanted.items())]
+    return sorted(rows, key=lambda row: row['n'])

@@ -1,0 +1,90 @@
+"""One JSON file a benchmark: its provenance, and lists of records that are found by the values of some keys. It is written whole after
+every record, so that an interrupted run goes on where it stopped."""
+import hashlib
+import json
+import os
+import time
+
+import native
+from case import Failure, plain
+
+
+def library_hash():
+    """Of the library and its plugins: what the same bytes have measured need not be measured again."""
+    import roughcontact
+    library = os.path.realpath(roughcontact.library_file())
+    files = [os.path.join(folder, name) for folder, _, names in os.walk(os.path.join(os.path.dirname(library), 'roughcontact'))
+             for name in names]
+    digest = hashlib.blake2b(digest_size=8)
+    for file in [*sorted(files), library]:
+        with open(file, 'rb') as content:
+            digest.update(content.read())
+    return digest.hexdigest()
+
+
+def provenance(threads):
+    import roughcontact
+    commit, compiler, kind, flags, fftw = native.build()
+    with open('/proc/cpuinfo') as info:
+        cpu = next((line.split(':', 1)[1].strip() for line in info if line.startswith('model name')), 'unknown')
+    return {'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'version': '.'.join(map(str, roughcontact.version())),
+            'commit': commit, 'library': library_hash(), 'compiler': compiler, 'build_type': kind, 'flags': flags, 'fftw': fftw,
+            'cpu': cpu, 'cpu_threads': os.cpu_count(), 'threads': threads, 'load_average_at_start': os.getloadavg()[0]}
+
+
+def fits(row, values):
+    return all(row.get(key) == value and key in row for key, value in values.items())
+
+
+class Store:
+    """file: of the results, '': none. quick: whether small cases are measured, which the file says."""
+
+    def __init__(self, file, benchmark, threads):
+        self.file, self.document = file, {}
+        if file and os.path.exists(file):
+            with open(file) as text:
+                self.document = json.load(text)
+            if self.document.get('benchmark') != benchmark:
+                raise Failure(f'{file} is no result of this benchmark; give another name, or remove it')
+        self.document.update(benchmark=benchmark, provenance=provenance(threads))
+        self.library = self.document['provenance']['library']
+
+    def rows(self, name, **values):
+        return [row for row in self.document.get(name, []) if fits(row, values)]
+
+    def find(self, name, values):
+        """The record with these values, or None."""
+        return next((row for row in self.document.get(name, []) if fits(row, values)), None)
+
+    def known(self, name, key):
+        """Whether this library has measured the record, without an error."""
+        row = self.find(name, {**key, 'library': self.library})
+        return row is not None and 'error' not in row
+
+    def put(self, name, key, values):
+        """The record of the key and these values, in the place of the one with this key."""
+        rows = self.document.setdefault(name, [])
+        row = plain({**key, 'library': self.library, **values})
+        at = next((i for i, old in enumerate(rows) if fits(old, key)), len(rows))
+        rows[at:at + 1] = [row]
+        self.save()
+        return row
+
+    def save(self):
+        if not self.file:
+            return
+        os.makedirs(os.path.dirname(os.path.abspath(self.file)), exist_ok=True)
+        with open(self.file + '.part', 'w') as out:
+            json.dump(self.document, out, indent=1, ensure_ascii=False)
+            out.write('\n')
+        os.replace(self.file + '.part', self.file)
+
+
+def load(folder, name):
+    with open(os.path.join(folder, name + '.json'), encoding='utf-8') as file:
+        return json.load(file)
+
+
+def load_known(folder, name):
+    """The results of a benchmark that may not have run yet: then None."""
+    return load(folder, name) if os.path.exists(os.path.join(folder, name + '.json')) else None

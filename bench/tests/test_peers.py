@@ -1,0 +1,56 @@
+"""The harness of peers runs without network and peers; both codes are certified, a second call measures nothing anew."""
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+import program
+
+# Python without the library's environment: the checks of the judge run in the program's.
+if 'ROUGHCONTACT_LIBRARY' not in os.environ:
+    with open(program.PROGRAM) as launcher:
+        start = launcher.read().split('exec')[0]
+    sys.exit(subprocess.run(['sh', '-c', start + f'exec {sys.executable} -B {os.path.abspath(__file__)} {program.BUILD}']).returncode)
+
+
+def run(folder, *more):
+    program.run('peers', '--here', '--quick', '--only', 'ours,baseline', '--sizes', '64', '--repeats', '1', '--json', folder + '/peers.json',
+                *more)
+    return program.load(folder, 'peers')
+
+
+def check_document(document):
+    assert set(document['codes']) == {'ours', 'ours-float', 'baseline', 'mirco'} and not document['left_out']
+    assert len(document['calibration']) == 4, document['calibration']
+    for name, row in document['calibration'].items():
+        assert row['passed'] and row['residual'] <= (1e-4 if 'float' in name else 1e-6), (name, row)
+    controls = {document['cases'][group['case']]['control'] for group in document['groups'] if group['code'] == 'baseline'}
+    assert controls == {'load', 'displacement'}
+    for group in document['groups']:
+        assert not group['stopped'], group
+        assert [run['residual'] <= run['tol'] for run in group['runs']] == [True] * (1 if group['code'] == 'ours-float' else 3), group
+        assert all(run['peak_bytes'] > run['start_bytes'] >= 0 or group['code'].startswith('ours') for run in group['runs']), group
+
+
+def check_judge():
+    """The judge refuses pressures that are off in one cell, in units, or not numbers."""
+    from contact import solve, unit_square
+    from peers import Judge
+    from surfaces import paraboloid_gap
+    n = 32
+    gap, judge = paraboloid_gap(n), Judge(n, 'free', 1)
+    pressure = solve(unit_square(n), gap, {'tol': 1e-9}, load=0.01).pressure
+    assert judge.judge('load', 0.01, gap, pressure)['residual'] <= 1e-9
+    wrong = pressure.copy()
+    wrong[n // 2, n // 2] *= 1.01
+    for answer in (wrong, 2 * pressure, np.full((n, n), np.nan)):
+        assert judge.judge('load', 0.01, gap, answer)['residual'] > 1e-4
+
+
+with tempfile.TemporaryDirectory() as folder:
+    first = run(folder)
+    check_document(first)
+    assert run(folder)['groups'] == first['groups']
+    assert run(folder, '--fresh')['groups'] != first['groups']
+    check_judge()
