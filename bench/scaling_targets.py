@@ -82,18 +82,24 @@ class Target:
     form: str = '{:.3g}'
 
 
-def baseline(document):
-    limits = {512: 8, 1024: 15, 2048: 25, 4096: 30}
-    return [(each.label, each.ratio, limits[each.case['n']]) for each in against(document, 'baseline', 'rough')
-            if each.case['n'] in limits and each.case['percent'] == 10 and each.level == TIGHT]
+def listed(rows, label, value, limit, chosen=lambda row: True):
+    """(label, value, limit) of rows; value: a key or a function, limit: a number, or a function that gives None for rows without one."""
+    found = []
+    for row in rows:
+        bound = limit(row) if callable(limit) else limit
+        if bound is not None and chosen(row):
+            found.append((label.format(**row), value(row) if callable(value) else row[value], bound))
+    return found
 
 
-def products_to_tolerance(document):
-    return [(f'{100 * area:g} % {control}', most, 30) for area, control, _, _, _, most, _ in growth_of(document)]
+def compared(document, codes, surface, limit, control=None, value='ratio'):
+    found = [(f'{code} {each.label}' if len(codes) > 1 or control else each.label, getattr(each, value), limit(each))
+             for code in codes for each in against(document, code, surface, control)]
+    return [entry for entry in found if entry[2] and not math.isnan(entry[1])]
 
 
-def products_growth(document):
-    return [(f'{100 * area:g} % {control}', exponent, 0.2) for area, control, *_, exponent in growth_of(document)]
+def grown(document, place, limit):
+    return [(f'{100 * row[0]:g} % {row[1]}', row[place], limit) for row in growth_of(document)]
 
 
 def load_control(document):
@@ -102,67 +108,40 @@ def load_control(document):
             if control == 'displacement' and n >= 512 and (n, area, 'load') in rows]
 
 
-def memory(limit, **values):
-    def find(document):
-        return [(f'{row["n"]}² {100 * row["area_wanted"]:g} %', row.get('bytes_per_point_in_all', row['bytes_per_point'] + 16), limit)
-                for row in scaling_rows(document, **values) if row['n'] >= 2048 and row['control'] == 'load']
-    return find
+def with_percent(rows):
+    return [{**row, 'percent': f'{100 * row["area_wanted"]:g} %'} for row in rows]
 
 
-def large(area, key, limit):
-    def find(document):
-        return [(f'{100 * area:g} % {row["control"]}', total_seconds(row) if key == 'seconds' else row[key] / 1e9, limit)
-                for row in scaling_rows(document, precision='single', tol=1e-4) if row['n'] == 16384 and row['area_wanted'] == area]
-    return find
+def memory(document, limit, **values):
+    return listed(with_percent(scaling_rows(document, **values)), '{n}² {percent}',
+                  lambda row: row.get('bytes_per_point_in_all', row['bytes_per_point'] + 16), limit,
+                  lambda row: row['n'] >= 2048 and row['control'] == 'load')
 
 
-def dilute(scene, limits):
-    def find(document):
-        return [(f'{row["n"]}² {row["control"]}', row['ratio'], limits[row['n']]) for row in document.get('solves', ())
-                if row['scene'] == scene and row['n'] in limits and row['tol'] == TIGHT and 'ratio' in row and
-                (scene == 'asperity' or row['area_wanted'] == 0.001)]
-    return find
+def large(document, area, value, limit):
+    return listed(with_percent(scaling_rows(document, precision='single', tol=1e-4)), '{percent} {control}', value, limit,
+                  lambda row: row['n'] == 16384 and row['area_wanted'] == area)
 
 
-def product_ratio(key, limit):
-    def find(document):
-        return [(f'{row["n"]}² {row["threads"]} threads', row[key], limit) for row in document['products']
-                if row['n'] >= 1024 and key in row]
-    return find
+def gigabytes(row):
+    return row['peak_bytes'] / 1e9
 
 
-def transform_fraction(document):
-    return [(f'{row["n"]}² {row["precision"]} {row["threads"]} threads', row['fraction_of_transforms'], 0.6) for row in document['products']]
+def dilute(document, scene, limits):
+    return listed(document.get('solves', ()), '{n}² {control}', 'ratio', lambda row: limits.get(row['n']),
+                  lambda row: row['scene'] == scene and row['tol'] == TIGHT and 'ratio' in row and
+                  (scene == 'asperity' or row['area_wanted'] == 0.001))
 
 
-def busy(document):
-    return [(f'{row["n"]}² {row["threads"]} threads', row['ratio'], 2.5) for row in document['busy']]
+def product_ratio(document, key, limit):
+    return listed(document['products'], '{n}² {threads} threads', key, limit, lambda row: row['n'] >= 1024 and key in row)
 
 
-def deterministic_cost(document):
-    return [(f'{row["choice"]}, {row["threads"]} threads', row['cost_median'], 0.1) for row in document.get('deterministic', ())
-            if row['choice'] != '1']
+def bitwise(row):
+    return int(row['same_as_one_thread'] == row['same_again'] == 'yes')
 
 
-def deterministic_bits(document):
-    return [(f'{row["n"]}² {row["threads"]} threads', int(row['same_as_one_thread'] == row['same_again'] == 'yes'), 1)
-            for row in document.get('deterministic', ()) if row['choice'] == '1']
-
-
-def batch(document):
-    return [(f'{document["batch"][0]["surfaces"]} surfaces of {document["batch"][0]["n"]}²', document['scaling'], 1.8)]
-
-
-def peer(codes, surface, limit_of, what='time'):
-    def find(document):
-        found = []
-        for code in codes:
-            for each in against(document, code, surface, 'load'):
-                value, limit = each.memory if what == 'memory' else each.ratio, limit_of(each.case['percent'])
-                if limit and not math.isnan(value):
-                    found.append((f'{code} {each.label}', value, limit))
-        return found
-    return find
+STANDARD = {512: 8, 1024: 15, 2048: 25, 4096: 30}
 
 
 ASPHER = ('aspher-fft', 'aspher-h2', 'aspher-fft-float', 'aspher-h2-float')
@@ -171,33 +150,40 @@ SINGLE = BENCH + 'scaling --precision single --tol 1e-4 --sizes 16384 --percents
 PEERS = BENCH + 'peers'
 TARGETS = (
     Target('standard method, 10 %, times slower', '>= 8, 15, 25, 30 at 512², 1024², 2048², 4096²', PEERS + ' --only ours,baseline', 'peers',
-           baseline, True),
-    Target('products to 1e-8, 512² to 4096²', '<= 30', BENCH + 'scaling', 'scaling', products_to_tolerance),
-    Target('their growth', '<= N^0.2', BENCH + 'scaling', 'scaling', products_growth, form='{:.2f}'),
+           lambda d: compared(d, ('baseline',), 'rough', lambda each: STANDARD.get(each.case['n'])
+                              if each.case['percent'] == 10 and each.level == TIGHT else None), True),
+    Target('products to 1e-8, 512² to 4096²', '<= 30', BENCH + 'scaling', 'scaling', lambda d: grown(d, 5, 30)),
+    Target('their growth', '<= N^0.2', BENCH + 'scaling', 'scaling', lambda d: grown(d, 6, 0.2), form='{:.2f}'),
     Target('products in load over displacement control, from 512² on', '<= 1.3', BENCH + 'scaling', 'scaling', load_control),
     Target('0.1 % of a rough surface: full-grid solver, times slower', '>= 8, 15, 30 at 1024², 2048², 4096²', BENCH + 'dilute', 'dilute',
-           dilute('rough', {1024: 8, 2048: 15, 4096: 30}), True),
-    Target('one asperity on 4096²: full-grid solver, times slower', '>= 100', BENCH + 'dilute', 'dilute', dilute('asperity', {4096: 100}),
+           lambda d: dilute(d, 'rough', {1024: 8, 2048: 15, 4096: 30}), True),
+    Target('one asperity on 4096²: full-grid solver, times slower', '>= 100', BENCH + 'dilute', 'dilute', lambda d: dilute(d, 'asperity', {4096: 100}),
            True),
-    Target('16384², single, 1e-4, 10 %', '<= 200 s', SINGLE + '10', 'scaling', large(0.1, 'seconds', 200)),
-    Target('its memory in all', '<= 13 GB', SINGLE + '10', 'scaling', large(0.1, 'peak_bytes', 13)),
-    Target('16384², single, 1e-4, 0.04 %', '<= 4 s', SINGLE + '0.04', 'scaling', large(0.0004, 'seconds', 4)),
-    Target('its memory in all', '<= 4 GB', SINGLE + '0.04', 'scaling', large(0.0004, 'peak_bytes', 4)),
-    Target('bytes a point in all, mixed, from 2048² on', '<= 110 (80)', BENCH + 'scaling', 'scaling', memory(110)),
+    Target('16384², single, 1e-4, 10 %', '<= 200 s', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, total_seconds, 200)),
+    Target('its memory in all', '<= 13 GB', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, gigabytes, 13)),
+    Target('16384², single, 1e-4, 0.04 %', '<= 4 s', SINGLE + '0.04', 'scaling', lambda d: large(d, 0.0004, total_seconds, 4)),
+    Target('its memory in all', '<= 4 GB', SINGLE + '0.04', 'scaling', lambda d: large(d, 0.0004, gigabytes, 4)),
+    Target('bytes a point in all, mixed, from 2048² on', '<= 110 (80)', BENCH + 'scaling', 'scaling', lambda d: memory(d, 110)),
     Target('bytes a point in all, single, from 2048² on', '<= 51 (38)', BENCH + 'scaling --precision single --tol 1e-4', 'scaling',
-           memory(51, precision='single', tol=1e-4)),
-    Target('padded product, double, times slower, from 1024² on', '>= 1.7', BENCH + 'products', 'products', product_ratio('ratio', 1.7), True),
-    Target('padded product, single', '>= 2', BENCH + 'products', 'products', product_ratio('single_ratio', 2), True),
-    Target('product, share of in-cache FFTW speed', '(0.6)', BENCH + 'limits', 'limits', transform_fraction, True),
-    Target('both cores loaded by others, times slower', '<= 2.5', BENCH + 'busy', 'busy', busy),
+           lambda d: memory(d, 51, precision='single', tol=1e-4)),
+    Target('padded product, double, times slower, from 1024² on', '>= 1.7', BENCH + 'products', 'products', lambda d: product_ratio(d, 'ratio', 1.7), True),
+    Target('padded product, single', '>= 2', BENCH + 'products', 'products', lambda d: product_ratio(d, 'single_ratio', 2), True),
+    Target('product, share of in-cache FFTW speed', '(0.6)', BENCH + 'limits', 'limits',
+           lambda d: listed(d['products'], '{n}² {precision} {threads} threads', 'fraction_of_transforms', 0.6), True),
+    Target('both cores loaded by others, times slower', '<= 2.5', BENCH + 'busy', 'busy',
+           lambda d: listed(d['busy'], '{n}² {threads} threads', 'ratio', 2.5)),
     Target('`deterministic=1`: one thread and more, run after run, bitwise equal', 'yes', BENCH + 'deterministic', 'deterministic',
-           deterministic_bits, True),
-    Target('`deterministic=1`: cost', '<= 10 %', BENCH + 'deterministic', 'deterministic', deterministic_cost, form='{:+.1%}'),
-    Target('batch: all threads over one', '>= 1.8', BENCH + 'batch', 'batch', batch, True),
+           lambda d: listed(d.get('deterministic', ()), '{n}² {threads} threads', bitwise, 1, lambda row: row['choice'] == '1'), True),
+    Target('`deterministic=1`: cost', '<= 10 %', BENCH + 'deterministic', 'deterministic',
+           lambda d: listed(d.get('deterministic', ()), '{choice}, {threads} threads', 'cost_median', 0.1, lambda row: row['choice'] != '1'),
+           form='{:+.1%}'),
+    Target('batch: all threads over one', '>= 1.8', BENCH + 'batch', 'batch',
+           lambda d: listed(d['batch'][:1], '{surfaces} surfaces of {n}²', lambda row: d['scaling'], 1.8), True),
     Target('ASPHER, times slower', '>= 10 from 10 % on, >= 5 at 0.1 to 1 %', PEERS, 'peers',
-           peer(ASPHER, 'rough', lambda percent: 10 if percent >= 10 else 5), True),
-    Target('our memory over ASPHER\'s', '<= 0.5', PEERS, 'peers', peer(ASPHER, 'rough', lambda percent: 0.5, 'memory')),
-    Target('Tamaas, periodic, times slower', '>= 10', PEERS, 'peers', peer(('tamaas',), 'wavy', lambda percent: 10), True),
+           lambda d: compared(d, ASPHER, 'rough', lambda each: 10 if each.case['percent'] >= 10 else 5, 'load'), True),
+    Target('our memory over ASPHER\'s', '<= 0.5', PEERS, 'peers',
+           lambda d: compared(d, ASPHER, 'rough', lambda each: 0.5, 'load', 'memory')),
+    Target('Tamaas, periodic, times slower', '>= 10', PEERS, 'peers', lambda d: compared(d, ('tamaas',), 'wavy', lambda each: 10, 'load'), True),
 )
 
 

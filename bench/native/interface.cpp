@@ -10,25 +10,12 @@
 #include <thread>
 
 #include "formats/surface.h"
+#include "guarded.h"
 #include "padded_product.h"
-#include "polonsky_keer.h"
-#include "product_timer.h"
 
 namespace {
 
 using namespace bench;
-
-thread_local std::string message;
-
-template <class Work> const char* guarded(const Work& work) {
-  try {
-    work();
-    return nullptr;
-  } catch (const std::exception& error) {
-    message = error.what();
-    return message.c_str();
-  }
-}
 
 // work(thread) on all of them at once.
 template <class Work> void on_threads(int threads, const Work& work) {
@@ -74,20 +61,6 @@ extern "C" {
 const char* bench_build() {
   static const std::string text = std::string(RC_BENCH_BUILD) + fftw_version;
   return text.c_str();
-}
-
-// times: best, median and first; counts: products, points of the trial set, points with pressure; y: [points], or null
-const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
-                                const char* planning, int threads, double budget, int single, double share, double* times,
-                                std::int64_t* counts, double* y) {
-  return guarded([&] {
-    const ProductTimes found = time_products(*system, gap, approach, {backend, planning, threads, budget, single != 0, share});
-    const double seconds[] = {found.calls.best, found.calls.median, found.first};
-    const std::int64_t numbers[] = {found.calls.count, found.points, found.contacts};
-    std::copy_n(seconds, 3, times);
-    std::copy_n(numbers, 3, counts);
-    if (y) std::copy(found.y.begin(), found.y.end(), y);
-  });
 }
 
 const char* bench_padded_create(std::int64_t n, int threads, int measure, double limit, int single, void** out,
@@ -152,25 +125,6 @@ const char* bench_time_transform(std::int64_t length, std::int64_t repeats, int 
   return guarded([&] {
     *seconds = single ? time_transform<float>(length, repeats, threads, budget)
                       : time_transform<double>(length, repeats, threads, budget);
-  });
-}
-
-// The standard method, Polonsky & Keer (1999), until `look` returns 0. wisdom: file of FFTW's plans, kept from run to run.
-// seconds: set-up, and planning as a part of it.
-const char* bench_polonsky_keer(std::int64_t n, const double* gap, int load_control, double target, int threads,
-                                std::int64_t most, double planning_limit, const char* wisdom, double* seconds,
-                                int (*look)(std::int64_t products, const double* p, double residual, double seconds)) {
-  return guarded([&] {
-    const auto begun = Clock::now();
-    fftw_init_threads();
-    fftw_import_wisdom_from_filename(wisdom);
-    PaddedProduct product(n, threads, FFTW_MEASURE, planning_limit);
-    seconds[0] = seconds_since(begun);
-    seconds[1] = product.planning_seconds();
-    fftw_export_wisdom_to_filename(wisdom);
-    polonsky_keer({n, gap, load_control != 0, target}, product, threads, most, [&](const StandardState& state) {
-      return look(state.products, state.p.data(), state.residual, state.seconds) != 0;
-    });
   });
 }
 

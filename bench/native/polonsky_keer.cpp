@@ -1,14 +1,32 @@
-#include "polonsky_keer.h"
-
+// The field's standard method as it was published: I. A. Polonsky, L. M. Keer, "A numerical method for solving rough contact
+// problems based on the multi-level multi-summation and conjugate gradient techniques", Wear 231 (1999) 206-219, section 3.2,
+// with two products an iteration, here by a padded transform.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <thread>
 
-#include "stopwatch.h"
+#include "guarded.h"
+#include "padded_product.h"
 
 namespace bench {
 
 namespace {
+
+struct StandardProblem {
+  std::int64_t n = 0;           // cells a side of the unit square; contact modulus 1
+  const double* gap = nullptr;  // [n*n]
+  bool load_control = true;
+  double target = 0;  // load, or approach
+};
+
+// What a caller may look at after each product with p, while the clock stands still.
+struct StandardState {
+  std::int64_t iteration, products;
+  const std::vector<double>& p;
+  double residual;  // the largest of dual and complementarity residuals, as roughcontact's certificate defines them
+  double seconds;   // of the iterations so far
+};
 
 struct Sums {
   double a = 0, b = 0;
@@ -42,8 +60,7 @@ double residual_of(const std::vector<double>& p, const std::vector<double>& g, c
   return worst;
 }
 
-}  // namespace
-
+// Goes on until `look` returns false or after `most` iterations. The stopping test is the caller's: it costs this method nothing.
 void polonsky_keer(const StandardProblem& problem, PaddedProduct& product, int threads, std::int64_t most,
                    const std::function<bool(const StandardState&)>& look) {
   const std::int64_t points = problem.n * problem.n;
@@ -133,4 +150,30 @@ void polonsky_keer(const StandardProblem& problem, PaddedProduct& product, int t
   }
 }
 
+}  // namespace
+
 }  // namespace bench
+
+extern "C" {
+
+// The standard method, Polonsky & Keer (1999), until `look` returns 0. wisdom: file of FFTW's plans, kept from run to run.
+// seconds: set-up, and planning as a part of it.
+const char* bench_polonsky_keer(std::int64_t n, const double* gap, int load_control, double target, int threads,
+                                std::int64_t most, double planning_limit, const char* wisdom, double* seconds,
+                                int (*look)(std::int64_t products, const double* p, double residual, double seconds)) {
+  using namespace bench;
+  return guarded([&] {
+    const auto begun = Clock::now();
+    fftw_init_threads();
+    fftw_import_wisdom_from_filename(wisdom);
+    PaddedProduct product(n, threads, FFTW_MEASURE, planning_limit);
+    seconds[0] = seconds_since(begun);
+    seconds[1] = product.planning_seconds();
+    fftw_export_wisdom_to_filename(wisdom);
+    polonsky_keer({n, gap, load_control != 0, target}, product, threads, most, [&](const StandardState& state) {
+      return look(state.products, state.p.data(), state.residual, state.seconds) != 0;
+    });
+  });
+}
+
+}  // extern "C"

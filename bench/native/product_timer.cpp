@@ -1,10 +1,39 @@
-#include "product_timer.h"
+// Times y = H[T,T] x through the public plugin interface: a solver that multiplies instead of solving.
+#include <roughcontact/plugin.h>
 
 #include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "guarded.h"
+#include "padded_product.h"
+#include "stopwatch.h"
 
 namespace bench {
 
 namespace {
+
+struct ProductSetup {
+  const char* backend = "auto";
+  const char* planning = "";  // of backend fft; empty: its default
+  int threads = 1;
+  double budget = 0.3;  // seconds to spend, three products at least
+  bool single = false;  // precision
+  double share = 1;     // of the trial set that carries pressure, the deepest points
+};
+
+struct ProductTimes {
+  CallTimes calls;
+  double first = 0;  // seconds of the first product, with the set-up
+  std::int64_t points = 0, contacts = 0;
+  std::vector<double> y;  // the last product
+};
+
+template <class Handle, void (*destroy)(Handle*), class Create> auto made(const Create& create) {
+  Handle* handle = nullptr;
+  check(create(&handle));
+  return std::unique_ptr<Handle, decltype([](Handle* each) { destroy(each); })>(handle);
+}
 
 // rc_solver::solve has no user pointer.
 thread_local ProductSetup setup;
@@ -51,25 +80,20 @@ const rc_solver* const solvers[] = {&timer};
 const rc_plugin plugin = {
     sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "product-timer", "1", 0, 1, nullptr, solvers};
 
-}  // namespace
-
+// T is the trial set of this gap and approach. x is the compenetration over T, and with a share below 1 its excess over what the
+// other points have.
 ProductTimes time_products(const rc_system& system, const double* gap, double approach, const ProductSetup& wanted) {
-  rc_context* new_context = nullptr;
-  check(rc_context_create(nullptr, &new_context));
-  const Context context(new_context);
+  const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
   check(rc_context_register(context.get(), &plugin));
-  rc_options* new_options = nullptr;
-  check(rc_options_create(context.get(), &new_options));
-  const Options options(new_options);
+  const auto options = made<rc_options, rc_options_destroy>([&](auto** out) { return rc_options_create(context.get(), out); });
   check(rc_options_parse(options.get(), RC_OPT_SOLVER, timer.name));
   check(rc_options_parse(options.get(), RC_OPT_BACKEND, wanted.backend));
   check(rc_options_set_int(options.get(), RC_OPT_THREADS, wanted.threads));
   const std::string planning = wanted.planning;
   if (planning == "measure") check(rc_options_set_int(options.get(), RC_OPT_DETERMINISTIC, 0));
   if (!planning.empty()) check(rc_options_parse(options.get(), "fft.planning", planning.c_str()));
-  rc_contact* new_contact = nullptr;
-  check(rc_contact_create(&system, options.get(), &new_contact));
-  const Contact contact(new_contact);
+  const auto contact =
+      made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(&system, options.get(), out); });
   rc_step step = RC_STEP_INIT;
   step.gap = gap;
   step.target = approach;
@@ -81,4 +105,25 @@ ProductTimes time_products(const rc_system& system, const double* gap, double ap
   return std::move(found);
 }
 
+}  // namespace
+
 }  // namespace bench
+
+extern "C" {
+
+// times: best, median and first; counts: products, points of the trial set, points with pressure; y: [points], or null
+const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
+                                const char* planning, int threads, double budget, int single, double share, double* times,
+                                std::int64_t* counts, double* y) {
+  return bench::guarded([&] {
+    const bench::ProductTimes found =
+        bench::time_products(*system, gap, approach, {backend, planning, threads, budget, single != 0, share});
+    const double seconds[] = {found.calls.best, found.calls.median, found.first};
+    const std::int64_t numbers[] = {found.calls.count, found.points, found.contacts};
+    std::copy_n(seconds, 3, times);
+    std::copy_n(numbers, 3, counts);
+    if (y) std::copy(found.y.begin(), found.y.end(), y);
+  });
+}
+
+}  // extern "C"
