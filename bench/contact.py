@@ -39,10 +39,6 @@ def unit_square(n, boundary='free', aspect=1.0):
     return rc.HalfSpace((n, n), pitch=(1 / n, aspect / n), modulus=1, boundary=boundary)
 
 
-def target_of(control, value):
-    return {control: value}
-
-
 def status_of(result):
     return 'RC_' + result.status.name
 

@@ -5,7 +5,6 @@ import numpy as np
 import roughcontact as rc
 
 import cascade
-from case import Failure
 from contact import OK, certified, difference, names, press, runs, status_of
 from options import Question, listed, one_of
 from samples import mean, wilson

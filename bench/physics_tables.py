@@ -3,7 +3,7 @@ import math
 import os
 
 from charts import OPEN_MARKERS, STYLES, Panels, style
-from samples import groups, mean, solved
+from samples import groups, solved
 from store import load
 from tables import provenance, table
 

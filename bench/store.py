@@ -42,7 +42,7 @@ class Store:
     def __init__(self, file, benchmark, threads):
         self.file, self.document = file, {}
         if file and os.path.exists(file):
-            with open(file) as text:
+            with open(file, encoding='utf-8') as text:
                 self.document = json.load(text)
             if self.document.get('benchmark') != benchmark:
                 raise Failure(f'{file} is no result of this benchmark; give another name, or remove it')
@@ -74,7 +74,7 @@ class Store:
         if not self.file:
             return
         os.makedirs(os.path.dirname(os.path.abspath(self.file)), exist_ok=True)
-        with open(self.file + '.part', 'w') as out:
+        with open(self.file + '.part', 'w', encoding='utf-8') as out:
             json.dump(self.document, out, indent=1, ensure_ascii=False)
             out.write('\n')
         os.replace(self.file + '.part', self.file)
