@@ -8,9 +8,10 @@ import roughcontact as rc
 from case import Failure, cpu_seconds
 from contact import OK, unit_square
 from options import CONTROLS, THREADS, Question, ranged, threads
+from scaling_tables import batch_table
 from store import Store
 from surfaces import SurfaceClass, below_highest
-from tables import show
+from tables import show_table
 
 BLOCK = 40  # surfaces that are in memory at a time; one thread and several take turns on them
 ROUGH = SurfaceClass('roll-off at 4 waves', hurst=0.8, roll_off=4)
@@ -60,11 +61,10 @@ def run(request):
             raise Failure('loads depend on the number of threads')
         print(f'{seeds[-1]} of {request.surfaces} surfaces', file=sys.stderr)
     rows, scaling, growth = [one.row(), several.row()], one.seconds / several.seconds, several.cpu / one.cpu
-    show('threads; surfaces; n; steps; control; s=seconds:.2f; CPU s=cpu_seconds:.2f; surfaces/s=surfaces_per_second:.1f; '
-         'solves/s=solves_per_second:.1f; products; certified; status', rows)
-    print(f'\n{request.threads} threads: {scaling:g} times as fast as one, with {growth:g} of its CPU time')
     store.document.update(batch=rows, scaling=scaling, cpu_growth=growth)
     store.save()
+    show_table(batch_table(store.document))
+    print(f'\n{request.threads} threads: {scaling:g} times as fast as one, with {growth:g} of its CPU time')
 
 
 QUESTION = Question('batch', 'histories of many small contacts in one call, with one thread and with several', run, {

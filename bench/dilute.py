@@ -8,9 +8,10 @@ import native
 from case import Failure, checked, in_child, interpreter_memory, peak_memory
 from contact import difference, time_solve, unit_square
 from options import CONTROLS, THREADS, Question, listed, ranged, side, threads
+from scaling_tables import dilute_table
 from store import Store
 from surfaces import Hertz, SurfaceClass, paraboloid_gap, self_affine_gap
-from tables import show
+from tables import show_table
 
 TRIAL_POINTS = 4  # a contact: the trial set that a solver works on holds it and about three times as many points around it
 RMS_HEIGHT, ASPERITY_AREA = 0.02, 0.001
@@ -45,10 +46,6 @@ def products(request):
             for count in sorted({1, request.threads}):
                 rows.append(products_row(n, gap, approach, count, request.budget))
                 print(f'{n} points a side, {contact:g} %, {count} threads', file=sys.stderr)
-    print('Products')
-    show('n; contact %=contact_percent:.3f; contacts; points; threads; fft ms=fft_ms:.2f; split ms=split_ms:.2f; ratio:.1f; '
-         'fft float ms=fft_float_ms:.2f; split float ms=split_float_ms:.2f; ratio=float_ratio:.1f; first fft ms=fft_first_ms:.1f; '
-         'first split ms=split_first_ms:.1f; difference:.1e', rows)
     return rows
 
 
@@ -129,15 +126,6 @@ class Solves:
                 self.find_load(scene, percent / 100)
                 self.press(scene, percent / 100)
             self.press(asperity(n), ASPERITY_AREA)
-        print('Cold solves: auto, all options at their defaults; fft, backend fft and haar-cg over the whole grid (a candidate in\n'
-              f'each corner keeps it from working on a box around the contact), up to {self.request.largest_full} points a side. ratio: '
-              'seconds of fft\nover those of auto, with set-up. peak: of the process, with the gap')
-        same = ('scene', 'n', 'control', 'tol')
-        show('scene; n; control; tol:.0e; contact %=contact_percent:.4f; run; solver; backend; set-up s=setup_seconds:.3f; '
-             'solve s=solve_seconds:.3f; CPU s=cpu_seconds:.3f; products; modelled; peak MB=peak_megabytes:.0f; worst KKT=worst_kkt:.0e; '
-             'ratio:.1f; status',
-             [{**row[run], **{key: row[key] for key in same}, 'run': run, 'ratio': row.get('ratio') if run == 'fft' else None}
-              for row in self.rows for run in ('auto', 'fft') if run in row])
         return self.rows
 
 
@@ -149,6 +137,10 @@ def run(request):
     if not request.products_only:
         store.document['solves'] = Solves(request).run()
     store.save()
+    print('Cold solves: auto, all options at their defaults; full grid, backend fft and haar-cg with a candidate in each corner, which keeps it\n'
+          'from working on a box around the contact. ratio: seconds over those of auto, with set-up. peak: with the gap. Then products')
+    for text in dilute_table(store.document).split('\n\n'):
+        show_table(text)
 
 
 QUESTION = Question('dilute', 'dilute contacts: products by backends split and fft, and solves', run, {

@@ -5,7 +5,6 @@ import subprocess
 import time
 
 import failures_tables
-import limits_tables
 import paper_pictures
 import paper_tables
 import peers_report
@@ -132,7 +131,7 @@ def speed_accuracy(remake):
 DOCUMENTS = {'speed-accuracy': (speed_accuracy, speed_accuracy_tables.sections, speed_accuracy_pictures.pictures),
              'paper': (paper, paper_tables.sections, paper_pictures.pictures),
              'physics': (physics, physics_tables.sections, physics_tables.pictures),
-             'benchmarks': (benchmarks, limits_tables.sections, None),
+             'benchmarks': (benchmarks, scaling_tables.product_sections, None),
              'failures': (failures, failures_tables.sections, failures_tables.pictures),
              'performance': (performance, scaling_tables.sections, scaling_tables.pictures),
              'peers': (peers, peers_report.sections, peers_report.pictures)}

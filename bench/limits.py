@@ -7,9 +7,10 @@ from case import Failure, checked, in_child, repeats
 from contact import difference, unit_square
 from options import THREADS, Question, listed, ranged, threads
 from repeated import ColdSolve
+from scaling_tables import limits_tables, product_table
 from store import Store
 from surfaces import self_affine_gap
-from tables import show
+from tables import show_table
 
 ROUNDS = 5
 
@@ -50,14 +51,11 @@ def products(request):
                 return {**product_times(request, n, count, False), **{'single_' + key: value for key, value in single.items()}}
 
             rows.append({'n': n, 'threads': count, **in_child(work)})
-    print('Product with H over the whole grid [s]; ratio: time of the FFT padded to 2n x 2n with measured plans over that of backend\n'
-          'fft with estimated ones, in the same precision')
-    show('n; threads; fft, estimated plan=estimate_best:.6f; fft, measured plan=measure_best:.6f; padded, estimated=padded_estimate_best:.6f; '
-         'padded, measured=padded_measure_best:.6f; ratio:.2f; difference:.0e; single: fft, estimated=single_estimate_best:.6f; '
-         'fft, measured=single_measure_best:.6f; padded, measured=single_padded_measure_best:.6f; ratio=single_ratio:.2f; '
-         'difference=single_difference:.0e', rows)
     store.document['products'] = rows
     store.save()
+    print('Product with H over the whole grid; ratio: time of the FFT padded to 2n x 2n with measured plans over that of backend fft with\n'
+          'estimated ones, in the same precision')
+    show_table(product_table(store.document))
 
 
 def product_operations(n):
@@ -155,20 +153,13 @@ def limits(request):
         print(f'products and passes on {n}^2', file=sys.stderr)
         for name, rows in checked(in_child(lambda: measured.of_grid(n))).items():
             found[name] += rows
-    print('Memory: triad')
-    show('threads; GB/s=gigabytes_per_second:.1f', found['bandwidth'])
-    print('\nComplex transforms in the cache, FFTW, measured plans')
-    show('length; precision; threads; GFlop/s=gigaflops:.1f', found['transforms'])
-    print('\nOne product over the whole grid')
-    show('n; precision; threads; operations/point=operations_per_point:.0f; bytes/point=bytes_per_point:.0f; measured s=seconds:.5f; '
-         'by operations=operation_seconds:.5f; by bytes=byte_seconds:.5f; GFlop/s=gigaflops:.1f; GB/s=gigabytes_per_second:.1f; fraction:.2f',
-         found['products'])
-    print('\nA cold solve to 1e-3 without coarser grids; other: trees, passes over vectors, set-up, certificate')
-    show('n; precision; threads; iterations; products; solve s=seconds:.4f; products s=product_seconds:.4f; other s=other_seconds:.4f; '
-         'trees B/point=tree_bytes_per_point:.0f; vectors B/point=vector_bytes_per_point:.0f; by bytes=byte_seconds:.4f; '
-         'fraction=fraction_of_bandwidth:.2f', found['passes'])
     store.document.update(found)
     store.save()
+    for words, text in zip(('Memory: triad; complex transforms in the cache, FFTW, measured plans', '\nOne product over the whole grid',
+                            '\nA cold solve to 1e-3 without coarser grids; besides: trees, passes over vectors, set-up, certificate'),
+                           limits_tables(store.document).values()):
+        print(words)
+        show_table(text)
 
 
 PRODUCTS = Question('products', 'one product against a transform padded to 2n x 2n', products, {

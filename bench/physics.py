@@ -8,10 +8,11 @@ import roughcontact as rc
 from case import Failure
 from contact import OK, record_of, unit_square
 from options import THREADS, Question, listed, ranged, side, threads
+from physics_tables import curve_table, mesh_table
 from samples import line, mean
 from store import Store
 from surfaces import self_affine_gap
-from tables import show
+from tables import show_table
 
 RMS_SLOPE = 0.1
 BINS, HIGHEST = 50, 2  # of the histograms, whose end is HIGHEST E* rms slope
@@ -142,15 +143,13 @@ def run(request):
     store.document.update(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes)
     store.save()
     print(f'Periodic self-affine surfaces on {request.points}^2 points, mean of the surfaces')
-    show('p/(E* slope)=pressure; A/A0=area:.5f; corrected=corrected_area:.5f; Persson=persson:.5f; mean gap/rms=mean_gap:.3f; '
-         'K rms/(E* slope)=stiffness:.4g; p/(K rms)=decay:.3f; patches; largest=largest_patch:.3f; surfaces', curve)
+    show_table(curve_table(store.document))
     for name, words in (('kappa', 'kappa, raw'), ('corrected_kappa', 'kappa, corrected'), ('decay', 'u0/rms height by the gap'),
                         ('stiffness_decay', 'u0/rms height by the stiffness')):
         if fits:
             print('{}: {mean:.3f} ({lowest:.3f} to {highest:.3f})'.format(words, **fits[name]))
     print('The same surfaces on several grids; errors against the raw areas of the two finest, extrapolated')
-    show('p/(E* slope)=pressure; n; cells a wave=cells_a_wave; A/A0=area:.5f; corrected=corrected_area:.5f; error=raw_error:+.2e; '
-         'corrected=corrected_error:+.2e', meshes)
+    show_table(mesh_table(store.document))
 
 
 QUESTION = Question('physics', 'area, gap, stiffness, patches and pressures of rough surfaces against load', run, {

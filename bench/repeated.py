@@ -12,9 +12,10 @@ from case import Failure, checked, in_child
 from contact import OK, cold_call, share_in_contact, status_of, unit_square
 from options import THREADS, Question, listed, percent, ranged, side, threads
 from scaling import light_load
+from scaling_tables import busy_table, deterministic_table
 from store import Store
 from surfaces import self_affine_gap
-from tables import show
+from tables import show_table
 
 
 class ColdSolve:
@@ -92,10 +93,9 @@ def busy(request):
                      'ratio_largest': max(loaded) / median, 'idle': idle, 'busy': loaded})
         print(f'{count} threads done', file=sys.stderr)
     print(f'Cold solves alone and beside {request.others} processes at full load; largest ratio: the slowest busy one over the median idle one')
-    show('n; contact %=contact_percent:.2f; threads; others; idle s=idle_median:.4f; idle largest=idle_largest:.4f; busy s=busy_median:.4f; '
-         'busy largest=busy_largest:.4f; ratio of medians=ratio:.2f; largest ratio=ratio_largest:.2f', rows)
     store.document['busy'] = rows
     store.save()
+    show_table(busy_table(store.document))
 
 
 # What may be left out with results that need not repeat: nothing, or plans by measurement too.
@@ -130,10 +130,9 @@ def deterministic(request):
                          'same_as_one_thread': 'yes' if one_thread[choice] == first else 'no',
                          'same_again': 'yes' if all(bits == first for run in found for bits in run['bits']) else 'no'})
         print(f'{count} threads done', file=sys.stderr)
-    show('n; threads; deterministic=choice; s, median=median:.4f; s, best=best:.4f; 1 costs, median=cost_median:+.3f; '
-         '1 costs, best=cost_best:+.3f; same bits as 1 thread=same_as_one_thread; same bits again=same_again', rows)
     store.document['deterministic'] = rows
     store.save()
+    show_table(deterministic_table(store.document))
 
 
 SCENE = {'points': (side, 1024, 'points per side'), 'percent': (percent, 10, 'contact area in percent of the grid, about'),

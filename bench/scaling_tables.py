@@ -1,4 +1,4 @@
-"""Tables and the picture of docs/performance.md. What has not been measured is named with the command that does."""
+"""Tables and the picture of docs/performance.md, and those of docs/benchmarks.md. What has not been measured is named with the command that does."""
 import os
 
 import scaling_targets as targets
@@ -32,6 +32,18 @@ def limits_tables(document):
                                      'by operations [ms]', 'by bytes [ms]', 'GFlop/s', 'GB/s', 'fraction'], product),
             'pass-limits': table(['grid', 'precision', 'threads', 'iterations', 'products', 'solve [ms]', 'in products [ms]', 'besides [ms]',
                                   'trees [bytes/point]', 'vectors [bytes/point]', 'by bytes [ms]', 'fraction'], passes)}
+
+
+def product_table(document):
+    rows = []
+    for row in document['products']:
+        rows.append([f'{row["n"]}²', str(row['threads'])])
+        for of in ('', 'single_') if 'single_ratio' in row else ('',):
+            times = [row[of + key] for key in ('estimate_best', 'measure_best', 'padded_estimate_best', 'padded_measure_best')]
+            rows[-1] += [f'{1000 * t:.3g}' for t in times] + [f'{times[3] / times[0]:.2f}', error(row[of + 'difference'])]
+    names = ['fft [ms]', 'fft, measured plan', 'padded [ms]', 'padded, measured plan', 'ratio', 'difference']
+    both = 'single_ratio' in document['products'][0]
+    return table(['grid', 'threads'] + names + ([f'single: {name}' for name in names] if both else []), rows)
 
 
 def scaling_table(document, rows):
@@ -138,6 +150,12 @@ def profile_table(document):
 def targets_table(documents):
     rows = [[target.text, target.wanted, measured, verdict, f'`{target.command}`'] for target, measured, verdict in targets.judged(documents)]
     return table(['', 'target', 'measured', '', 'command'], rows)
+
+
+def product_sections(results):
+    """Of docs/benchmarks.md."""
+    document = load(results, 'products')
+    return {'provenance': provenance(document), 'products': product_table(document)}
 
 
 def sections(results):

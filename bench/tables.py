@@ -7,7 +7,7 @@ def cell(row, key, form):
     value = row.get(key)
     if value is None:
         return ''
-    return value if isinstance(value, str) else f'{value:{form or "g"}}'
+    return value if isinstance(value, str) else str(value) if isinstance(value, int) and not form else f'{value:{form or "g"}}'
 
 
 def aligned(rows):
@@ -29,6 +29,11 @@ def show(columns, rows):
 def table(titles, rows):
     lines = ['| ' + ' | '.join(titles) + ' |', '|' + '---|' * len(titles)]
     return '\n'.join(lines + ['| ' + ' | '.join(row) + ' |' for row in rows])
+
+
+def show_table(text):
+    """Prints the table of a document."""
+    print(aligned([line[2:-2].split(' | ') for line in text.splitlines() if line.startswith('| ')]), flush=True)
 
 
 def seconds(value):
