@@ -93,9 +93,9 @@ def cold_call(system, gap, options, control, target, pressure=None):
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
     library.rc_step_init(step, ctypes.sizeof(step))
     step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
-    step.gap = gap.ctypes.data_as(raw.doubles)
+    step.gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     if pressure is not None:
-        answer.p = pressure.ctypes.data_as(raw.doubles)
+        answer.p = pressure.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     with OptionSet(options, None) as chosen:
         begun, cpu = time.perf_counter(), cpu_seconds()
         status = library.rc_contact_create(struct, chosen, handle)

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/team.h"
+#include "core/thread_team.h"
 #include "kernel/kernel.h"
 #include "registry/options_handle.h"
 #include "solvers/haar_cg/iteration.h"
@@ -112,7 +112,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   Solution by_plain = solved(plain, task);
   by_plain.p = plain.pressures();
 
-  const rc::Team team(2);
+  const rc::ThreadTeam team(2);
   const rc_host host{};
   product.n = n;
   product.u = u.data();

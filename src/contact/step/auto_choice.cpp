@@ -105,10 +105,11 @@ const rc_backend& choose_backend(const rc_options& options, const System& system
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
   }
   const auto usable = [&](const rc_backend& backend) { return reason(backend).empty() && !contains(failed, backend.name); };
-  // Plugins are opened only where what is built in cannot do as well.
+  // Plugins are opened only where what is built in cannot do as well, and all of them only where nothing else can do it at all.
   Kinds found(options.context->backends_for_auto(false), usable);
   const bool enough = system.halfspace() ? found.direct && prefers_direct(counts) : found.direct || found.matrix_free;
   if (!enough) found = Kinds(options.context->backends_for_auto(true), usable);
+  if (!found.direct && !found.matrix_free) found = Kinds(options.context->backends(), usable);
   if (!found.direct && !found.matrix_free)
     fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver ? " with this solver" : "", "; is a plugin missing?");
   if (!found.matrix_free || (found.direct && prefers_direct(counts))) return *found.direct;
