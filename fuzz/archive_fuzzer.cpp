@@ -3,9 +3,9 @@
 // of valid points of an X3P, each ended by a zero and a one.
 #include <zlib.h>
 
-#include "reader.h"
 #include "formats/readers.h"
 #include "formats/zip_archive.h"
+#include "reader.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Gwyddion Simple Field.
-#include "reader.h"
 #include "formats/readers.h"
+#include "reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::check_reader(cli::read_gsf, fuzz::text(data, size));

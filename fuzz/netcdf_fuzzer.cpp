@@ -1,6 +1,6 @@
 // NetCDF of contact.engineering.
-#include "reader.h"
 #include "formats/readers.h"
+#include "reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::check_reader(cli::read_netcdf, fuzz::text(data, size));

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "error.h"
-#include "require.h"
 #include "formats/form.h"
 #include "formats/missing.h"
 #include "formats/readers.h"
+#include "require.h"
 
 namespace fuzz {
 

@@ -1,6 +1,6 @@
 // Surface data files (ISO 25178-71, BCR, NPL) and, where the first bytes are of none of these, Sensofar's PLu.
-#include "reader.h"
 #include "formats/readers.h"
+#include "reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view file = fuzz::text(data, size);

@@ -4,9 +4,9 @@
 
 #include <cstring>
 
+#include "formats/readers.h"
 #include "reader.h"
 #include "require.h"
-#include "formats/readers.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Matrices of text and lists of points.
-#include "reader.h"
 #include "formats/readers.h"
+#include "reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view file = fuzz::text(data, size);

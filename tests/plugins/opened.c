@@ -1,4 +1,4 @@
-/* Which plugins a process opens: none where a built-in backend does as well, those that may serve where not, and the others only by
+/* Which plugins a process opens: none where a built-in backend does as well, those that may serve where not, and the others by
    name. The dynamic loader's map of the process tells. */
 #include <roughcontact/roughcontact.h>
 #include <stdio.h>
