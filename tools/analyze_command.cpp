@@ -127,7 +127,7 @@ void print_advice(const Analysis& a) {
   row("cascade multi-resolution (cmr)", std::string(a.cmr->trustworthy ? "trustworthy" : "not trustworthy") +
                                             format(" with --levels %d, is with up to %d", a.cmr->levels, a.cmr->safe_levels));
   row("  approach judged", length_text(a.cmr->approach));
-  row("  highest point lost, over approach", a.cmr->peak_loss);
+  row("  highest point cut off / approach", a.cmr->peak_loss);
   std::printf("  %s (lengths in m)\n", a.cmr->reason);
 }
 

@@ -1,4 +1,4 @@
-// A handle's contact: one grid, the accuracy goal that may be met on coarser ones, and who may use it now.
+// What a handle holds: the contact on the given grid, its accuracy goal, which coarser grids may meet, and which thread uses it.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
@@ -25,14 +25,13 @@ class Contact {
   rc_status certify(const rc_step& step, rc_result& result);
 
   void reset();
-  // As new: operators, too, forget what they served, since answers would differ by round-off. What is the same for all contacts
-  // of the system stays.
+  // The next answer has the bits of a new contact's. What all contacts of the system share stays.
   void forget();
   // As after the steps described, which this contact or another has solved. Throws Error(ARGUMENT).
   void restore(const rc_state& state);
 
   void cancel() { grid_.cancel(); }
-  // A cancellation ends the solve that it meets, or else the next one; it is cleared where this ends.
+  // While it lives a cancellation is kept: it ends the running solve, or else the next one. Its destructor clears it.
   class Cancellation {
    public:
     explicit Cancellation(Contact& contact) : contact_(contact) {}

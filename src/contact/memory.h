@@ -22,7 +22,7 @@ struct Memory {
   CertifiedStep last, before;  // the last certified step, and the one before it
 
   void record(CertifiedStep&& step);
-  // The surface changed, or `same`: it did not.
+  // A step brought a surface; same: it is that of the step before.
   void surface_is(bool same);
 
   // How far beyond the last step the new one lies, on the line through the last two; 0 where there is no such line.

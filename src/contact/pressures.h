@@ -1,4 +1,4 @@
-// Pressures that are known at some points and are 0 elsewhere, and what they deflect.
+// Pressures on a set of points, 0 elsewhere, and the deflections that they cause.
 #pragma once
 
 #include <limits>
@@ -13,15 +13,15 @@ struct Pressures {
   std::vector<double> p;  // [pressure], one for each point of `on`
 
   bool empty() const { return p.empty(); }
-  // At the points of another set.
+  // The pressures at the points of another set.
   std::vector<double> at(const TrialSet& other) const;
   void write(double* everywhere, std::int64_t points) const;
-  // Those that are.
+  // The positive ones, on their points.
   Pressures positive() const;
 };
 
-// H p, for a proof about all points: at those listed, and the others are apart by more than `beyond` or lie where the
-// undeformed gap is no smaller than the approach.
+// H p at the points listed. Every other point has a deformed gap above `beyond`, or an undeformed gap that is no smaller than the
+// approach.
 struct Deflected {
   Pressures pressures;
   std::vector<double> product;  // [length]

@@ -1,4 +1,4 @@
-// The gap of the current step, and the trial sets it gives.
+// The undeformed gap of the current step, and the trial sets that follow from it.
 #pragma once
 
 #include <algorithm>
@@ -59,11 +59,11 @@ class StepSurface {
   double highest() const { return highest_; }
   double mean() const { return lowest_ + mean_height(); }  // of the included points
 
-  // Above the lowest gap: with heights, and compressions in place of approaches, nothing depends on the datum of the gap.
+  // Heights count from the lowest gap, compressions likewise, so that no answer depends on the datum of the gap.
   double height(std::size_t i) const { return gap_[i] - lowest_; }
   double mean_height() const;  // of the included points
   double range() const { return highest_ - lowest_; }
-  // A gap that every included point of less height lies below.
+  // A gap; every included point of less than this height has a smaller one.
   double limit_of(double height) const;
 
   // Included points with gap < limit.

@@ -23,7 +23,7 @@
 
 namespace rc {
 
-// What one step notes on its way.
+// Notes of one step, for its result and for its next choice.
 struct StepRecord {
   bool warm = true;                      // it may start from earlier steps
   Choice choice;                         // the latest
@@ -34,7 +34,7 @@ struct StepRecord {
   std::int64_t applications_before = 0;  // products that the operators had made
 };
 
-// What proofs need of the problem or of the surface, once a step asked for it.
+// Facts for proofs, computed when a step first needs them.
 struct ProofFacts {
   std::optional<Spectrum> spectrum;  // of the problem
   std::optional<double> tilt;        // plane_share of the surface
@@ -56,8 +56,8 @@ class Workspace {
   // The operator of this backend, made where there is none yet, with that trial set.
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   void drop_operator(const char* backend) { operators_.erase(backend); }
-  // A factor remembers the order in which points came, a transform the larger box before: without forgetting, answers would
-  // differ by round-off from first ones.
+  // A factor remembers the order in which points came, a transform remembers larger boxes. Once they forget, the next answer has
+  // the bits of a first one.
   void forget_operators();
   std::int64_t applications() const;  // of all operators
   // Dimensionless influence coefficients; the last table is kept, since solvers ask for the same at every step.

@@ -12,7 +12,7 @@ namespace rc {
 
 namespace {
 
-// Blocks of a level below which one thread does it sooner: in rows, and scattered.
+// Fewest blocks worth sharing between threads: in rows, and scattered.
 constexpr std::int64_t least_shared = 16384, least_scattered = 1024;
 constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where they are not in rows
 
