@@ -12,7 +12,8 @@ case $tier in '' | --quick | --full) ;; *) sed -n '2,7s/^# //p' "$0"; exit 2 ;; 
 passed=0 failed=0 skipped=0 stage='' since=0
 times=$(mktemp)
 trap 'rm -f "$times"' EXIT
-export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+jobs=$(nproc)  # before OMP_THREAD_LIMIT is set, which it obeys
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$jobs}
 
 full() { [ "$tier" = --full ]; }
 quick() { [ "$tier" = --quick ]; }
@@ -23,7 +24,7 @@ check() { if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi;
 # build PRESET [cmake options]: quietly.
 build() {
   local log=build-$1.log
-  if { cmake --preset "$1" "${@:2}" && cmake --build "build-$1" -j "$(nproc)"; } >"$log" 2>&1; then
+  if { cmake --preset "$1" "${@:2}" && cmake --build "build-$1" -j "$jobs"; } >"$log" 2>&1; then
     mv "$log" "build-$1/build.log"
   else
     grep -E -m 20 "error|Error" "$log" || tail -20 "$log"
@@ -102,7 +103,7 @@ if full; then
   stage "fuzzing, a minute each"
   verify fuzz "" -L full
   stage "mutants of the certificate and the bounds"
-  check scripts/mutants.py build-gcc --jobs "$(nproc)"
+  check scripts/mutants.py build-gcc --jobs "$jobs"
 fi
 
 took
