@@ -112,7 +112,7 @@ def cmr(
     inner: Optional[str] = None,
     check: bool = True,
 ) -> DirectResult:
-    """Cascade multi-resolution (Algorithm 6) on a height map, free boundaries, tolerance 1e-8.
+    """Cascade multi-resolution (Algorithm 6) on a height map, free boundaries.
 
     heights: [ny, nx], the highest touches first [length]; delta: compression below it [length]
     pitch: one number or (hx, hy) [length]; modulus: E* [force/length^2]
