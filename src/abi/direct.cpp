@@ -22,7 +22,7 @@ class Settings {
  public:
   explicit Settings(const char* solver) { set(RC_OPT_SOLVER, std::string(solver)); }
   Settings& set(const char* key, const OptionValue& value) {
-    options_.values.set(options_.context->option(key), value);
+    options_.set(key, value);
     return *this;
   }
   const rc_options& options() const { return options_; }

@@ -43,7 +43,7 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   if (coarser_may_do && goal_.solve(grid_, step, monitor, result, nearer)) return result.status;
   const rc_status status = grid_.solve_begun(step, monitor, result, std::move(nearer));
   if (coarser_may_do) {
-    goal_.count_work(result);
+    goal_.add_work(result);
     result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
   }
   return status;

@@ -7,7 +7,7 @@
 
 namespace rc {
 
-// A value makes progress where it is below a share of the mark; then it becomes the mark. The first value makes the mark.
+// A value makes progress where it is below a share of the mark; then it becomes the mark. The first value sets the mark.
 class Stall {
  public:
   // least: the mark is the least of all values, also of those that made no progress.
@@ -15,7 +15,7 @@ class Stall {
 
   Stall(double share, std::int64_t patience, Mark mark = Mark::last_progress)
       : share_(share), patience_(patience), follows_least_(mark == Mark::least) {}
-  // With a mark from the start, the first value makes progress or is not counted.
+  // The mark is given. The first value then makes progress, or does not count.
   static Stall from(double mark, double share, std::int64_t patience) {
     Stall stall(share, patience);
     stall.mark_ = mark;

@@ -37,11 +37,6 @@ double difference(const rc_result& fine, const rc_result& coarse, std::int32_t c
   return std::isfinite(difference) ? relative(difference, fine.load) : std::numeric_limits<double>::infinity();
 }
 
-// Grid k: each of its cells stands for 2^k x 2^k of the given grid's.
-Blocks blocks_of(const Workspace& given, std::size_t k) {
-  return {given.system.given.nx, given.system.given.ny, std::int64_t{1} << k};
-}
-
 }  // namespace
 
 AccuracyGoal::AccuracyGoal() = default;
@@ -53,6 +48,10 @@ void AccuracyGoal::forget() {
     grid.halved.contact().forget_operators();
   }
   surface_ = -1;
+}
+
+Blocks AccuracyGoal::blocks_of(const Workspace& given, std::size_t k) {
+  return {given.system.given.nx, given.system.given.ny, std::int64_t{1} << k};
 }
 
 // The given surface on every coarser grid.
@@ -141,7 +140,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
   return found;
 }
 
-void AccuracyGoal::count_work(rc_result& result) const {
+void AccuracyGoal::add_work(rc_result& result) const {
   for (const Grid& grid : grids_) {
     result.iterations += grid.result.iterations;
     result.applications += grid.result.applications;
@@ -176,7 +175,7 @@ void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, 
   result.levels = 0;
   result.iterations = result.applications = 0;
   result.setup_seconds = 0;
-  count_work(result);
+  add_work(result);
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
   result.model_nx = coarse.nx;
   result.model_ny = coarse.ny;

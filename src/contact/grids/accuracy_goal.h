@@ -22,7 +22,7 @@ class AccuracyGoal {
   // left it, and result.status tells which. False: the whole grid must be solved, from the estimate if there is one.
   bool solve(GridContact& given, const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate>& estimate);
   // Adds what the coarser grids of this step took.
-  void count_work(rc_result& result) const;
+  void add_work(rc_result& result) const;
 
   void clear() { grids_.clear(); }
   void forget();  // earlier steps, and what operators remember of them
@@ -40,7 +40,8 @@ class AccuracyGoal {
   };
 
   void halve(GridContact& given);
-  // Grid k, 1: the finest of the coarser ones.
+  // Grid k: each of its cells stands for 2^k x 2^k of the given grid's. 1: the finest of the coarser ones.
+  static Blocks blocks_of(const Workspace& given, std::size_t k);
   rc_status solve_on(std::size_t k, const Workspace& given, const rc_step& step, const Monitor& monitor,
                      std::optional<Estimate> estimate, bool with_gap);
   Found from_coarse_to_fine(GridContact& given, const rc_step& step, const Monitor& monitor, bool with_gap);

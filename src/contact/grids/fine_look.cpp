@@ -98,7 +98,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   if (!(rest.load > 0)) return false;
 
   // In load control the area is that of a load as far off as the one at the coarser grid's approach.
-  const Blocks blocks{system.given.nx, system.given.ny, std::int64_t{1} << found.grid};
+  const Blocks blocks = blocks_of(work, found.grid);
   const double change = std::abs(rest.load - grid.result.load) / rest.load;
   const double of_load = left_of_change * change + rest.gap;
   const double counted = (2 * rest.changes + static_cast<double>(blocks.factor * blocks.factor)) / rest.contacts;
@@ -127,9 +127,9 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   result.modelled = answer.op->modelled();
   result.stiffness =
       work.options.integer(RC_OPT_STIFFNESS) != 0 ? grid.result.stiffness : std::numeric_limits<double>::quiet_NaN();
-  rc::count_work(work, monitor, result);
+  count_work(work, monitor, result);
   result.levels = 0;
-  count_work(result);
+  add_work(result);
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
   result.model_nx = coarse.system.given.nx;
   result.model_ny = coarse.system.given.ny;

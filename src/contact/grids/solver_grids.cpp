@@ -1,7 +1,6 @@
 #include "contact/grids/solver_grids.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "contact/grid_contact.h"
 #include "contact/grids/grid_pyramid.h"

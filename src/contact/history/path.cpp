@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,10 @@ void write_outputs(const rc_path& path, std::int64_t i, const rc_result& result)
 
 std::string where(const rc_path& path, std::int64_t i) { return join("step ", i, ", targets[", i, "] = ", path.targets[i]); }
 
-// Steps give the stiffness where the path wants it, whatever the option says.
+// While it lives, every step computes the stiffness, whatever the option says.
 class StiffnessAsked {
  public:
-  StiffnessAsked(Contact& contact, bool wanted) : contact_(contact), before_(contact.ask_stiffness(true)) {
-    if (!wanted) contact_.ask_stiffness(before_);
-  }
+  explicit StiffnessAsked(Contact& contact) : contact_(contact), before_(contact.ask_stiffness(true)) {}
   ~StiffnessAsked() { contact_.ask_stiffness(before_); }
   StiffnessAsked(const StiffnessAsked&) = delete;
   StiffnessAsked& operator=(const StiffnessAsked&) = delete;
@@ -69,7 +68,8 @@ rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& comple
   if (path.n == 0) return RC_OK;
   // Set between two steps, a cancellation must reach the next one; so it is cleared only when the path ends.
   const Contact::Cancellation cancellation(contact);
-  const StiffnessAsked stiffness(contact, path.stiffness != nullptr);
+  std::optional<StiffnessAsked> stiffness;
+  if (path.stiffness) stiffness.emplace(contact);
 
   std::vector<double> p, gap;
   if (path.fn) {

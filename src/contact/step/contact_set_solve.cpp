@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/stall.h"
 #include "core/sums.h"
 
 namespace rc {
 
 namespace {
 
-constexpr int patience = 20;     // iterations without a smaller residual: round-off has the last word
+constexpr int patience = 20;     // steps without a smaller residual, after which round-off is all that is left
 constexpr double smaller = 0.9;  // of the smallest residual before
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -55,17 +56,13 @@ rc_status ContactSetSolve::operator()(std::span<const double> b, const Enough& e
   const std::size_t n = set_.size();
   std::vector<double> r(b.begin(), b.end()), t(n, 0.0), q(n), z(n);
   std::fill(x.begin(), x.end(), 0.0);
-  double least = dot(r, r), curvature = 0;
-  for (int idle = 0;;) {
+  Stall stalled(smaller * smaller, patience);
+  double curvature = 0;
+  for (;;) {
     const double rr = dot(r, r);
     form = dot(b, x) + dot(r, x);
     if (rr == 0 || enough(form, rr / lowest_)) return RC_OK;
-    if (rr < smaller * smaller * least) {
-      least = rr;
-      idle = 0;
-    } else if (++idle > patience) {
-      return RC_STOP_STALLED;
-    }
+    if (stalled(rr)) return RC_STOP_STALLED;
     // beta from the product, not from norms: the trees work in single precision, so each step is made conjugate to the last only.
     const double zq = trees_->apply(r.data(), active_.data(), z.data(), curvature > 0 ? q.data() : nullptr, team_);
     const double beta = curvature > 0 ? -zq / curvature : 0;
