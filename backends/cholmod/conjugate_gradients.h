@@ -1,4 +1,4 @@
-// A x = b by conjugate gradients with a preconditioner, to what double precision gives.
+// A x = b by conjugate gradients with a preconditioner, as accurately as double precision allows.
 #pragma once
 
 #include <cstdint>

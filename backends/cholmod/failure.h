@@ -11,7 +11,7 @@ template <class... Parts> [[noreturn]] void fail(rc_status code, const Parts&...
   roughcontact::fail(component, code, parts...);
 }
 
-// Throws where the caller wants no answer any more.
+// Throws if the caller has asked to stop.
 inline void check_for_stop(const rc_operator_spec& spec) {
   if (spec.struct_size >= sizeof(rc_operator_spec) && spec.poll) roughcontact::check(spec.poll(&spec));
 }

@@ -15,7 +15,7 @@ template <class Real, int Bytes> struct Passes {
   static constexpr std::int64_t row = 2 * width;                           // reals in a row of the scratch
   using Lanes = std::make_integer_sequence<int, lanes>;
 
-  // Splits the columns into R parts by their first pass, from the rows of the work array. Half: only the first half may be there.
+  // The first pass: reads the rows of the work array and splits the columns into R parts. Half: rows of the second half are 0.
   template <int R, bool Half> RC_FFT_INLINE static void read(const ColumnProduct<Real>& plan, const ColumnBlock<Real>& block) {
     alignas(alignment) static constexpr Real zeros[row] = {};
     constexpr std::int64_t ahead = 8;

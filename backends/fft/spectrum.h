@@ -11,8 +11,8 @@
 
 namespace rc_fft {
 
-// Computed in double precision within the workspace, half way: all rows along x. The last step, along y, is made when a transform
-// takes them over, block by block. The workspace must not be used for anything else before.
+// Computed in double precision, in two steps. The rows are transformed along x into the workspace. The columns follow block by
+// block when a transform takes the eigenvalues over; until then nothing else may use the workspace.
 class Eigenvalues {
  public:
   // From the coefficients of a free system at offsets up to half the lengths, as far as its grid has them.

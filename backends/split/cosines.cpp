@@ -30,7 +30,7 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  // Two even lines at once, the one as real, the other as imaginary parts: what they become is real as well. Line i is at
+  // Two even lines at once, one as real, the other as imaginary parts. Their transforms are real and do not mix. Line i is at
   // values + i * apart, its elements `step` apart.
   void transform(double* values, std::int64_t apart, std::int64_t step, bool two, std::int64_t thread) {
     double *const from = in(thread), *const to = out(thread);
