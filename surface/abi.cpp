@@ -1,4 +1,4 @@
-// The exported functions: arguments in, checked; results out.
+// The exported functions: they check arguments, call, and write results.
 #include <roughcontact/surface.h>
 
 #include <algorithm>
@@ -171,7 +171,7 @@ rc_status rc_surface_downsample(int64_t nx, int64_t ny, const double* heights, c
     if (filter < RC_SURFACE_SUBSAMPLE || filter > RC_SURFACE_MAX)
       fail(RC_ERR_ARGUMENT, "filter = ", filter, " must be RC_SURFACE_SUBSAMPLE, RC_SURFACE_MEAN or RC_SURFACE_MAX");
     const auto points = static_cast<std::size_t>(nx * ny);
-    // A gap is a height downwards.
+    // The gap is the height, counted downwards.
     std::vector<double> gap(points);
     std::transform(heights, heights + points, gap.begin(), [](double z) { return -z; });
     const std::span<const std::uint8_t> given = mask ? std::span{mask, points} : std::span<const std::uint8_t>{};

@@ -55,7 +55,7 @@ StepFiles::~StepFiles() {
   }
 }
 
-// What a run that was killed had begun to write.
+// Removes the temporary files of a run that was killed.
 void StepFiles::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
     const std::string target{target_of_temporary(name)};
@@ -100,7 +100,8 @@ std::vector<CertifiedStep> StepFiles::certified() const {
   return found;
 }
 
-// Before the first file of this run. At every moment summary.json lists only what is there, and tells whose the other files are.
+// Called before the first file of this run is written. At every moment summary.json lists only files that exist, and shows to
+// which run the others belong.
 void StepFiles::begin() {
   begun_ = true;
   const std::size_t kept = static_cast<std::size_t>(finished_), own = earlier_ ? earlier_->own_steps() : 0;

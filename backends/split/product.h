@@ -53,7 +53,7 @@ template <class T> class Product {
   bool parallel() const { return plan_.parallel(); }
   int spacing() const { return plan_.spacing; }
   const ShortRange<T>& short_range() const { return *short_range_; }
-  // After load(): the smooth part alone. For x >= 0 it is at most the whole less short_range().lowest() sum x. Only with a spacing.
+  // After load(): the smooth part alone. For x >= 0 it is at most the whole less short_range().lowest() sum x. Needs a spacing.
   void smooth_tile(TilePlace place, T* out) const;
 
  private:
