@@ -12,7 +12,7 @@ endif()
 if(RC_BUILD_FUZZERS)
   set(RC_FUZZING_ENGINE -fsanitize=fuzzer CACHE STRING "What links a fuzz target to its engine")
   if(RC_FUZZING_ENGINE STREQUAL -fsanitize=fuzzer)
-    # What libFuzzer steers by; other engines bring their own through the flags.
+    # Instrumentation that libFuzzer needs; other engines set theirs by the flags.
     target_compile_options(rc_compile INTERFACE -fsanitize=fuzzer-no-link)
   endif()
 endif()

@@ -1,5 +1,5 @@
-// Periodic boundaries, an approach just below the mean plane: gaps are small whatever the load, so a certificate must not be had
-// from them alone.
+// Periodic boundaries, an approach just below the mean plane: gaps are small under any load, so small gaps alone must not make a
+// certificate.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

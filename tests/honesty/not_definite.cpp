@@ -1,4 +1,4 @@
-// A caller's product or matrix that takes work from a pressure is refused, whichever solver meets it.
+// A caller's product or matrix with p'Hp <= 0 for a pressure p is refused, whichever solver meets it.
 #include <cmath>
 
 #include "contact.h"

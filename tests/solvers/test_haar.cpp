@@ -1,5 +1,5 @@
-// The production solver: its precisions, threads and starts lead to one answer, its counts of products hold at every occupancy,
-// and where it gives up something exact takes over and is named.
+// haar-cg: all precisions, numbers of threads and starts lead to one answer; its counts of products stay within limits for every
+// share of contact; and where it stalls an exact solver takes over and is named.
 #include <algorithm>
 #include <random>
 
