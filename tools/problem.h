@@ -30,7 +30,7 @@ struct Problem {
   std::vector<double> targets;                               // of the control; lengths in metres
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 
-  // The library's control and target: it knows a mean pressure as a load only.
+  // The control and target for the library, which has no control by mean pressure: it becomes a load.
   int32_t step_control() const;
   double step_target(std::size_t step) const;
 };

@@ -16,11 +16,11 @@ template <class Real, int Bytes> struct HalfLengthPass {
   using Lanes = std::make_integer_sequence<int, lanes>;
   using Plain = typename V::Type;
 
-  // At any address.
+  // Loads and stores at any address.
   RC_FFT_INLINE static void get(const Real* p, Plain& v) { std::memcpy(&v, p, Bytes); }
   RC_FFT_INLINE static void put(Real* p, const Plain& v) { std::memcpy(p, &v, Bytes); }
 
-  // Of `lanes` complex numbers, in their order and from the last to the first.
+  // Load and store `lanes` complex numbers, in their order or from the last to the first.
   template <int... I> RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
     Plain a, b;
     get(p, a);

@@ -112,7 +112,7 @@ template <> struct Dft<4> {
     Dft<2>::run(odd);
     join(even, odd, x);
   }
-  // Of a sequence whose second half is zero.
+  // The transform of a sequence whose second half is zero.
   template <class V> RC_FFT_INLINE static void run_half(Complex<V>* x) {
     const Complex<V> even[2] = {x[0], x[0]}, odd[2] = {x[1], x[1]};
     join(even, odd, x);

@@ -1,4 +1,4 @@
-// H of a half-space grid: which transform serves which domain.
+// H of a half-space grid. It decides which transform is used for which domain.
 #pragma once
 
 #include <cstdint>

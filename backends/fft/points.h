@@ -1,4 +1,4 @@
-// Where the entries of a vector sit on the grid.
+// The grid points of a vector's entries.
 #pragma once
 
 #include <cstdint>

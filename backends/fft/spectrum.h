@@ -20,7 +20,7 @@ class Eigenvalues {
   // Likewise from the squares of the coefficients plus a constant. A periodic system's lengths must be its grid's.
   static Eigenvalues squares(const rc_host* host, const rc_operator_spec& spec, double constant, Lengths lengths,
                              Workspace& workspace);
-  // Of a periodic system, whose grid has these lengths.
+  // From the symbol of a periodic system, whose grid has these lengths.
   static Eigenvalues periodic(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
 
   static constexpr std::int64_t width = 16;  // columns in a block

@@ -1,5 +1,5 @@
 // Products in one precision, from the tiles of a domain to tiles of a frame. The short range is summed directly, the smooth rest
-// goes over a coarse grid.
+// by a coarse grid.
 #pragma once
 
 #include <memory>

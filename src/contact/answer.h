@@ -1,4 +1,4 @@
-// What a step finds before it is certified, and what it may start from.
+// The answer of a step before it is certified, and the estimate that it may start from.
 #pragma once
 
 #include <limits>

@@ -94,7 +94,7 @@ class Cascade {
   // Solves the cascade from its coarsest grid. Returns which unknowns to keep; empty if a level failed or had no contact.
   Mask descend() {
     if (levels_.empty()) return Mask(static_cast<std::size_t>(n_), 1);
-    Mask allowed;  // on the grid at hand; empty: every point
+    Mask allowed;  // on the present grid; empty: every point
     for (std::size_t k = levels_.size(); k-- > 0;) {
       Level& level = levels_[k];
       if (!allowed.empty()) {

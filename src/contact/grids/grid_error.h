@@ -21,7 +21,7 @@ struct GridLevel {
   double difference = 0;  // relative, of the load from the next coarser grid's
 };
 
-// Of the points with a gap below the limit.
+// The texture of the points with a gap below the limit.
 Texture texture_below(double limit, double length, const StepSurface& surface, const rc_system& system);
 
 // Relative errors of the load, guessed from grid k.

@@ -1,4 +1,4 @@
-// From an answer on a trial set to a certified result.
+// Turns an answer on a trial set into a certified result.
 #pragma once
 
 #include "contact/answer.h"

@@ -27,7 +27,7 @@ class SolverRun {
   rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                        std::vector<double>& p, double& d);
 
-  // What the services of rc_problem read.
+  // Members that the services of rc_problem read.
   Workspace& work;
   const rc_solver& solver;
   Operator& op;

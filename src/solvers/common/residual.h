@@ -11,7 +11,7 @@ struct Residual {
   double scale;     // the largest compenetration, or Problem::least_scale if that is larger
 };
 
-// Of p >= 0 with hp = H p. Contact is where p > 0.
+// The residual of p >= 0 with hp = H p. Points with p > 0 are in contact.
 Residual residual_of(const Problem& problem, const Vector& p, const Vector& hp);
 
 // Load control: scales p to the load; a p of zeros becomes the load spread evenly. Displacement control: does nothing.

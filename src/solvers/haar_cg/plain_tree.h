@@ -45,7 +45,7 @@ class PlainTree {
         ny = (ny + level.shift_y + 1) / 2;
         hy *= 2;
       }
-      // Where the table is too short for larger blocks, couplings are taken as inverse to the size of the cells.
+      // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides.
       const bool room =
           (!level.merge_x || table.mx >= least_blocks * wide) && (!level.merge_y || table.my >= least_blocks * high);
       if (room) {

@@ -94,7 +94,7 @@ HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted)
     }
     level.parents = mx * my;
     if (!full_) link(level, x, y);
-    // Where the table is too short for larger blocks, couplings are taken as inverse to the size of the cells.
+    // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides.
     const bool room_x = !level.merge_x || kx >= 8, room_y = !level.merge_y || ky >= 8;
     if (room_x && room_y) {
       if (level.merge_x) {

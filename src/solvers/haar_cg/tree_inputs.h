@@ -1,4 +1,4 @@
-// What the trees over a grid's unknowns are made from.
+// The input of the trees over a grid's unknowns: couplings, and where the unknowns lie.
 #pragma once
 
 #include <roughcontact/plugin.h>
