@@ -128,11 +128,12 @@ rc_status rc_surface_psd(const rc_surface_map* map, double* q, double* psd, int6
   return guard("rc_surface_psd", [&] {
     if (!count) fail(RC_ERR_ARGUMENT, "count is null");
     const bool wanted = q || psd || modes;
-    if (wanted && !(q && psd && modes)) fail(RC_ERR_ARGUMENT, "of q, psd and modes some are null, give all or none");
+    if (wanted && !(q && psd && modes)) fail(RC_ERR_ARGUMENT, "some of q, psd and modes are null; give all or none");
     const std::vector<Ring> all = rings(spectrum(read_heights(map)));
     const auto needed = static_cast<std::int64_t>(all.size());
     if (wanted && *count < needed)
-      fail(RC_ERR_ARGUMENT, "the arrays hold ", *count, " rings, ", needed, " are needed; call with NULL arrays to learn it");
+      fail(RC_ERR_ARGUMENT, "the arrays hold ", *count, " rings, ", needed,
+           " are needed; a call with NULL arrays returns that number");
     for (std::size_t i = 0; wanted && i < all.size(); ++i) {
       q[i] = all[i].q;
       psd[i] = all[i].power;

@@ -69,7 +69,7 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
     const std::size_t step = step_of(name);
     if (name == summary_name ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
     throw Error("--out: " + in_quotes(folder_.path(name).native()) +
-                " is there, and not of an earlier run that summary.json tells of: move it away, or give another folder");
+                " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
 }
 

@@ -82,7 +82,7 @@ template <class T> void Convolution<T>::make_plans() {
   T *const line = scratch(0), *const column = line + column_stride_;
   const int nx = static_cast<int>(length_x_), ny = static_cast<int>(length_y_);
   if (!rc_common::planner_has_memory(length_x_ + length_y_))
-    fail(RC_ERR_MEMORY, "cannot allocate what planning a ", nx, "x", ny, " transform takes; use a coarser grid");
+    fail(RC_ERR_MEMORY, "cannot allocate the memory to plan a ", nx, "x", ny, " transform; use a coarser grid");
   {
     const PlannerLock<T> lock(host_);
     forward_x_ = Fftw<T>::real_to_complex(nx, row(0), line, FFTW_ESTIMATE);

@@ -18,7 +18,7 @@ class Lines {
       : host_(host), length_(length), stride_((2 * length + 15) / 16 * 16) {
     make_room(scratch_, 2 * threads * stride_);
     if (!rc_common::planner_has_memory(length))
-      fail(RC_ERR_MEMORY, "cannot allocate what planning a transform of ", length, " values takes");
+      fail(RC_ERR_MEMORY, "cannot allocate the memory to plan a transform of ", length, " values");
     const PlannerLock<double> lock(host_);
     plan_ = Fftw<double>::complex_to_complex(static_cast<int>(length), in(0), out(0), FFTW_FORWARD, FFTW_ESTIMATE);
     if (!plan_) fail(RC_ERR_INTERNAL, "FFTW made no plan for ", length, " values; check the FFTW installation");
