@@ -1,4 +1,4 @@
-// The part of H that is summed directly: H less its smooth part, which is 0 beyond the cutoff, or all of H within a box.
+// The part of H that is summed directly: all of H within a box, or H less its smooth part, a difference that ends at the cutoff.
 #pragma once
 
 #include <cstdint>

@@ -262,7 +262,7 @@ void figures_of_results(Figures& figures) {
                 status = rc_contact_certify(contact, &step, &r);
                 put(figures, status, r, p, deformed, false);
               }
-              // A pressure more everywhere.
+              // A uniform pressure is added everywhere.
               p = right;
               for (std::size_t i = 0; i < p.size(); ++i)
                 if (!masked || mask[i]) p[i] += 3;

@@ -12,7 +12,7 @@
 
 namespace rc {
 
-// Whether this solver reads the gap, so that it is run without the compenetrations.
+// Whether this solver reads the gap and no other one warms up, so that the run needs no compenetrations.
 bool takes_gap(const rc_solver& solver, const rc_options& options);
 
 // Runs one solver for one answer. It makes the problem that the solver sees, and its services.
