@@ -26,7 +26,7 @@ double Operator::budget() const {
   return std::min(limit_.limit(), std::max(always_affordable, 4.0 * n * n + beside_a_triangle));
 }
 
-// Refuses a grid whose matrix cannot be stored: this backend has no use for it. A caller's matrix is in memory already.
+// Refuses a grid whose matrix cannot be stored. A caller's matrix is in memory already.
 void Operator::bind(const rc_domain& domain) {
   if (grid_) limit_.require("the matrix", domain.n, rc_common::SymmetricMatrix::bytes(static_cast<double>(domain.n)));
   const auto change = products_.bind(domain);

@@ -20,7 +20,7 @@ namespace rc {
 
 namespace {
 
-constexpr double progress = 0.9;                   // the residual falls where it is below this share of the mark
+constexpr double progress = 0.9;                   // the residual falls when it is below this share of its value at the last fall
 constexpr std::int64_t patience = 1000;            // iterations without such a fall, after which the solver has stalled
 constexpr std::int64_t first_balance = 10;         // iteration; each later balance at twice the last, so that factors are reused
 constexpr double imbalance = 2.5;                  // least factor by which rho changes

@@ -22,7 +22,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t coarsest_side = 16;  // of an automatic cascade, as in the paper
+constexpr std::int64_t coarsest_side = 16;  // fewest points a side on the coarsest grid of an automatic cascade, as in the paper
 constexpr int most_rounds = 20;             // of adding points; each adds at least one
 constexpr std::int64_t most_levels = 30;
 

@@ -12,7 +12,7 @@ namespace rc {
 
 namespace {
 
-constexpr double progress = 0.9;         // the residual falls where it is below this share of the mark
+constexpr double progress = 0.9;         // the residual falls when it is below this share of its value at the last fall
 constexpr std::int64_t patience = 1000;  // iterations without such a fall, after which the solver has stalled
 constexpr double visible = 1e-6;         // least size of a step, relative to p, whose curvature is above round-off
 

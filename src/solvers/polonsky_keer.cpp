@@ -15,7 +15,7 @@ namespace rc {
 namespace {
 
 constexpr int refresh_every = 25;    // updates of H p between products that remove its drift
-constexpr double progress = 0.9;     // the residual falls where it is below this share of the mark
+constexpr double progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
 constexpr int patience = 300;        // iterations without such a fall, after which the solver has stalled
 constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
 constexpr double infinite = std::numeric_limits<double>::infinity();

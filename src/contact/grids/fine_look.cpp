@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int64_t look_steps = 4;  // the pressures are cut at zero after the second and the last
 constexpr double left_of_change = 0.5;  // share of the steps' change of load that may still be missing
-constexpr double softest = 2;           // largest pressure that a gap can change on its own cell, over E* gap / side
+constexpr double softest = 2;           // largest change of pressure that closes a gap on one cell, over E* gap / side
 
 // Estimates how far pressures on the given grid are from the solution, by the gap where they act.
 struct Remaining {

@@ -26,7 +26,7 @@ constexpr double headroom = 0.1;     // of the depth: room for an approach above
 constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
 constexpr std::int64_t least_side = 64;
-constexpr std::int64_t compact = 16;  // boxes up to this part of the grid are solved whole, by transforms
+constexpr std::int64_t compact = 16;  // boxes of at most 1/compact of the grid's points are solved whole, by transforms
 
 std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });

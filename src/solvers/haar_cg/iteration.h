@@ -19,7 +19,7 @@ struct HaarTask {
   double least_scale = 0;    // by load: least compenetration that residuals are relative to
   double periodic_mean = 0;  // by how much every entry of the trees' operator exceeds that of H
   bool elongated = false;    // cells or grid are elongated: the trees may misjudge the load's slope by far
-  int patience = 120;        // bounds in a row that do not halve the residual, after which it stalls
+  int patience = 120;        // the iteration stalls after more bounds than this without half the residual
   // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
   std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
 };
