@@ -7,13 +7,14 @@ import roughcontact as rc
 
 from case import Failure, cpu_seconds
 from contact import OK, unit_square
-from options import CONTROLS, THREADS, Question, ranged, threads
-from scaling_tables import batch_table
+from options import CONTROLS, THREADS, question, ranged, threads
 from store import Store
 from surfaces import SurfaceClass, below_highest
-from tables import show_table
+from tables import show
 
 BLOCK = 40  # surfaces that are in memory at a time; one thread and several take turns on them
+COLUMNS = ('threads; surfaces; grid={n}²; steps; control; time [s]={seconds:s}; surfaces/s={surfaces_per_second:.1f}; '
+           'solves/s={solves_per_second:.0f}; products; certified')
 ROUGH = SurfaceClass('roll-off at 4 waves', hurst=0.8, roll_off=4)
 
 
@@ -61,13 +62,12 @@ def run(request):
             raise Failure('loads depend on the number of threads')
         print(f'{seeds[-1]} of {request.surfaces} surfaces', file=sys.stderr)
     rows, scaling, growth = [one.row(), several.row()], one.seconds / several.seconds, several.cpu / one.cpu
-    store.document.update(batch=rows, scaling=scaling, cpu_growth=growth)
-    store.save()
-    show_table(batch_table(store.document))
+    store.save(batch=rows, scaling=scaling, cpu_growth=growth)
+    show(COLUMNS, rows)
     print(f'\n{request.threads} threads: {scaling:g} times as fast as one, with {growth:g} of its CPU time')
 
 
-QUESTION = Question('batch', 'histories of many small contacts in one call, with one thread and with several', run, {
+question('batch', 'histories of many small contacts in one call, with one thread and with several', run, {
     'surfaces': (ranged(int, 1, 1000000), 1000, 'contacts'), 'points': (ranged(int, 16, 4096), 128, 'points per side'),
     'steps': (ranged(int, 1, 1000), 10, 'of each history'), 'threads': (threads, THREADS, 'threads, against one'),
     'control': (CONTROLS, 'displacement', 'displacement, or load'), 'solver': (str, 'haar-cg', 'by name, or auto'),

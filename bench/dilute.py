@@ -7,15 +7,19 @@ import numpy as np
 import native
 from case import Failure, checked, in_child, interpreter_memory, peak_memory
 from contact import difference, time_solve, unit_square
-from options import CONTROLS, THREADS, Question, listed, ranged, side, threads
-from scaling_tables import dilute_table
+from options import ALL_THREADS, CONTROLS, listed, question, ranged, side
 from store import Store
-from surfaces import Hertz, SurfaceClass, paraboloid_gap, self_affine_gap
-from tables import show_table
+from surfaces import Hertz, asperity_band, paraboloid_gap, self_affine_gap
+from tables import show
 
 TRIAL_POINTS = 4  # a contact: the trial set that a solver works on holds it and about three times as many points around it
-RMS_HEIGHT, ASPERITY_AREA = 0.02, 0.001
+ASPERITY_AREA = 0.001
 LARGEST_SEARCH = 2048  # points a side up to which the load for a contact area is searched
+SOLVES = ('surface={scene}; grid={n}²; contact [%]={auto[contact_percent]:.3g}; control; tol={tol:err}; auto={auto[solver]}, {auto[backend]}; '
+          'auto [s]={auto[seconds]:s}; full grid [s]={fft[seconds]:s}; ratio={ratio:.1f}; products={auto[products]}; '
+          'auto, peak [MB]={auto[peak_megabytes]:.0f}; full grid, peak [MB]={fft[peak_megabytes]:.0f}')
+PRODUCTS = ('grid={n}²; contact [%]={contact_percent:.3g}; threads; fft [ms]={fft_ms:.3g}; split [ms]={split_ms:.3g}; ratio={ratio:.3g}; '
+            'fft, single [ms]={fft_float_ms:.3g}; split, single [ms]={split_float_ms:.3g}; ratio={float_ratio:.3g}; difference={difference:err}')
 
 
 def products_row(n, gap, approach, count, budget):
@@ -49,83 +53,61 @@ def products(request):
     return rows
 
 
-class Pressed:
-    """A gap whose load and approach bring a share of it into contact."""
-
-    def __init__(self, name, gap, load=0.0, approach=0.0):
-        self.name, self.gap, self.load, self.approach = name, gap, load, approach
-
-
-def rough(n, seed):
-    """The band of waves that ASPHER's authors press."""
-    heights = SurfaceClass('rough', hurst=0.8, low=12, high=0.33 * n).heights(n, seed)
-    return Pressed('rough', RMS_HEIGHT * (heights.max() - heights))
-
-
-def asperity(n):
-    hertz = Hertz(math.sqrt(ASPERITY_AREA / math.pi))
-    return Pressed('asperity', paraboloid_gap(n), hertz.load, hertz.approach)
-
-
 class Solves:
     def __init__(self, request):
         self.request, self.corrections, self.rows, self.interpreter = request, {}, [], interpreter_memory()
 
-    def options(self, tol, **more):
-        single = {'fft.precision': 'single'} if tol >= 1e-4 else {}
-        return {'threads': self.request.threads, 'tol': tol, **single, **more}
-
-    def solve(self, gap, control, target, options):
+    def solve(self, gap, control, target, tol, **more):
         """No pressures are asked for: they alone would be an array over all points. The gap came with the process."""
+        options = {'threads': self.request.threads, 'tol': tol, **({'fft.precision': 'single'} if tol >= 1e-4 else {}), **more}
+
         def work():
             result, row = time_solve(unit_square(len(gap)), gap, options, self.request.budget, control, target)
             return {**row, 'contact_percent': 100 * result.contacts / gap.size, 'seconds': row['setup_seconds'] + result.seconds,
                     'worst_kkt': result.residual, 'peak_megabytes': (peak_memory() - self.interpreter) / 1e6}
         return in_child(work)
 
-    def find_load(self, scene, area):
-        """From loose solves; on large grids with what the last smaller one taught. Bush, Gibson & Thomas (1975): area = sqrt(2 pi) p / (E*
-        rms slope)."""
-        n = len(scene.gap)
-        rms_slope = n * math.sqrt(2 * np.sum(np.diff(scene.gap, axis=1)**2) / n**2)
-        expected = area * rms_slope / math.sqrt(2 * math.pi)
+    def targets(self, gap, area):
+        """Load and approach from loose solves; on large grids with what the last smaller one taught. Bush, Gibson & Thomas (1975): area =
+        sqrt(2 pi) p / (E* rms slope)."""
+        n = len(gap)
+        rms_slope = n * math.sqrt(2 * np.sum(np.diff(gap, axis=1)**2) / n**2)
         for k in range(4):
-            correction = self.corrections.setdefault(area, 1.0)
-            scene.load = correction * expected
-            found = checked(self.solve(scene.gap, 'load', scene.load, self.options(1e-2)))
-            scene.approach, percent = found['displacement'], found['contact_percent']
+            load = self.corrections.setdefault(area, 1.0) * area * rms_slope / math.sqrt(2 * math.pi)
+            found = checked(self.solve(gap, 'load', load, 1e-2))
+            percent = found['contact_percent']
             if k == 3 or n > LARGEST_SEARCH or abs(percent / (100 * area) - 1) < 0.1:
-                return
+                return load, found['displacement']
             self.corrections[area] *= min(max(100 * area / percent, 0.2), 5) if percent > 0 else 5
 
-    def over_the_whole_grid(self, scene, control, target, tol):
+    def over_the_whole_grid(self, gap, approach, control, target, tol):
         """Backend fft works on the box of the points that may touch. A point in each corner that is a candidate by a millionth of the
         approach, and stays apart under the deflection there, makes this box the grid."""
-        gap = scene.gap.copy()
-        gap[::len(gap) - 1, ::len(gap) - 1] = np.minimum(gap[::len(gap) - 1, ::len(gap) - 1], scene.approach * (1 - 1e-6))
-        return self.solve(gap, control, target, self.options(tol, backend='fft', solver='haar-cg'))
+        gap = gap.copy()
+        gap[::len(gap) - 1, ::len(gap) - 1] = np.minimum(gap[::len(gap) - 1, ::len(gap) - 1], approach * (1 - 1e-6))
+        return self.solve(gap, control, target, tol, backend='fft', solver='haar-cg')
 
-    def press(self, scene, area):
-        n = len(scene.gap)
+    def press(self, name, gap, area, load, approach):
+        n = len(gap)
         for control in self.request.controls:
-            target = scene.load if control == 'load' else scene.approach
+            target = load if control == 'load' else approach
             for tol in self.request.tols:
-                print(f'solving {scene.name}, {n}^2, {100 * area:g} %, {control}, {tol:g}', file=sys.stderr)
-                row = {'scene': scene.name, 'n': n, 'area_wanted': area, 'control': control, 'tol': tol, 'threads': self.request.threads,
-                       'auto': self.solve(scene.gap, control, target, self.options(tol))}
+                print(f'solving {name}, {n}^2, {100 * area:g} %, {control}, {tol:g}', file=sys.stderr)
+                row = {'scene': name, 'n': n, 'area_wanted': area, 'control': control, 'tol': tol, 'threads': self.request.threads,
+                       'auto': self.solve(gap, control, target, tol)}
                 if n <= self.request.largest_full:
-                    row['fft'] = self.over_the_whole_grid(scene, control, target, tol)
+                    row['fft'] = self.over_the_whole_grid(gap, approach, control, target, tol)
                     if 'seconds' in row['auto'] and 'seconds' in row['fft']:
                         row['ratio'] = row['fft']['seconds'] / row['auto']['seconds']
                 self.rows.append(row)
 
     def run(self):
         for n in self.request.sizes:
-            scene = rough(n, self.request.seed)
+            gap = asperity_band(n, self.request.seed)
             for percent in self.request.contacts:
-                self.find_load(scene, percent / 100)
-                self.press(scene, percent / 100)
-            self.press(asperity(n), ASPERITY_AREA)
+                self.press('rough', gap, percent / 100, *self.targets(gap, percent / 100))
+            hertz = Hertz(math.sqrt(ASPERITY_AREA / math.pi))
+            self.press('asperity', paraboloid_gap(n), ASPERITY_AREA, hertz.load, hertz.approach)
         return self.rows
 
 
@@ -139,14 +121,14 @@ def run(request):
     store.save()
     print('Cold solves: auto, all options at their defaults; full grid, backend fft and haar-cg with a candidate in each corner, which keeps it\n'
           'from working on a box around the contact. ratio: seconds over those of auto, with set-up. peak: with the gap. Then products')
-    for text in dilute_table(store.document).split('\n\n'):
-        show_table(text)
+    show(SOLVES, store.document.get('solves', []))
+    show(PRODUCTS, store.document.get('dilute', []))
 
 
-QUESTION = Question('dilute', 'dilute contacts: products by backends split and fft, and solves', run, {
+question('dilute', 'dilute contacts: products by backends split and fft, and solves', run, {
     'sizes': (listed(side), [1024, 2048, 4096], 'points per side'),
     'contacts': (listed(ranged(float, 0.001, 25)), [0.04, 0.1, 1, 10], 'contact areas in percent of the grid'),
-    'threads': (threads, THREADS, 'threads; products with one as well'), 'seed': (int, 1, 'of the surface'),
+    **ALL_THREADS, 'seed': (int, 1, 'of the surface'),
     'budget': (float, 0.3, 'seconds for repeats of each product and solve'),
     'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'),
     'tols': (listed(float), [1e-8, 1e-4], 'certified tolerances of the solves'),

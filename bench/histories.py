@@ -5,10 +5,15 @@ import roughcontact as rc
 
 from case import Failure, cpu_seconds, in_child
 from contact import OK, names, runs, status_of, unit_square
-from options import THREADS, Question, listed, ranged, threads
+from options import ALL_THREADS, listed, question, ranged
 from store import Store
 from surfaces import below_highest, midpoint_surface
 from tables import show
+
+COLUMNS = ('solver; backend; n; seed; cold products={cold_products}; warm products={warm_products}; warm/cold={ratio:.2f}; '
+           'cold iterations={cold_iterations}; warm iterations={warm_iterations}; from step 2={ratio_later:.2f}; cold s={cold_seconds:.2f}; '
+           'warm s={warm_seconds:.2f}; load difference={load_difference:.0e}; status')
+SUMS = {'products': 'applications', 'iterations': 'iterations', 'seconds': 'seconds'}
 
 
 class History:
@@ -48,22 +53,20 @@ def measure(request, variant, seed):
     solver, backend, settings = parts_of(variant, request.backend)
     options = {'solver': solver, 'backend': backend, 'tol': request.tol, 'threads': request.threads, 'time_limit': request.time_limit,
                'max_iter': 100000, **settings, **({'dense.memory_limit': 16384} if backend == 'dense' else {})}
-    cold, warm = ([result for result, _ in history.run(options, start)] for start in (False, True))
+    both = {name: [result for result, _ in history.run(options, name == 'warm')] for name in ('cold', 'warm')}
+    cold, warm = both.values()
     steps = [{'solver': variant, 'seed': seed, 'step': k + 1, 'contacts': c.contacts, 'candidates': c.candidates,
               'cold_products': c.applications, 'warm_products': w.applications, 'cold_seconds': c.seconds, 'warm_seconds': w.seconds,
               'cold_status': status_of(c), 'warm_status': status_of(w)} for k, (c, w) in enumerate(zip(cold, warm))]
 
-    def total(results, key, first=0):
-        return sum(getattr(result, key) for result in results[first:])
+    def ratio(first):
+        below = sum(result.applications for result in cold[first:])
+        return sum(result.applications for result in warm[first:]) / below if below else None
 
     sound = all(len(found) == request.steps and all(status_of(result) == OK for result in found) for found in (cold, warm))
-    later = total(cold, 'applications', 1)
     return {'solver': variant.partition('@')[0], 'backend': backend, 'n': history.n, 'seed': seed, 'tol': request.tol,
-            'cold_products': total(cold, 'applications'), 'warm_products': total(warm, 'applications'),
-            'cold_iterations': total(cold, 'iterations'), 'warm_iterations': total(warm, 'iterations'),
-            'ratio': total(warm, 'applications') / total(cold, 'applications'),
-            'ratio_later': total(warm, 'applications', 1) / later if later else None, 'cold_seconds': total(cold, 'seconds'),
-            'warm_seconds': total(warm, 'seconds'), 'load_difference': max(abs(w.load / c.load - 1) for c, w in zip(cold, warm)),
+            **{f'{name}_{key}': sum(getattr(result, member) for result in found) for key, member in SUMS.items() for name, found in both.items()},
+            'ratio': ratio(0), 'ratio_later': ratio(1), 'load_difference': max(abs(w.load / c.load - 1) for c, w in zip(cold, warm)),
             'status': OK if sound else status_of(max(cold[-1], warm[-1], key=lambda result: result.status)), 'steps': steps}
 
 
@@ -82,16 +85,13 @@ def run(request):
             steps += row.pop('steps', [])
             totals.append({'solver': variant, **row})
     print(f'{request.steps} increasing steps, warm-started and from zero, each certified to {request.tol:g}')
-    show('solver; backend; n; seed; cold products=cold_products; warm products=warm_products; warm/cold=ratio:.2f; '
-         'cold iterations=cold_iterations; warm iterations=warm_iterations; from step 2=ratio_later:.2f; cold s=cold_seconds:.2f; '
-         'warm s=warm_seconds:.2f; load difference=load_difference:.0e; status', totals)
-    store.document.update(histories=totals, steps=steps)
-    store.save()
+    show(COLUMNS, totals)
+    store.save(histories=totals, steps=steps)
 
 
-QUESTION = Question('histories', 'loading histories: warm starts against cold ones', run, {
+question('histories', 'loading histories: warm starts against cold ones', run, {
     'levels': (ranged(int, 4, 13), 9, '2^levels points a side'), 'steps': (ranged(int, 2, 1000), 10, 'of increasing approach'),
     'seeds': (listed(int), [1], 'of the surfaces'),
     'solvers': (listed(str), [], 'name, name+key=value+..., either with @backend; every one, and nnls@dense'),
-    'backend': (str, 'fft', 'by name'), 'tol': (float, 1e-8, 'certified tolerance'), 'threads': (threads, THREADS, 'threads'),
+    'backend': (str, 'fft', 'by name'), 'tol': (float, 1e-8, 'certified tolerance'), **ALL_THREADS,
     'time_limit': (float, 120, 'seconds for one step; 0: none')})

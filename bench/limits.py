@@ -5,14 +5,30 @@ import sys
 import native
 from case import Failure, checked, in_child, repeats
 from contact import difference, unit_square
-from options import THREADS, Question, listed, ranged, threads
+from options import THREADS, listed, question, ranged, threads
 from repeated import ColdSolve
-from scaling_tables import limits_tables, product_table
 from store import Store
 from surfaces import self_affine_gap
-from tables import show_table
+from tables import show
 
 ROUNDS = 5
+TIMES = ('{0}fft [ms]={{{1}estimate_best:m.3g}}; {0}fft, measured plan={{{1}measure_best:m.3g}}; {0}padded [ms]={{{1}padded_estimate_best:m.3g}}; '
+         '{0}padded, measured plan={{{1}padded_measure_best:m.3g}}; {0}ratio={{{1}ratio:.2f}}; {0}difference={{{1}difference:err}}')
+PADDED = f'grid={{n}}²; threads; {TIMES.format("", "")}; {TIMES.format("single: ", "single_")}'
+MACHINE = 'limit; precision; threads; measured'
+PRODUCTS = ('grid={n}²; precision; threads; operations/point={operations_per_point:.0f}; bytes/point={bytes_per_point:.0f}; '
+            'measured [ms]={seconds:m.3g}; by operations [ms]={operation_seconds:m.3g}; by bytes [ms]={byte_seconds:m.3g}; GFlop/s={gigaflops:.1f}; '
+            'GB/s={gigabytes_per_second:.1f}; fraction={fraction:.2f}')
+PASSES = ('grid={n}²; precision; threads; iterations; products; solve [ms]={seconds:m.3g}; in products [ms]={product_seconds:m.3g}; '
+          'besides [ms]={other_seconds:m.3g}; trees [bytes/point]={tree_bytes_per_point:.0f}; vectors [bytes/point]={vector_bytes_per_point:.0f}; '
+          'by bytes [ms]={byte_seconds:m.3g}; fraction={fraction_of_bandwidth:.2f}')
+
+
+def machine_rows(document):
+    memory = [{**row, 'limit': 'memory, triad', 'precision': '', 'measured': f'{row["gigabytes_per_second"]:.1f} GB/s'}
+              for row in document['bandwidth']]
+    return memory + [{**row, 'limit': f'complex transform of {row["length"]}', 'measured': f'{row["gigaflops"]:.1f} GFlop/s'}
+                     for row in document['transforms']]
 
 
 def fastest(runs):
@@ -51,11 +67,10 @@ def products(request):
                 return {**product_times(request, n, count, False), **{'single_' + key: value for key, value in single.items()}}
 
             rows.append({'n': n, 'threads': count, **in_child(work)})
-    store.document['products'] = rows
-    store.save()
+    store.save(products=rows)
     print('Product with H over the whole grid; ratio: time of the FFT padded to 2n x 2n with measured plans over that of backend fft with\n'
           'estimated ones, in the same precision')
-    show_table(product_table(store.document))
+    show(PADDED, rows)
 
 
 def product_operations(n):
@@ -153,21 +168,21 @@ def limits(request):
         print(f'products and passes on {n}^2', file=sys.stderr)
         for name, rows in checked(in_child(lambda: measured.of_grid(n))).items():
             found[name] += rows
-    store.document.update(found)
-    store.save()
-    for words, text in zip(('Memory: triad; complex transforms in the cache, FFTW, measured plans', '\nOne product over the whole grid',
-                            '\nA cold solve to 1e-3 without coarser grids; besides: trees, passes over vectors, set-up, certificate'),
-                           limits_tables(store.document).values()):
-        print(words)
-        show_table(text)
+    store.save(**found)
+    print('Memory: triad; complex transforms in the cache, FFTW, measured plans')
+    show(MACHINE, machine_rows(found))
+    print('\nOne product over the whole grid')
+    show(PRODUCTS, found['products'])
+    print('\nA cold solve to 1e-3 without coarser grids; besides: trees, passes over vectors, set-up, certificate')
+    show(PASSES, found['passes'])
 
 
-PRODUCTS = Question('products', 'one product against a transform padded to 2n x 2n', products, {
+question('products', 'one product against a transform padded to 2n x 2n', products, {
     'sizes': (listed(ranged(int, 16, 8192)), [128, 256, 512, 1024, 2048], 'points per side'), 'seed': (int, 1, 'of the surface'),
     'threads': (threads, THREADS, 'threads, and one'), 'budget': (float, 2, 'seconds for repeats of each row'),
     'planning_limit': (float, 30, 'seconds for FFTW_MEASURE of the padded transform')},
     {'sizes': [128, 256, 512], 'budget': 0.2, 'planning_limit': 1}, 'up to 512^2, few repeats')
-LIMITS = Question('limits', 'products and passes against what memory and in-cache transforms allow', limits, {
+question('limits', 'products and passes against what memory and in-cache transforms allow', limits, {
     'sizes': (listed(ranged(int, 64, 8192)), [1024, 2048, 4096], 'points per side, powers of two'),
     'threads': (threads, THREADS, 'threads, and one'), 'budget': (float, 1, 'seconds for repeats of each measurement')},
     {'sizes': [256], 'budget': 0.05}, '256^2, few repeats')

@@ -1,8 +1,12 @@
-"""One scene solved cold again and again: what surrounds a solve. Other processes at full load, and results that are bitwise repeatable."""
+"""One scene solved cold again and again: beside other processes at full load, with results that are bitwise repeatable, and where the processor time
+goes, by Linux' perf."""
 import hashlib
 import os
+import re
 import signal
+import subprocess
 import sys
+import tempfile
 import time
 
 import numpy as np
@@ -10,12 +14,16 @@ import roughcontact as rc
 
 from case import Failure, checked, in_child
 from contact import OK, cold_call, share_in_contact, status_of, unit_square
-from options import THREADS, Question, listed, percent, ranged, side, threads
+from options import NAMED, THREADS, listed, percent, question, ranged, side, threads
 from scaling import light_load
-from scaling_tables import busy_table, deterministic_table
 from store import Store
 from surfaces import self_affine_gap
-from tables import show_table
+from tables import show
+
+BUSY = ('grid={n}²; contact [%]={contact_percent:.1f}; threads; others; alone [s]={idle_median:s}; beside others [s]={busy_median:s}; '
+        'ratio={ratio:.2f}; largest ratio={ratio_largest:.2f}')
+DETERMINISTIC = ('grid={n}²; threads; `deterministic`={choice}; median [s]={median:s}; best [s]={best:s}; 1 costs, of medians={cost_median:%+.1f} %; '
+                 'of bests={cost_best:%+.1f} %; bits of one thread={same_as_one_thread}; same bits again={same_again}')
 
 
 class ColdSolve:
@@ -93,9 +101,8 @@ def busy(request):
                      'ratio_largest': max(loaded) / median, 'idle': idle, 'busy': loaded})
         print(f'{count} threads done', file=sys.stderr)
     print(f'Cold solves alone and beside {request.others} processes at full load; largest ratio: the slowest busy one over the median idle one')
-    store.document['busy'] = rows
-    store.save()
-    show_table(busy_table(store.document))
+    store.save(busy=rows)
+    show(BUSY, rows)
 
 
 # What may be left out with results that need not repeat: nothing, or plans by measurement too.
@@ -130,16 +137,70 @@ def deterministic(request):
                          'same_as_one_thread': 'yes' if one_thread[choice] == first else 'no',
                          'same_again': 'yes' if all(bits == first for run in found for bits in run['bits']) else 'no'})
         print(f'{count} threads done', file=sys.stderr)
-    store.document['deterministic'] = rows
-    store.save()
-    show_table(deterministic_table(store.document))
+    store.save(deterministic=rows)
+    show(DETERMINISTIC, rows)
 
 
 SCENE = {'points': (side, 1024, 'points per side'), 'percent': (percent, 10, 'contact area in percent of the grid, about'),
-         'tol': (float, 1e-8, 'certified tolerance'), 'solver': (str, 'auto', 'by name, or auto'), 'backend': (str, 'auto', 'by name, or auto'),
-         'repeats': (ranged(int, 1, 1000), 7, 'of each solve')}
+         'tol': (float, 1e-8, 'certified tolerance'), **NAMED, 'repeats': (ranged(int, 1, 1000), 7, 'of each solve')}
 QUICK = {'points': 256, 'repeats': 3}, '256^2, three repeats'
-BUSY = Question('busy', 'a solve alone, and beside other processes at full load', busy, {
+question('busy', 'a solve alone, and beside other processes at full load', busy, {
     **SCENE, 'threads': (listed(threads), [1, 2], 'threads'), 'others': (ranged(int, 0, 1024), 2, 'processes at full load; 0: none')}, *QUICK)
-DETERMINISTIC = Question('deterministic', 'what bitwise repeatable results cost', deterministic, {
+question('deterministic', 'what bitwise repeatable results cost', deterministic, {
     **SCENE, 'threads': (threads, THREADS, 'threads, against one')}, *QUICK)
+
+
+# The first that matches "library function" counts.
+PARTS = (('products: columns', r'rcb_fft\S* .*multiply_columns'),
+         ('products: rows (FFTW)', r'libfftw3'),
+         ('products: copies, eigenvalues, plans', r'rcb_fft'),
+         ('products: split', r'rcb_split'),
+         ('products: dense', r'rcb_dense|Eigen::'),
+         ('trees', r'libroughcontact\S* .*(HaarTree|haar_tree)'),
+         ('vector passes of the solver', r'libroughcontact\S* .*(::(baseline|sse2|avx2|avx512)::|Haar|Iteration<|reduce<)'),
+         ('coarser grids', r'libroughcontact\S* .*(downsample|start_nested)'),
+         ('trial sets, certificate, bounds, kernel', r'libroughcontact'),
+         ('system: memory, threads, copies', r'kernel|libc\.|libstdc|libm\.|ld-linux|\[vdso\]|\[unknown\]'))
+OTHERS = re.compile('python|numpy|_ctypes|openblas')  # the scene is made there
+PROFILED = ((1024, 10), (2048, 10), (2048, 0.1))
+
+
+def part_of(line):
+    return next((name for name, pattern in PARTS if re.search(pattern, line)), 'else')
+
+
+def samples(n, percent, repeats, folder):
+    data = os.path.join(folder, 'perf.data')
+    command = ['perf', 'record', '-q', '-F', '997', '-o', data, os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'roughcontact-bench'), 'busy', '--others', '0',
+               '--points', str(n), '--percent', str(percent), '--threads', '2', '--repeats', str(repeats)]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return subprocess.run(['perf', 'report', '-i', data, '--stdio', '-q', '--no-children', '--sort', 'dso,symbol', '-F', 'period,dso,symbol'],
+                          check=True, capture_output=True, text=True).stdout
+
+
+def shares(text):
+    found = dict.fromkeys([name for name, _ in PARTS] + ['else'], 0)
+    for line in text.splitlines():
+        match = re.match(r'\s*(\d+)\s+(\S+)\s+\[.\]\s+(.*)', line)
+        if match and not OTHERS.search(match[2]):
+            found[part_of(f'{match[2]} {match[3]}')] += int(match[1])
+    whole = sum(found.values()) or 1
+    return {name: count / whole for name, count in found.items() if count}
+
+
+def profile(request):
+    rows = []
+    try:
+        for n, percent in ((128, 10),) if request.quick else PROFILED:
+            with tempfile.TemporaryDirectory() as folder:
+                found = shares(samples(n, percent, 2 if request.quick else 10, folder))
+            for name, share in sorted(found.items(), key=lambda item: -item[1]):
+                rows.append({'scene': f'{n}², {percent:g} %', 'part': name, 'share': share})
+                print(f'{n:6} {percent:5g} %  {100 * share:5.1f} %  {name}')
+    except (FileNotFoundError, subprocess.CalledProcessError) as error:
+        print(f'profile: perf is not there or may not be used: {error}', file=sys.stderr)
+        return
+    Store(request.json, 'profile', 2).save(rows=rows)
+
+
+question('profile', "where the processor time of a cold solve goes, by Linux' perf", profile, {}, {}, 'one small solve')

@@ -1,4 +1,5 @@
-"""Scenes of the comparison of speed with accuracy: surfaces that grids of several cell sizes show, of unit width and modulus."""
+"""Scenes of the comparison of speed with accuracy: surfaces that grids of several cell sizes show, of unit width and modulus; what is known of
+their contacts, by theory and by certified solutions, and errors against that."""
 import functools
 import math
 import os
@@ -6,25 +7,40 @@ from dataclasses import dataclass, replace
 from typing import Callable, Optional
 
 import numpy as np
+import roughcontact as rc
 
 import native
-from contact import unit_square
+from contact import share_in_contact, solve, unit_square
 from surfaces import Hertz, below_highest, block_means, coordinates, midpoint_surface, paraboloid_gap, self_affine_gap
 
 HEIGHT = 0.01  # of waves, and the depth of the punch
 CAPACITY = 0.36679  # of the unit square (Read 1997)
-MEASURED = {'afm_film': 'measured/afm_film_10um.gsf', 'afm_selfaffine': 'measured/afm_selfaffine_10um.gsf',
-            'afm_patch': 'measured/afm_patch_10um.gsf', 'confocal_lay': 'measured/confocal_lay_1275um.gsf',
-            'fv_rubber': 'measured-lgpl/fv_rubber_2mm.gsf'}  # below the folder of measured surfaces
+MEASURED = {  # title, and file below the folder of measured surfaces
+    'afm_film': ('AFM, film', 'measured/afm_film_10um.gsf'), 'afm_selfaffine': ('AFM, self-affine', 'measured/afm_selfaffine_10um.gsf'),
+    'afm_patch': ('AFM, one hill', 'measured/afm_patch_10um.gsf'), 'confocal_lay': ('confocal, machined', 'measured/confocal_lay_1275um.gsf'),
+    'fv_rubber': ('focus variation, rubber', 'measured-lgpl/fv_rubber_2mm.gsf')}
+RANDOM = {'self-affine': 'self-affine', **{f'rmd-0.{digit}': f'midpoint, H = 0.{digit}' for digit in (3, 5, 7, 9)}}  # by seeds
+TITLES = {'hertz': 'Hertz', 'wave': 'one wave', 'waves': 'two waves, flat', 'punch': 'square punch', **RANDOM,
+          **{name: title for name, (title, _) in MEASURED.items()}}
+NAMES = tuple(TITLES)
 
 
 @dataclass(frozen=True)
-class Known:
-    """What theory says of one contact. target: approach, or load in load control. pressure(n): where theory has it."""
-    target: float
+class Truth:
+    """target: approach, or load in load control. pressure: on a grid, or by points a side where theory has it."""
     load: float
     area: float
-    pressure: Optional[Callable] = None
+    pressure: object = None
+    target: float = 0.0
+
+    def on(self, n):
+        return replace(self, pressure=block_means(self.pressure, n))
+
+    def errors(self, result):
+        """Relative errors: of load and contact area, and of the pressures in the L2 norm, on the same grid."""
+        off = np.linalg.norm(result.pressure - self.pressure) / np.linalg.norm(self.pressure)
+        return {'load_error': abs(result.load / self.load - 1), 'area_error': abs(result.contact_area / self.area - 1),
+                'pressure_error': float(off)}
 
 
 @dataclass(frozen=True)
@@ -47,7 +63,7 @@ class GridScene:
 
 def hertz(contact):
     sphere = Hertz(math.sqrt(contact / math.pi))
-    return Known(sphere.approach, sphere.load, sphere.area, sphere.pressure)
+    return Truth(sphere.load, sphere.area, sphere.pressure, sphere.approach)
 
 
 def wave(contact):
@@ -60,7 +76,7 @@ def wave(contact):
         x, y = coordinates(n)
         square = np.maximum(0, s * s - np.sin(math.pi * x)**2) + 0 * y
         return 2 * load / (s * s) * np.cos(math.pi * x) * np.sqrt(square)
-    return Known(HEIGHT * s * s * (1 - 2 * math.log(s)), load, contact, pressure)
+    return Truth(load, contact, pressure, HEIGHT * s * s * (1 - 2 * math.log(s)))
 
 
 def two_waves(n):
@@ -72,12 +88,7 @@ def waves(_):
     """Pressed flat by 1.2 times the load that it takes: Johnson, Greenwood & Higginson (1985)."""
     amplitude = math.sqrt(2) * math.pi * HEIGHT
     load = 1.2 * amplitude
-    return Known(load, load, 1, lambda n: load + amplitude * two_waves(n))
-
-
-def punch(_):
-    """A flat square punch that covers the grid: load = pi E* depth C."""
-    return Known(HEIGHT, math.pi * CAPACITY * HEIGHT, 1)
+    return Truth(load, 1, lambda n: load + amplitude * two_waves(n), load)
 
 
 def measured(file):
@@ -90,29 +101,62 @@ def measured(file):
     return GridScene(functools.partial(block_means, gap), n=side // 4, aspect=hy / hx)
 
 
-RANDOM = ('self-affine', *(f'rmd-0.{digit}' for digit in (3, 5, 7, 9)))  # those that seeds make different
-NAMES = ('hertz', 'wave', 'waves', 'punch', *RANDOM, *MEASURED)
+# Of n points a side, a power of two.
+MADE = {
+    'hertz': lambda n, seed: GridScene(paraboloid_gap, most_contact=0.5, known=hertz),  # the disc has to fit into the square
+    'wave': lambda n, seed: GridScene(lambda m: HEIGHT * (1 - np.cos(2 * math.pi * coordinates(m)[0])) + 0 * coordinates(m)[1],
+                                      boundary='periodic', known=wave),
+    # Flat, the approach no longer tells the load.
+    'waves': lambda n, seed: GridScene(lambda m: HEIGHT * (1 - two_waves(m)), boundary='periodic', control='load', full=True, known=waves),
+    # A flat square punch that covers the grid: load = pi E* depth C.
+    'punch': lambda n, seed: GridScene(lambda m: np.zeros((m, m)), full=True, known=lambda _: Truth(math.pi * CAPACITY * HEIGHT, 1, None, HEIGHT)),
+    'self-affine': lambda n, seed: GridScene(lambda m: self_affine_gap(m, seed, cut_off=n / 8))}
 
 
 def make_scene(name, n, folder, seed=1):
-    """(scene or None, why it is not there). n: of the scenes that are not measured, a power of two. folder: where measured surfaces lie."""
+    """(scene or None, why it is not there). n: of the scenes that are not measured. folder: where measured surfaces lie."""
     if name in MEASURED:
-        file = os.path.join(folder, MEASURED[name])
+        file = os.path.join(folder, MEASURED[name][1])
         if not folder or not os.path.exists(file):
             return None, f'{file} is not there' if folder else 'no folder of measured surfaces is given (--surfaces)'
         scene = measured(file)
-    elif name == 'hertz':
-        scene = GridScene(paraboloid_gap, most_contact=0.5, known=hertz)  # the disc has to fit into the square
-    elif name == 'wave':
-        scene = GridScene(lambda points: HEIGHT * (1 - np.cos(2 * math.pi * coordinates(points)[0])) + 0 * coordinates(points)[1],
-                          boundary='periodic', known=wave)
-    elif name == 'waves':  # flat, the approach no longer tells the load
-        scene = GridScene(lambda points: HEIGHT * (1 - two_waves(points)), boundary='periodic', control='load', full=True, known=waves)
-    elif name == 'punch':
-        scene = GridScene(lambda points: np.zeros((points, points)), full=True, known=punch)
-    elif name == 'self-affine':
-        scene = GridScene(lambda points: self_affine_gap(points, seed, cut_off=n / 8))
+    elif name in MADE:
+        scene = MADE[name](n, seed)
     else:  # heights are made on the finest grid; the others have means over blocks of its cells
         hurst, levels = float(name.split('-')[1]), (4 * n).bit_length() - 1
-        scene = GridScene(lambda points: block_means(below_highest(midpoint_surface(levels, hurst, seed)), points))
+        scene = GridScene(lambda m: block_means(below_highest(midpoint_surface(levels, hurst, seed)), m))
     return replace(scene, name=name, n=scene.n or n), ''
+
+
+def search_approach(scene, contact, threads):
+    """At which a share of the cells of the scene's grid is in contact, to 2 %, by loose solves."""
+    gap = scene.gap(scene.n)
+    with rc.Contact(scene.system(scene.n), options={'tol': 1e-3, 'threads': threads}) as solver:
+        def share_at(approach):
+            return share_in_contact(solver.solve(gap=gap, check=False, want_pressure=False, **{scene.control: approach}))
+
+        low, high = gap.min(), gap.mean()
+        while share_at(high) < contact:
+            low, high = high, high + 2 * (high - low)
+        for _ in range(30):
+            middle = (low + high) / 2
+            share = share_at(middle)
+            if abs(share / contact - 1) < 0.02:
+                return middle
+            low, high = (middle, high) if share < contact else (low, middle)
+    return (low + high) / 2
+
+
+def solve_certified(scene, target, n, tol, threads):
+    """(truth, result) of the certified solution on n x n cells."""
+    result = solve(scene.system(n), scene.gap(n), {'tol': tol, 'threads': threads}, **{scene.control: target})
+    return Truth(result.load, result.contact_area, result.pressure, target), result
+
+
+def best_truth(scene, contact, target, threads):
+    """(truth, source): what theory knows of the contact, completed by the solution on the finest grid, with pressures there."""
+    known = scene.known and scene.known(contact)
+    if known and known.pressure:
+        return replace(known, pressure=known.pressure(4 * scene.n)), 'analytic'
+    solved, _ = solve_certified(scene, target, 4 * scene.n, 1e-10, threads)
+    return (replace(known, pressure=solved.pressure), 'analytic load') if known else (solved, 'finest grid')

@@ -123,6 +123,11 @@ def measured_scene(file):
     return Scene(os.path.splitext(os.path.basename(file))[0], gap, gap.mean() / 2, pitch)
 
 
+def asperity_band(n, seed):
+    """The gap of the band of waves that ASPHER's authors press: 12 waves a side up to a third of a wave per cell, rms height 0.02."""
+    return below_highest(0.02 * SurfaceClass('rough', hurst=0.8, low=12, high=0.33 * n).heights(n, seed))
+
+
 def rough_scene(levels, seed, hurst=0.7):
     gap = below_highest(midpoint_surface(levels, hurst, seed))
     return Scene('rough', gap, gap.mean() / 2)

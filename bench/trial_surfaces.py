@@ -1,12 +1,20 @@
 """Surfaces that mislead whoever looks at coarser grids alone: for the trial of option accuracy."""
 import math
+import random
 from dataclasses import dataclass
 
 import numpy as np
 import roughcontact as rc
 
-from draws import Draw
 from surfaces import self_affine_gap
+
+
+class Draw(random.Random):
+    def power_of_ten(self, low, high):
+        return 10**self.uniform(low, high)
+
+    def chance(self, share):
+        return self.random() < share
 
 
 class Heights:
@@ -31,7 +39,7 @@ class Heights:
 
 def roughen(h, draw, rms, hurst, roll_off, cut_off):
     """Adds a rough surface of this rms height."""
-    rough = self_affine_gap(h.n, draw.integer(1, 1000000), hurst, roll_off, cut_off)
+    rough = self_affine_gap(h.n, draw.randint(1, 1000000), hurst, roll_off, cut_off)
     h.z += rms / math.sqrt(np.mean(rough**2)) * rough
 
 
@@ -56,7 +64,7 @@ def two_spheres(h, draw):
 
 def scratched_sphere(h, draw):
     sphere(h, draw)
-    for _ in range(draw.integer(1, 11)):
+    for _ in range(draw.randint(1, 11)):
         angle, at, width = draw.uniform(0, math.pi), draw.uniform(-0.15, 0.15), draw.uniform(0.5, 2) * h.cell
         h.z[np.abs(h.along(angle) - at) < width] -= draw.power_of_ten(-4, -2)
 
@@ -66,14 +74,14 @@ def cone(h, draw):
 
 
 def pillars(h, draw):
-    side = draw.integer(1, 8)
-    for _ in range(draw.integer(3, 60)):
-        left, low = draw.integer(0, h.n - side - 1), draw.integer(0, h.n - side - 1)
+    side = draw.randint(1, 8)
+    for _ in range(draw.randint(3, 60)):
+        left, low = draw.randint(0, h.n - side - 1), draw.randint(0, h.n - side - 1)
         h.z[low:low + side, left:left + side] = draw.uniform(0.005, 0.02)
 
 
 def dimples(h, draw):
-    bend, depth, apart = draw.uniform(0, 0.05), draw.power_of_ten(-4, -1.5), draw.integer(3, 20)
+    bend, depth, apart = draw.uniform(0, 0.05), draw.power_of_ten(-4, -1.5), draw.randint(3, 20)
     radius = draw.uniform(0.2, 0.45) * apart
     r = np.hypot(h.column % apart - apart / 2, h.row % apart - apart / 2)
     h.z = -bend * h.r2 - np.where(r < radius, depth, 0)
@@ -91,7 +99,7 @@ def steps(h, draw):
 
 
 def grating(h, draw):
-    period, depth, bend = draw.integer(2, 16), draw.power_of_ten(-4, -1.5), draw.uniform(0, 0.05)
+    period, depth, bend = draw.randint(2, 16), draw.power_of_ten(-4, -1.5), draw.uniform(0, 0.05)
     h.z = np.where(h.column % period < max(1, period // 2), 0, -depth) - bend * h.r2
 
 
@@ -100,26 +108,9 @@ def pits(h, draw):
     h.z = -bend * h.r2 - depth * h.chosen(draw, share)
 
 
-def self_affine(h, draw):
-    cut_off, roll_off, hurst = draw.uniform(6, h.n / 2), draw.uniform(1, 6), draw.uniform(0.3, 1)
-    roughen(h, draw, 0.01, hurst, roll_off, cut_off)
-
-
-def long_waves(h, draw):
-    roughen(h, draw, 0.01, 1, 1, 3)
-
-
-def to_single_cells(h, draw):
-    roughen(h, draw, 0.01, draw.uniform(0.3, 0.9), 1, h.n / 2)
-
-
 def rough_sphere(h, draw):
     sphere(h, draw)
     roughen(h, draw, draw.power_of_ten(-4.5, -2.5), 0.8, 8, h.n / 2)
-
-
-def smooth_sphere(h, draw):
-    sphere(h, draw, -3, -1.3)
 
 
 def checkerboard(h, draw):
@@ -138,8 +129,8 @@ def rim(h, draw):
 def wires(h, draw):
     """One cell wide beside a ridge."""
     h.z = -0.05 * np.abs(h.x) + 0 * h.y
-    for _ in range(draw.integer(1, 10)):
-        at = draw.integer(0, h.n - 1)
+    for _ in range(draw.randint(1, 10)):
+        at = draw.randint(0, h.n - 1)
         h.z[:, at] = -draw.power_of_ten(-4, -2)
     h.approach = draw.power_of_ten(-3, -1.7)
 
@@ -155,14 +146,14 @@ def raised_edge(h, draw):
 def dust(h, draw):
     """Grains of one cell on a plane, a few of them high."""
     share = draw.power_of_ten(-4, -2.5)
-    h.z = h.each(lambda _: min(0.05, 0.0005 + 0.001 * ((draw.uniform() or 1e-300)**(-1 / 1.5) - 1)) if draw.chance(share) else 0.0)
+    h.z = h.each(lambda _: min(0.05, 0.0005 + 0.001 * ((draw.random() or 1e-300)**(-1 / 1.5) - 1)) if draw.chance(share) else 0.0)
     h.approach = draw.power_of_ten(-3, -2)
 
 
 def bed_of_pins(h, draw):
     """Just below the approach, all outside the contact of the coarser grids."""
     sphere(h, draw, -2.7, -1.8)
-    apart, top = draw.integer(2, 8), -draw.uniform(0.3, 1.2) * h.approach
+    apart, top = draw.randint(2, 8), -draw.uniform(0.3, 1.2) * h.approach
     pins = (h.column % apart == 0) & (h.row % apart == 0) & (h.r2 > 2.5 * h.approach)
     h.z = np.where(pins, np.maximum(h.z, top), h.z)
 
@@ -182,7 +173,7 @@ def noisy_sphere(h, draw):
     """Noise of single cells, from even to a few deep ones."""
     sphere(h, draw)
     depth, skew = draw.power_of_ten(-4, -2), draw.uniform(0.3, 6)
-    h.z -= depth * h.each(lambda _: draw.uniform())**skew
+    h.z -= depth * h.each(lambda _: draw.random())**skew
 
 
 def cylinder(h, draw):
@@ -207,12 +198,15 @@ def shortest_waves(h, draw):
     h.z += size * np.cos(kx * h.column + ky * h.row)
 
 
-KINDS = {'sphere-outer-pins': outer_pins, 'two-spheres': two_spheres, 'scratched-sphere': scratched_sphere, 'cone': cone, 'pillars': pillars,
-         'dimples': dimples, 'needles': needles, 'steps': steps, 'grating': grating, 'pits': pits, 'waves-self-affine': self_affine,
-         'long-waves': long_waves, 'to-single-cells': to_single_cells, 'rough-sphere': rough_sphere, 'smooth-sphere': smooth_sphere,
-         'checkerboard': checkerboard, 'rim': rim, 'wires': wires, 'raised-edge': raised_edge, 'dust': dust, 'bed-of-pins': bed_of_pins,
-         'rough-saddle': rough_saddle, 'terraces': terraces, 'noisy-sphere': noisy_sphere, 'cylinder': cylinder, 'dipoles': dipoles,
-         'shortest-waves': shortest_waves}
+KINDS = {
+    'sphere-outer-pins': outer_pins, 'two-spheres': two_spheres, 'scratched-sphere': scratched_sphere, 'cone': cone, 'pillars': pillars,
+    'dimples': dimples, 'needles': needles, 'steps': steps, 'grating': grating, 'pits': pits,
+    'waves-self-affine': lambda h, draw: roughen(h, draw, 0.01, draw.uniform(0.3, 1), draw.uniform(1, 6), draw.uniform(6, h.n / 2)),
+    'long-waves': lambda h, draw: roughen(h, draw, 0.01, 1, 1, 3),
+    'to-single-cells': lambda h, draw: roughen(h, draw, 0.01, draw.uniform(0.3, 0.9), 1, h.n / 2),
+    'rough-sphere': rough_sphere, 'smooth-sphere': lambda h, draw: sphere(h, draw, -3, -1.3), 'checkerboard': checkerboard, 'rim': rim,
+    'wires': wires, 'raised-edge': raised_edge, 'dust': dust, 'bed-of-pins': bed_of_pins, 'rough-saddle': rough_saddle, 'terraces': terraces,
+    'noisy-sphere': noisy_sphere, 'cylinder': cylinder, 'dipoles': dipoles, 'shortest-waves': shortest_waves}
 
 
 @dataclass(frozen=True)
@@ -230,8 +224,8 @@ def left_out(shape, draw, parts):
     if not parts:
         return np.array([not draw.chance(0.1) for _ in range(mask.size)], np.uint8).reshape(shape)
     for _ in range(6):
-        left, low = draw.integer(0, nx - 5), draw.integer(0, ny - 5)
-        right, high = min(nx, left + draw.integer(2, 30)), min(ny, low + draw.integer(2, 30))
+        left, low = draw.randint(0, nx - 5), draw.randint(0, ny - 5)
+        right, high = min(nx, left + draw.randint(2, 30)), min(ny, low + draw.randint(2, 30))
         mask[low:high, left:right] = 0
     return mask
 
@@ -240,7 +234,7 @@ def make_surface(name, n, seed):
     """About n points a side, of unit width and modulus. The seed draws the shape and the approach, and for some seeds an odd size, a
     rectangle, elongated cells, single points or whole parts that do not count, a period."""
     draw = Draw(seed * 1009 + list(KINDS).index(name))
-    h = Heights(draw.integer(4 * n // 5, 6 * n // 5) if seed % 2 == 0 else n)
+    h = Heights(draw.randint(4 * n // 5, 6 * n // 5) if seed % 2 == 0 else n)
     KINDS[name](h, draw)
     gap, approach, boundary, hx, hy = h.z.max() - h.z, h.approach, 'free', h.cell, h.cell
     if approach == 0:
@@ -249,6 +243,6 @@ def make_surface(name, n, seed):
     if seed % 5 == 3:
         hy *= draw.power_of_ten(-1.3, 1.3)
     if seed % 5 == 4 and boundary == 'free':
-        gap = gap[:h.n // draw.integer(2, 4)]
+        gap = gap[:h.n // draw.randint(2, 4)]
     mask = left_out(gap.shape, draw, seed % 7 == 6) if seed % 7 >= 5 else None
     return TrialSurface(rc.HalfSpace(gap.shape, pitch=(hx, hy), modulus=1, boundary=boundary), np.ascontiguousarray(gap), mask, approach)

@@ -2,15 +2,13 @@
 nothing anew."""
 import math
 import os
-import shutil
 
-from program import BUILD, check_pictures, counts, load, run, sections
+from program import BUILD, check_pictures, counts, load, remade, run
 
-from paper_rows import rows
-from paper_tables import INDEPENDENT, SECTIONS
+from paper_tables import INDEPENDENT, SECTIONS, measured as rows
 from samples import median, median_interval, values_of
 
-FOLDER, CALL = os.path.join(BUILD, 'paper-quick'), ('documents', 'paper', '--quick')
+FOLDER = os.path.join(BUILD, 'paper-quick')
 CERTIFIED = 1e-7  # of loads, a few times the tolerance
 
 
@@ -18,8 +16,7 @@ def close(value, wanted, tolerance):
     assert abs(value - wanted) <= tolerance, (value, wanted, tolerance)
 
 
-shutil.rmtree(FOLDER, ignore_errors=True)
-first = run(*CALL)
+first, filled = remade('paper')
 count, failed, before = counts(first)
 assert count > 100 and failed == 0 and before == 0, first
 document = load(FOLDER, 'paper')
@@ -73,10 +70,8 @@ for row in surfaces.values():
 # Order statistics: 20 values leave five out at either end.
 assert median_interval(range(1, 21)) == (10.5, 6, 15) and median_interval([1, 2, 4]) == (2, 1, 4)
 
-filled = sections(FOLDER, 'paper')
 assert set(filled) == {'provenance', 'claims', *SECTIONS}, filled.keys()
 for name, text in filled.items():
     assert text.strip() and 'ot measured yet' not in text and 'nan' not in text, (name, text)
-if shutil.which('gnuplot'):
-    check_pictures(FOLDER, *(f'paper-figure-{number}' for number in (2, 4, 5, 6, 8, 9, 10)))
-assert counts(run(*CALL)) == [0, 0, count]
+check_pictures(FOLDER, *(f'paper-figure-{number}' for number in (2, 4, 5, 6, 8, 9, 10)))
+assert counts(run('documents', 'paper', '--quick')) == [0, 0, count]

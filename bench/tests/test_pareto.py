@@ -1,13 +1,12 @@
 """`documents speed-accuracy --quick` gives certified points whose errors are what their tolerances allow, fills the page and draws the
 pictures, and a second call measures nothing anew."""
 import os
-import shutil
 
-from program import BUILD, check_pictures, counts, load, run, sections
+from program import BUILD, check_pictures, counts, load, remade, run
 
-from speed_accuracy_rows import FAST, cases, enough, front, grid_error, grids, lines, name_of, time_to
+from speed_accuracy_tables import FAST, cases, enough, front, grid_error, grids, lines, name_of, time_to
 
-FOLDER, CALL = os.path.join(BUILD, 'speed-accuracy-quick'), ('documents', 'speed-accuracy', '--quick', '--threads', '1')
+FOLDER = os.path.join(BUILD, 'speed-accuracy-quick')
 
 
 def check_front():
@@ -43,8 +42,7 @@ def check_case(document, case):
 
 
 check_front()
-shutil.rmtree(FOLDER, ignore_errors=True)
-first = run(*CALL)
+first, filled = remade('speed-accuracy', '--threads', '1')
 count, failed, before = counts(first)
 assert count > 80 and failed == 0 and before == 0, first
 document = load(FOLDER, 'pareto')
@@ -60,11 +58,9 @@ for row in goals:
     assert (row['model'] < row['points']) == (row['status'] == 'RC_WITHIN_GOAL') == (row['estimate'] > 0), row
 assert [scene['scene'] for scene in load(os.path.join(FOLDER, 'scenes'), 'scenes')] == ['hertz', 'self-affine']
 
-filled = sections(FOLDER, 'speed-accuracy')
 assert set(filled) == {'provenance', 'picks', 'methods', 'tolerances', 'grids', 'goals'}, filled.keys()
 for name, text in filled.items():
     assert text.strip() and 'nan' not in text and 'None' not in text, (name, text)
 assert filled['tolerances'].count('²') == 2 and filled['picks'].count('\n- ') >= 5, filled
-if shutil.which('gnuplot'):
-    check_pictures(FOLDER, 'speed-accuracy', 'pareto-generated', 'pareto-contacts', 'pareto-grids', 'pareto-kernels')
-assert counts(run(*CALL))[:2] == [0, 0]
+check_pictures(FOLDER, 'speed-accuracy', 'pareto-generated', 'pareto-contacts', 'pareto-grids', 'pareto-kernels')
+assert counts(run('documents', 'speed-accuracy', '--quick', '--threads', '1'))[:2] == [0, 0]

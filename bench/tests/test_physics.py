@@ -1,11 +1,10 @@
 """`documents physics --quick` gives certified rows that agree with each other, a second call measures nothing anew, and the page is filled and
 every picture drawn."""
 import os
-import shutil
 
-from program import BUILD, check_pictures, load, run, sections
+from program import BUILD, check_pictures, load, remade, run
 
-FOLDER, CALL = os.path.join(BUILD, 'physics-quick'), ('documents', 'physics', '--quick', '--threads', '1')
+FOLDER = os.path.join(BUILD, 'physics-quick')
 
 
 def check_rows(document):
@@ -43,18 +42,15 @@ def check_summary(document):
         assert row['raw_error'] > 0 and abs(row['corrected_error']) < row['raw_error'], row
 
 
-shutil.rmtree(FOLDER, ignore_errors=True)
-run(*CALL)
+_, filled = remade('physics', '--threads', '1')
 first = load(FOLDER, 'physics')
 check_rows(first)
 check_summary(first)
-again = [line for line in run(*CALL).splitlines() if '^2, surface' in line]
+again = [line for line in run('documents', 'physics', '--quick', '--threads', '1').splitlines() if '^2, surface' in line]
 assert again and all('measured before' in line for line in again), again
 second = load(FOLDER, 'physics')
 assert all(second[key] == first[key] for key in ('rows', 'curve', 'fits', 'meshes'))
-filled = sections(FOLDER, 'physics')
 assert set(filled) == {'fits', 'curve', 'meshes', 'provenance'}, filled.keys()
 assert filled['curve'].count('\n') == 2 + 11 and filled['meshes'].count('\n') == 2 + 6, filled
 assert f'{first["fits"]["corrected_kappa"]["mean"]:.2f} (' in filled['fits'], filled['fits']
-if shutil.which('gnuplot'):
-    check_pictures(FOLDER, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh')))
+check_pictures(FOLDER, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh')))
