@@ -5,8 +5,8 @@ import os
 from dataclasses import dataclass
 from typing import Callable
 
-import batch
 import dilute as dilutes
+import histories
 import limits
 import repeated
 from charts import OPEN_MARKERS, PROPORTIONAL, TARGET, Panels, decades, style
@@ -234,7 +234,7 @@ SECTIONS = {  # results, a table of them, the options that measure it
                records(dilutes.PRODUCTS, [row for row in d.get('dilute', ()) if 'split_ms' in row]), ''),
     'busy': ('busy', lambda d: records(repeated.BUSY, d['busy']), ''),
     'deterministic': ('deterministic', lambda d: records(repeated.DETERMINISTIC, d['deterministic']), ''),
-    'batch': ('batch', lambda d: f'{records(batch.COLUMNS, d["batch"])}\n\nAll threads are {d["scaling"]:.2f} times as fast as one.', ''),
+    'batch': ('batch', lambda d: f'{records(histories.BATCH, d["batch"])}\n\nAll threads are {d["scaling"]:.2f} times as fast as one.', ''),
     'profile': ('profile', profile_table, ''),
     'machine': ('limits', lambda d: records(limits.MACHINE, limits.machine_rows(d)) + '\n\n' + provenance(d), ''),
     'product-limits': ('limits', lambda d: records(limits.PRODUCTS, d['products']), ''),

@@ -10,6 +10,11 @@ BUILD = sys.argv[1]
 PROGRAM = os.path.join(BUILD, 'bin', 'roughcontact-bench')
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
 
+if 'ROUGHCONTACT_LIBRARY' not in os.environ:  # the test runs in the program's environment
+    with open(PROGRAM) as launcher:
+        start = launcher.read().split('exec')[0]
+    os.execvp('sh', ['sh', '-c', f'{start} exec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
+
 
 def run(*arguments):
     """What the program printed."""
