@@ -109,9 +109,9 @@ def limit_growth(more):
     resource.setrlimit(resource.RLIMIT_AS, (status_line('/proc/self/status', 'VmSize') + int(more), resource.RLIM_INFINITY))
 
 
-def cpu_seconds():
-    """Processor time of all threads of this process."""
-    usage = resource.getrusage(resource.RUSAGE_SELF)
+def cpu_seconds(of=resource.RUSAGE_SELF):
+    """Processor time of all threads of this process, or of its children."""
+    usage = resource.getrusage(of)
     return usage.ru_utime + usage.ru_stime
 
 

@@ -8,7 +8,7 @@ from contact import FILTERS, OK, cascade_note, cascade_options, cascade_verdict,
 from options import listed, one_of, question
 from samples import mean, wilson
 from store import Store
-from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, in_units, influence, measured_scene, rough_scene,
+from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, influence, measured_scene, rough_scene,
                       strained_scenes, tied_scene)
 
 KERNELS = ('eq9', 'punch', 'galerkin', 'love', 'disc')
@@ -142,7 +142,8 @@ def units(atlas, scene, options, truth, lengths):
     errors, same = [], True
     for length in lengths:
         for pressure in (1e-9, 1e11):
-            found = press(in_units(scene, length, pressure), options)[0]
+            found = press(scene.but(gap=scene.gap * length, approach=scene.approach * length, pitch=tuple(length * h for h in scene.pitch),
+                                    modulus=scene.modulus * pressure), options)[0]
             errors.append(difference(found.pressure / pressure, plain.pressure if truth is None else truth))
             same = same and found.iterations == plain.iterations and status_of(found) == OK
             atlas.record('units', solver=options['solver'], length=length, pressure=pressure, iterations=found.iterations,

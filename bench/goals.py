@@ -147,8 +147,8 @@ TRIAL = ('surface; runs; on a coarser grid={coarser}; beyond; estimate/error={sl
 
 def of_surface(request, name, seed):
     """Rows of one surface; those beyond their goal are printed."""
-    surface = make_surface(name, request.points, seed)
-    pressed = Pressed(surface.system, surface.gap, surface.approach, {'bounds': 0, 'threads': request.threads}, surface.mask)
+    system, gap, approach, mask = make_surface(name, request.points, seed)
+    pressed = Pressed(system, gap, approach, {'bounds': 0, 'threads': request.threads}, mask)
     for control, quantity, goal in ((c, q, g) for c in CONTROLS for q in QUANTITIES for g in request.goals) if pressed.exact.load > 0 else ():
         row = pressed.compared(control, quantity, goal, goal / (1000 if quantity == 'area' else 100) if request.times else None)
         coarser = row['status'] == 'RC_WITHIN_GOAL'
@@ -156,7 +156,7 @@ def of_surface(request, name, seed):
         if row['beyond'] or row['area_beyond']:
             print(f'{name}, surface {seed}: goal {goal:g} of the {quantity}, by {CONTROLS[control]}: error {row["error"]:.4f}, estimate '
                   f'{row["estimate"]:.4f}, of the area {row["area_error"]:.4f}, {row["area_estimate"]:.4f}, from {row["model"]} of '
-                  f'{surface.gap.shape[1]} points a side', file=sys.stderr)
+                  f'{gap.shape[1]} points a side', file=sys.stderr)
         yield row
 
 

@@ -31,10 +31,6 @@ def machine_rows(document):
                      for row in document['transforms']]
 
 
-def fastest(runs):
-    return min(runs, key=lambda run: run['best'])
-
-
 def product_times(request, n, count, single):
     """The library's product on the whole grid against the padded one, in turns, so that other work on the machine meets both."""
     budget, gap = request.budget / (4 * ROUNDS), self_affine_gap(n, request.seed)
@@ -48,7 +44,7 @@ def product_times(request, n, count, single):
             times, expected = padded[plan].time(x, budget)
             runs[plan].append(ours)
             runs['padded_' + plan].append(times)
-    best = {key: fastest(found) for key, found in runs.items()}
+    best = {key: min(found, key=lambda run: run['best']) for key, found in runs.items()}
     row = {f'{key}_{kind}': best[key][kind] for key in best for kind in ('best', 'median')}
     seconds = {key: found['best'] for key, found in best.items()}
     return {**row, 'padded_measure_planning_seconds': padded['measure'].planning_seconds,

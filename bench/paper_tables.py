@@ -167,11 +167,6 @@ CLAIMS = (
     ('CMR: -0.4 % with a power law, -98 % with a cut-off to it', 'figure 10', Claims.spectra))
 
 
-def claims_table(document):
-    claims = Claims(document)
-    return table(['the paper', 'here', 'where'], [[text, claims.said(*claim), where] for text, where, *claim in CLAIMS])
-
-
 # Shares of wrong answers by an independent program, with half of their 95 % intervals [%].
 INDEPENDENT = {25: (17.1, 2.3), 100: (35.9, 3.0), 400: (63.1, 3.0), 900: (85.0, 3.5)}
 SETTINGS = {'small': 'dense, eq9', 'small, love': 'dense, love', 'dense': 'dense, eq9', 'fft': 'FFT, eq9'}
@@ -364,4 +359,5 @@ SECTIONS = {  # rows, figure, text
 def sections(results):
     document = load(results, 'paper')
     filled = {name: make(rows) if (rows := measured(document, of)) else unmeasured(figure) for name, (of, figure, make) in SECTIONS.items()}
-    return {'provenance': provenance_text(document), 'claims': claims_table(document), **filled}
+    claims = [[text, Claims(document).said(*claim), where] for text, where, *claim in CLAIMS]
+    return {'provenance': provenance_text(document), 'claims': table(['the paper', 'here', 'where'], claims), **filled}

@@ -358,21 +358,16 @@ def busy_seconds():
     return (sum(ticks[:3]) + sum(ticks[5:8])) / os.sysconf('SC_CLK_TCK')
 
 
-def children_seconds():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 def solve(code, request, limit):
     """The answers of a run as a list, and the cores that others had busy meanwhile."""
     request = {**request, 'options': code.options, 'limit': limit}
-    busy, own, begun = busy_seconds(), children_seconds(), time.monotonic()
+    busy, own, begun = busy_seconds(), cpu_seconds(resource.RUSAGE_CHILDREN), time.monotonic()
     if code.family == 'baseline':
         found = in_child(lambda: run_baseline(request), limit + PLANNING + START, request['threads'])
     else:
         found = in_child(lambda: run_code(code.family, request), limit + START, request['threads'])
     wall = time.monotonic() - begun
-    others = None if busy is None else max(0.0, (busy_seconds() - busy - (children_seconds() - own)) / wall)
+    others = None if busy is None else max(0.0, (busy_seconds() - busy - (cpu_seconds(resource.RUSAGE_CHILDREN) - own)) / wall)
     if isinstance(found, dict):
         error = f'over the limit of {limit:g} s' if found['error'] == 'over the limit' else found['error']
         found = [{**found, 'error': error, 'tol': request['tol']}]

@@ -189,11 +189,6 @@ def judged(target, document):
     return f'{measured}: {label}{others}', verdict
 
 
-def targets_table(known):
-    return table(['', 'target', 'measured', '', 'command'], [
-        [target.text, target.wanted, *judged(target, known(target.source)), f'`{target.command}`'] for target in TARGETS])
-
-
 SCALING = ('grid={n}²{mark}; contact [%]={area_found:%.3g}; control; solver, backend={solver}, {backend}; set-up [s]={setup_seconds:s}; '
            'solve [s]={solve_seconds:s}; CPU [s]={cpu_seconds:s}; iterations; products; product [ms]={product_seconds_best:m.3g}; '
            'bytes/point={bytes_per_point:.0f}; in all={bytes_per_point_in_all:.0f}; candidates; modelled; contacts; residual={residual:err}')
@@ -247,7 +242,8 @@ SECTIONS = {  # results, a table of them, the options that measure it
 def sections(results):
     known = {name: load(results, name) for name in {'products', *(source for source, _, _ in SECTIONS.values())}}
     filled = {name: known[source] and make(known[source]) or missing(BENCH + source + options) for name, (source, make, options) in SECTIONS.items()}
-    return {'targets': targets_table(known.get), **filled}
+    targets = [[target.text, target.wanted, *judged(target, known[target.source]), f'`{target.command}`'] for target in TARGETS]
+    return {'targets': table(['', 'target', 'measured', '', 'command'], targets), **filled}
 
 
 def product_sections(results):

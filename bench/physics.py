@@ -218,12 +218,6 @@ def patch_density(document, rows):
     return points
 
 
-def pressure_density(rows):
-    width = rows[0]['histogram']['width']
-    values = zip(*(row['histogram']['density'] for row in rows))
-    return [((k + 0.5) * width, sum(value) / len(rows)) for k, value in enumerate(values)]
-
-
 def distribution_picture(document, file):
     drawing, hurst = Panels(800, 450, 2, 1, 90), document['surface']['hurst']
     patches, pressures, entries = [], [], []
@@ -235,7 +229,9 @@ def distribution_picture(document, file):
             patches.append(f'{3 * y!r}*(x/{x!r})**(-{2 - hurst / 2!r}) with {DASHED}')
         patches.append(drawing.curve(points, style(number)))
         # Persson's: the variance of the pressure in full contact is a quarter of (E* slope)^2.
-        pressures += [drawing.curve(pressure_density(rows), hollow(number)),
+        densities = zip(*(row['histogram']['density'] for row in rows))
+        points = [((k + 0.5) * rows[0]['histogram']['width'], sum(values) / len(rows)) for k, values in enumerate(densities)]
+        pressures += [drawing.curve(points, hollow(number)),
                       f'sqrt(2/pi)*(exp(-2*(x-{pressure!r})**2)-exp(-2*(x+{pressure!r})**2)) with lines lw 1.4 {colour(number)} dt 1']
         entries.append((f'p = {pressure:g} E* slope', style(number)))
     drawing.panel(0, 0, 'patch sizes', axes('area of a patch / λ_s²', 'patches per area / (A0 / λ_s⁴)', FREE, FREE, 'set format "10^{%T}"'), patches)

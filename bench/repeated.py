@@ -1,9 +1,9 @@
 """One scene solved cold again and again: beside other processes at full load, with results that are bitwise repeatable, and where the processor time
 goes, by Linux' perf."""
+import contextlib
 import hashlib
 import os
 import re
-import signal
 import subprocess
 import sys
 import tempfile
@@ -55,30 +55,18 @@ def middle(values):
     return sorted(values)[len(values) // 2]
 
 
-class Spinners:
-    """Processes that do nothing but use a core each."""
-
-    def __init__(self, count):
-        self.children = [self.spin() for _ in range(count)]
-        time.sleep(0.05)  # until the scheduler has given them their cores
-
-    @staticmethod
-    def spin():
-        parent, child = os.getpid(), os.fork()
-        while child == 0 and os.getppid() == parent:
-            for _ in range(1 << 16):
-                pass
-        if child == 0:
-            os._exit(0)
-        return child
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *error):
-        for child in self.children:
-            os.kill(child, signal.SIGKILL)
-            os.waitpid(child, 0)
+@contextlib.contextmanager
+def spinners(count):
+    """Processes that do nothing but use a core each, while this one lives."""
+    spin = 'import os\nparent = os.getppid()\nwhile os.getppid() == parent:\n    sum(range(1 << 16))'
+    children = [subprocess.Popen([sys.executable, '-c', spin]) for _ in range(count)]
+    time.sleep(0.2 if count else 0)  # until they have begun
+    try:
+        yield
+    finally:
+        for child in children:
+            child.kill()
+            child.wait()
 
 
 def scene_of(request):
@@ -92,7 +80,7 @@ def busy(request):
         idle, loaded = [], []
         for _ in range(request.repeats):
             idle.append(solve.seconds(count))
-            with Spinners(request.others):
+            with spinners(request.others):
                 loaded.append(solve.seconds(count))
         median = middle(idle)
         rows.append({'n': request.points, 'contact_percent': solve.percent, 'tol': request.tol, 'solver': solve.result.solver,
@@ -165,10 +153,6 @@ OTHERS = re.compile('python|numpy|_ctypes|openblas')  # the scene is made there
 PROFILED = ((1024, 10), (2048, 10), (2048, 0.1))
 
 
-def part_of(line):
-    return next((name for name, pattern in PARTS if re.search(pattern, line)), 'else')
-
-
 def samples(n, percent, repeats, folder):
     data = os.path.join(folder, 'perf.data')
     command = ['perf', 'record', '-q', '-F', '997', '-o', data, os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'roughcontact-bench'), 'busy', '--others', '0',
@@ -183,7 +167,8 @@ def shares(text):
     for line in text.splitlines():
         match = re.match(r'\s*(\d+)\s+(\S+)\s+\[.\]\s+(.*)', line)
         if match and not OTHERS.search(match[2]):
-            found[part_of(f'{match[2]} {match[3]}')] += int(match[1])
+            line = f'{match[2]} {match[3]}'
+            found[next((name for name, pattern in PARTS if re.search(pattern, line)), 'else')] += int(match[1])
     whole = sum(found.values()) or 1
     return {name: count / whole for name, count in found.items() if count}
 

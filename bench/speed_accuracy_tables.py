@@ -3,7 +3,7 @@ import os
 
 from charts import Panels, axes, decades, line, style, ticks
 from goals import goal_section
-from samples import chosen, median, solved, total_seconds
+from samples import chosen, groups, median, solved, total_seconds
 from scenes import MEASURED, TITLES
 from store import load
 from tables import error, provenance, table
@@ -286,14 +286,6 @@ PEERS = {code: (title, f'points lw 1.8 ps 1.2 lc rgb "#AA0000" {mark}') for code
 AXES = {'load_error': 'load', 'pressure_error': 'pressure', 'true_load_error': 'load', 'true_pressure_error': 'pressure'}
 
 
-def peer_points(document, case):
-    found = {}
-    for row in document.get('peers', []):
-        if row['code'] in PEERS and 'error' not in row and all(row[name] == case[name] for name in ('scene', 'contact', 'n')):
-            found.setdefault(row['code'], []).append(row)
-    return found
-
-
 def clipped(points, key):
     """(time, error)"""
     return [(total_seconds(point), max(point[key], LEAST)) for point in points]
@@ -304,7 +296,8 @@ def errors_panel(drawing, document, place, case, key, names):
     nothing about them."""
     known = lines(document, case)
     drawn = {name: known[name] for name in names if name in known}
-    peers = peer_points(document, case) if key == 'pressure_error' else {}
+    others = [row for row in of_case(document, 'peers', case) if row['code'] in PEERS and 'error' not in row]
+    peers = {code: rows for (code,), rows in groups(others, 'code').items()} if key == 'pressure_error' else {}
     curves = [drawing.curve(front(clipped(sum(known.values(), []), key)), FRONT)]
     curves += [drawing.curve(clipped(points, key), LOOKS[name]) for name, points in drawn.items()]
     curves += [drawing.curve(clipped(points, key), PEERS[code][1]) for code, points in peers.items()]

@@ -170,11 +170,6 @@ def tied_scene(n):
     return Scene('ties', (u.max() - u).reshape(n, n), u.max())
 
 
-def in_units(scene, length, pressure):
-    return scene.but(gap=scene.gap * length, approach=scene.approach * length, pitch=tuple(length * h for h in scene.pitch),
-                     modulus=scene.modulus * pressure)
-
-
 def strained_scenes(n):
     """Well-posed problems that strain double precision: near-full contact, one point, spikes, offsets, flatness, aspect, kernel."""
     rough = rough_scene(math.ceil(math.log2(n)), 3)

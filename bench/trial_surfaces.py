@@ -1,6 +1,5 @@
 """Surfaces that mislead whoever looks at coarser grids alone: for the trial of option accuracy."""
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import roughcontact as rc
@@ -199,14 +198,6 @@ KINDS = {
     'noisy-sphere': noisy_sphere, 'cylinder': cylinder, 'dipoles': dipoles, 'shortest-waves': shortest_waves}
 
 
-@dataclass(frozen=True)
-class TrialSurface:
-    system: rc.HalfSpace
-    gap: np.ndarray
-    mask: np.ndarray
-    approach: float
-
-
 def left_out(shape, draw, parts):
     """A mask without a tenth of the points, or without whole parts."""
     if not parts:
@@ -219,7 +210,7 @@ def left_out(shape, draw, parts):
 
 
 def make_surface(name, n, seed):
-    """About n points a side, of unit width and modulus. The seed draws the shape and the approach, and for some seeds an odd size, a
+    """(system, gap, approach, mask) of about n points a side, of unit width and modulus. The seed draws the shape and the approach, and for some seeds an odd size, a
     rectangle, elongated cells, single points or whole parts that do not count, a period."""
     draw = Draw(seed * 1009 + list(KINDS).index(name))
     h = Heights(draw.integer(4 * n // 5, 6 * n // 5) if seed % 2 == 0 else n)
@@ -233,4 +224,4 @@ def make_surface(name, n, seed):
     if seed % 5 == 4 and boundary == 'free':
         gap = gap[:h.n // draw.integer(2, 4)]
     mask = left_out(gap.shape, draw, seed % 7 == 6) if seed % 7 >= 5 else None
-    return TrialSurface(rc.HalfSpace(gap.shape, pitch=(hx, hy), modulus=1, boundary=boundary), np.ascontiguousarray(gap), mask, approach)
+    return rc.HalfSpace(gap.shape, pitch=(hx, hy), modulus=1, boundary=boundary), np.ascontiguousarray(gap), approach, mask

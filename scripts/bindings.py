@@ -370,13 +370,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         ),
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
-            f"The structs of {own}, member by member, with the values of the RC_..._INIT macros.",
-            python_structs(contact),
-            after=["_c", "_constants"],
-        ),
-        f"{python}/_surface_structs.py": python_module(
-            "The structs of <roughcontact/surface.h>, member by member, with the values of the RC_..._INIT macros.",
-            python_structs(surface),
+            "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",
+            f"{python_structs(contact)}\n\n\n{python_structs(surface)}",
             after=["_c", "_constants"],
         ),
         f"{python}/_functions.py": python_module(
@@ -384,7 +379,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             python_functions(
                 {"ContactFunctions": ("libroughcontact", contact), "SurfaceFunctions": ("libroughcontact-surface", surface)}
             ),
-            after=["_c", "_structs", "_surface_structs"],
+            after=["_c", "_structs"],
         ),
         "bindings/octave/result_fields.def": "/* Members of rc_result that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",
