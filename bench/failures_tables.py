@@ -30,7 +30,7 @@ def by_points(rows, cell, last=None):
 
 def greedy_table(rows):
     return by_points(rows, lambda row: f'{percent(row["share"])} ({percent(row["lower"])} to {percent(row["upper"])})',
-                     ('largest error of p [%]', lambda line: percent(max(r['pressure_error'] for r in line)) if any(r['failures'] for r in line) else '0'))
+                     ('largest error of p [%]', lambda line: percent(max([r['pressure_error'] for r in line if r['failures']], default=0))))
 
 
 def cmr_table(rows):

@@ -5,7 +5,7 @@ import sys
 from contact import share_in_contact, solve, status_of
 from options import ALL_THREADS, folder, listed, one_of, question, ranged, threads
 from samples import chosen, median, values_of
-from scenes import NAMES, RANDOM, TITLES, make_scene, search_approach
+from surfaces import NAMES, RANDOM, TITLES, make_scene, search_approach
 from store import Store
 from tables import records, show, table
 from trial_surfaces import KINDS, make_surface
@@ -114,8 +114,9 @@ def grids_table(rows, goals):
     for scene, title in TITLES.items():
         found = chosen(rows, scene=scene, quantity='load', control='displacement')
         if found:
-            lines.append([f'{title}, {found[0]["points"]}²', *(', '.join(
-                f'{contact:g} %: {grid_used(chosen(found, goal=goal, contact=contact))}' for contact in values_of(found, 'contact')) for goal in goals)])
+            used = {goal: [f'{contact:g} %: {grid_used(chosen(found, goal=goal, contact=contact))}' for contact in values_of(found, 'contact')]
+                    for goal in goals}
+            lines.append([f'{title}, {found[0]["points"]}²', *map(', '.join, used.values())])
     return table(['scene', *[f'within {100 * goal:g} %' for goal in goals]], lines)
 
 

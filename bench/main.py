@@ -9,7 +9,7 @@ import roughcontact
 from case import Failure
 from options import PARSER
 
-for name in ('scaling', 'limits', 'repeated', 'speed_accuracy', 'goals', 'histories', 'failures', 'dilute', 'paper', 'physics',
+for name in ('scaling', 'limits', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
              'peers', 'documents', 'store'):
     importlib.import_module(name)  # each adds its sub-commands
 

@@ -47,7 +47,8 @@ def smooth(draws, shape, kernel):
         for _ in range(draws):  # paraboloids whose tip lies anywhere between the points, contact radii of 3 to 9 cells
             x, y = np.arange(n)[None, :] - (n / 2 - draw()), np.arange(n)[:, None] - (n / 2 - draw())
             contact = 3 + 6 * draw()
-            found = greedy(Scene(shape, (x * x + y * y) / (2 * radius), contact**2 / radius, kernel=kernel), tol=1e-10, **{'greedy.inner': 'cholesky'})
+            scene = Scene(shape, (x * x + y * y) / (2 * radius), contact**2 / radius, kernel=kernel)
+            found = greedy(scene, tol=1e-10, **{'greedy.inner': 'cholesky'})
             failures, deepest = failures + int(status_of(found) != OK), max(deepest, found.kkt_dual)
         return {'draws': draws, 'failures': failures, 'deepest_overlap': deepest}
     scene = hertz_scene(96) if shape == 'sphere' else Scene(shape, np.zeros((20, 20)), 1.0)

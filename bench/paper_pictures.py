@@ -57,7 +57,8 @@ def figure_2(found, file):
     panels = [('compenetration', 'u', (0, 1.05), 'u [length]', []),
               ('gap that greedy elimination leaves', 'w', around(row['w'], log=False), 'w [length]',
                [([(i, value) for i, value in zip(places, row['w']) if value < -1e-9], overlap)]),
-              ('force', 'greedy', around([0, *row['greedy'], *row['exact']], log=False), 'p/E* [length²]', [(list(zip(places, row['exact'])), solution)])]
+              ('force', 'greedy', around([0, *row['greedy'], *row['exact']], log=False), 'p/E* [length²]',
+               [(list(zip(places, row['exact'])), solution)])]
     for number, (title, key, y, label, more) in enumerate(panels):
         points = list(zip(places, row[key]))
         drawing.panel(0, number, title, frame((0, len(places) + 1), y, 'element', label),
@@ -82,7 +83,8 @@ def figure_4(rows, file):
 
 def figure_5(found, file):
     drawing, panels = Panels(800, 440, 2, 1, 80), {'greedy elimination': [], 'relative to conjugate gradients': []}
-    bare = [{**row, 'inner': 'stored before', 'cpu_seconds': row['cpu_seconds'] - row['storing_seconds']} for row in chosen(found, inner='gauss-seidel')]
+    bare = [{**row, 'inner': 'stored before', 'cpu_seconds': row['cpu_seconds'] - row['storing_seconds']}
+            for row in chosen(found, inner='gauss-seidel')]
     for inner in ('cg', 'cholesky', 'gauss-seidel', 'stored before'):
         times, shares = [], []
         for n in values_of(found, 'n'):
@@ -185,7 +187,8 @@ def figure_10(found, file):
         density += [psd for _, psd in points]
         spectra.append(drawing.curve(points, f'lines lw 1.4 {look}'))
         if row['q_min'] and row['q_max']:
-            spectra.append(drawing.curve([(q / longest, row['prefactor'] * q**row['slope'] / area * 4) for q in (row['q_min'], row['q_max'])], fitted))
+            ends = [(q / longest, row['prefactor'] * q**row['slope'] / area * 4) for q in (row['q_min'], row['q_max'])]
+            spectra.append(drawing.curve(ends, fitted))
         entries.append((row['surface'], f'lines lw 1.4 {look}'))
     drawing.panel(0, 0, 'height along the middle row', frame((0, 1), (-8 * len(found) + 2, 6), 'x / L', 'height / rms height, shifted by 8'), profiles)
     drawing.panel(1, 0, 'power spectral density', frame(around([1, 512]), around([max(density) * 1e-10, max(density)]), 'wave number q / lowest q',

@@ -5,14 +5,12 @@ import os
 from dataclasses import dataclass
 from typing import Callable
 
-import dilute as dilutes
 import histories
 import limits
-import repeated
 from charts import OPEN_MARKERS, PROPORTIONAL, TARGET, Panels, decades, style
 from peers_report import best, growth as memory_growth, total
 from samples import groups, total_seconds
-from scaling import GROWTH, certified_rows, growth_of
+from scaling import DILUTE_PRODUCTS, DILUTE_SOLVES, GROWTH, certified_rows, growth_of
 from store import load
 from tables import error, missing, provenance, records, seconds, table
 
@@ -212,7 +210,8 @@ def baseline_table(document):
         more = '> ' if each.at_least else ''
         rows.append([f'{each.case["n"]}²', f'{each.case["percent"]:g}', each.case['control'], error(each.level), seconds(each.ours),
                      more + seconds(each.theirs), f'{more}{each.ratio:.1f}', '' if each.at_least else f'{each.memory:.2f}'])
-    return table(['grid', 'contact [%]', 'control', 'level', 'roughcontact [s]', 'standard method [s]', 'ratio', 'memory ratio'], rows) if rows else ''
+    titles = ['grid', 'contact [%]', 'control', 'level', 'roughcontact [s]', 'standard method [s]', 'ratio', 'memory ratio']
+    return rows and table(titles, rows)
 
 
 def profile_table(document):
@@ -225,10 +224,10 @@ def profile_table(document):
 
 SECTIONS = {  # results, a table of them, the options that measure it
     'baseline': ('peers', baseline_table, ' --only ours,baseline'),
-    'dilute': ('dilute', lambda d: records(dilutes.SOLVES, d.get('solves', ())) + '\n\n' +
-               records(dilutes.PRODUCTS, [row for row in d.get('dilute', ()) if 'split_ms' in row]), ''),
-    'busy': ('busy', lambda d: records(repeated.BUSY, d['busy']), ''),
-    'deterministic': ('deterministic', lambda d: records(repeated.DETERMINISTIC, d['deterministic']), ''),
+    'dilute': ('dilute', lambda d: records(DILUTE_SOLVES, d.get('solves', ())) + '\n\n' +
+               records(DILUTE_PRODUCTS, [row for row in d.get('dilute', ()) if 'split_ms' in row]), ''),
+    'busy': ('busy', lambda d: records(limits.BUSY, d['busy']), ''),
+    'deterministic': ('deterministic', lambda d: records(limits.DETERMINISTIC, d['deterministic']), ''),
     'batch': ('batch', lambda d: f'{records(histories.BATCH, d["batch"])}\n\nAll threads are {d["scaling"]:.2f} times as fast as one.', ''),
     'profile': ('profile', profile_table, ''),
     'machine': ('limits', lambda d: records(limits.MACHINE, limits.machine_rows(d)) + '\n\n' + provenance(d), ''),

@@ -234,9 +234,10 @@ def distribution_picture(document, file):
         pressures += [drawing.curve(points, hollow(number)),
                       f'sqrt(2/pi)*(exp(-2*(x-{pressure!r})**2)-exp(-2*(x+{pressure!r})**2)) with lines lw 1.4 {colour(number)} dt 1']
         entries.append((f'p = {pressure:g} E* slope', style(number)))
-    drawing.panel(0, 0, 'patch sizes', axes('area of a patch / λ_s²', 'patches per area / (A0 / λ_s⁴)', FREE, FREE, 'set format "10^{%T}"'), patches)
-    drawing.panel(1, 0, 'pressures (hollow), Persson (lines)', axes('pressure / (E* rms slope)', 'density over all points', (0, 2), (0, '*'), LINEAR, 1),
-                  pressures)
+    drawing.panel(0, 0, 'patch sizes',
+                  axes('area of a patch / λ_s²', 'patches per area / (A0 / λ_s⁴)', FREE, FREE, 'set format "10^{%T}"'), patches)
+    drawing.panel(1, 0, 'pressures (hollow), Persson (lines)',
+                  axes('pressure / (E* rms slope)', 'density over all points', (0, 2), (0, '*'), LINEAR, 1), pressures)
     drawing.draw(file, entries + [(f'area^{{-(2-H/2)}}, H = {hurst:g}', DASHED)], 2)
 
 
@@ -249,7 +250,8 @@ def mesh_picture(document, file):
             areas.append(drawing.curve([(1 / row['cells_a_wave'], row[key] / limit) for row in rows], look))
             errors.append(drawing.curve([(row['cells_a_wave'], 100 * max(abs(row[error]), 1e-6)) for row in rows], look))
             entries.append((f'{"cells" if key == "area" else "corrected"}, p = {pressure:g} E* slope', look))
-    drawing.panel(0, 0, 'area against cell size', axes('cell size / shortest wave', 'area / area for cells of no size', (0, '*'), FREE, LINEAR, 1), areas)
+    drawing.panel(0, 0, 'area against cell size',
+                  axes('cell size / shortest wave', 'area / area for cells of no size', (0, '*'), FREE, LINEAR, 1), areas)
     drawing.panel(1, 0, 'error of the area', axes('cells in the shortest wave', 'error [%]', (3, 90), FREE,
                                                   'set logscale xy\nset format "%g"\nset xtics (4,8,16,32,64)', 1), errors)
     drawing.draw(file, entries, 2)

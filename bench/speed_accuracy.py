@@ -11,7 +11,7 @@ from case import Progress, in_child, peak_memory, resident_memory
 from contact import names, runs, status_of, time_solve
 from options import ALL_THREADS, folder, listed, one_of, percent, question, ranged
 from samples import total_seconds
-from scenes import NAMES, best_truth, make_scene, search_approach, solve_certified
+from surfaces import NAMES, best_truth, make_scene, search_approach, solve_certified
 from store import Store
 
 MOST_FACTORED = 4000  # candidates up to which factoring backends run

@@ -4,7 +4,7 @@ import os
 from charts import Panels, axes, decades, line, style, ticks
 from goals import goal_section
 from samples import chosen, groups, median, solved, total_seconds
-from scenes import MEASURED, TITLES
+from surfaces import MEASURED, TITLES
 from store import load
 from tables import error, provenance, table
 

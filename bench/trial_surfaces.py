@@ -210,8 +210,8 @@ def left_out(shape, draw, parts):
 
 
 def make_surface(name, n, seed):
-    """(system, gap, approach, mask) of about n points a side, of unit width and modulus. The seed draws the shape and the approach, and for some seeds an odd size, a
-    rectangle, elongated cells, single points or whole parts that do not count, a period."""
+    """(system, gap, approach, mask) of about n points a side, of unit width and modulus. The seed draws the shape and the approach, and for
+    some seeds an odd size, a rectangle, elongated cells, single points or whole parts that do not count, a period."""
     draw = Draw(seed * 1009 + list(KINDS).index(name))
     h = Heights(draw.integer(4 * n // 5, 6 * n // 5) if seed % 2 == 0 else n)
     KINDS[name](h, draw)
