@@ -13,8 +13,8 @@ from trial_surfaces import KINDS, make_surface
 EXACT = 1e-9
 QUANTITIES = ('load', 'area')
 CONTROLS = {'displacement': 'approach', 'load': 'load'}
-COLUMNS = ('scene; goal={goal:g}; runs; within goal={within}; %={within_percent:g}; on a coarser grid={coarser}; estimate/error={slack:.1f}; '
-           'whole/this s={speedup:.2f}')
+COLUMNS = ('control; quantity; scene; goal={goal:g}; runs; within goal={within}; %={within_percent:g}; on a coarser grid={coarser}; '
+           'estimate/error={slack:.1f}; whole/this s={speedup:.2f}')
 KEPT = ('goal of={quantity}; prescribed; goal={goal:%g} %; runs; within it={within}; on a coarser grid={coarser}; '
         'there: estimate over error={slack:.1f}; whole grid\'s time over this={saved:.1f}; otherwise: time over the whole grid\'s alone={other:.2f}')
 
@@ -82,21 +82,15 @@ def summary_of(rows, **values):
 
 
 def run(request):
-    """Prints a table for each quantity; goes on where a file of results stopped."""
-    store, summaries = Store(request.json, 'goal', request.threads), []
+    """Goes on where a file of results stopped."""
+    store = Store(request.json, 'goal', request.threads)
     for name in request.scenes:
         for seed in range(1, (request.seeds if name in RANDOM else 1) + 1):
             measure(request, store, name, seed)
     rows = store.document.get('rows', [])
-    for control in CONTROLS:
-        for quantity in QUANTITIES:
-            of = {'control': control, 'quantity': quantity}
-            part = [summary_of(rows, **of, scene=name, goal=goal) for name in request.scenes for goal in request.goals]
-            part += [{**summary_of(rows, **of, goal=goal), 'scene': 'all'} for goal in request.goals]
-            print(f'accuracy of the {quantity}, {control} control')
-            show(COLUMNS, part)
-            print()
-            summaries += part
+    summaries = [{**summary_of(rows, control=control, quantity=quantity, goal=goal, **({'scene': name} if name != 'all' else {})), 'scene': name}
+                 for control in CONTROLS for quantity in QUANTITIES for name in (*request.scenes, 'all') for goal in request.goals]
+    show(COLUMNS, summaries)
     whole = summary_of(rows)
     print(f'{whole["within"]} of {whole["runs"]} runs within their goal')
     store.save(summaries=summaries, all=whole)

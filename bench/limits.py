@@ -187,7 +187,8 @@ def limits(request):
 BUSY = ('grid={n}²; contact [%]={contact_percent:.1f}; threads; others; alone [s]={idle_median:s}; beside others [s]={busy_median:s}; '
         'ratio={ratio:.2f}; largest ratio={ratio_largest:.2f}')
 DETERMINISTIC = ('grid={n}²; threads; `deterministic`={choice}; median [s]={median:s}; best [s]={best:s}; '
-                 '1 costs, of medians={cost_median:%+.1f} %; of bests={cost_best:%+.1f} %; bits of one thread={same_as_one_thread}; same bits again={same_again}')
+                 '1 costs, of medians={cost_median:%+.1f} %; of bests={cost_best:%+.1f} %; bits of one thread={same_as_one_thread}; '
+                 'same bits again={same_again}')
 
 
 class ColdSolve:
@@ -319,7 +320,8 @@ PROFILED = ((1024, 10), (2048, 10), (2048, 0.1))
 
 def samples(n, percent, repeats, folder):
     data = os.path.join(folder, 'perf.data')
-    command = ['perf', 'record', '-q', '-F', '997', '-o', data, os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'roughcontact-bench'), 'busy', '--others', '0',
+    program = os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'roughcontact-bench')
+    command = ['perf', 'record', '-q', '-F', '997', '-o', data, program, 'busy', '--others', '0',
                '--points', str(n), '--percent', str(percent), '--threads', '2', '--repeats', str(repeats)]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return subprocess.run(['perf', 'report', '-i', data, '--stdio', '-q', '--no-children', '--sort', 'dso,symbol', '-F', 'period,dso,symbol'],

@@ -1,7 +1,6 @@
 """The figures of Bemporad & Paggi (2015), measured anew: the rows behind docs/paper.md."""
 import os
 import random
-import time
 from functools import partial
 from itertools import product
 
@@ -358,11 +357,9 @@ def run(request):
     left = [entry for entry in plan if not store.known(*entry[:2])]
     progress, failed = Progress(sum(cost for _, _, cost, _ in left)), 0
     for name, key, cost, work in left:
-        begun = time.monotonic()
         row = store.put(name, key, in_child(lambda: work(**key)))
         failed += 'error' in row
-        progress.done(f'{name}, {", ".join(f"{what} {value}" for what, value in key.items())}: {row.get("error", "measured")}', cost,
-                      time.monotonic() - begun)
+        progress.done(f'{name}, {", ".join(f"{what} {value}" for what, value in key.items())}: {row.get("error", "measured")}', cost)
     print(f'{len(left)} measured, {failed} of them failed; {len(plan) - len(left)} measured before')
 
 

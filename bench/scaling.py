@@ -10,7 +10,7 @@ import roughcontact as rc
 import native
 from case import Failure, available_memory, checked, in_child, interpreter_memory, limit_growth, peak_memory, resident_memory
 from contact import OK, difference, find_load, share_in_contact, time_solve, unit_square
-from options import ALL_THREADS, CONTROLS, NAMED, listed, one_of, percent, question, ranged, side
+from options import ALL_THREADS, CONTROLS, NAMED, THREADS, listed, one_of, percent, question, ranged, side, threads
 from samples import chosen, groups, slope, solved, total_seconds
 from store import Store
 from surfaces import Hertz, asperity_band, paraboloid_gap, self_affine_gap
@@ -269,7 +269,7 @@ def dilute(request):
 question('dilute', 'dilute contacts: products by backends split and fft, and solves', dilute, {
     'sizes': (listed(side), [1024, 2048, 4096], 'points per side'),
     'contacts': (listed(ranged(float, 0.001, 25)), [0.04, 0.1, 1, 10], 'contact areas in percent of the grid'),
-    **ALL_THREADS, 'seed': (int, 1, 'of the surface'),
+    'threads': (threads, THREADS, 'threads; products with one as well'), 'seed': (int, 1, 'of the surface'),
     'budget': (float, 0.3, 'seconds for repeats of each product and solve'),
     'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'),
     'tols': (listed(float), [1e-8, 1e-4], 'certified tolerances of the solves'),

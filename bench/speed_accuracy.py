@@ -169,9 +169,8 @@ class SpeedAccuracy:
                     cases.append((scene, contact, bool(self.request.export) and scene.boundary == 'free' and place == 0))
         progress = Progress(len(cases))
         for scene, contact, exported in cases:
-            begun = time.monotonic()
             self.one_case(scene, contact, exported)
-            progress.done(f'{scene.name}, {100 * contact:g} % in contact', 1, time.monotonic() - begun)
+            progress.done(f'{scene.name}, {100 * contact:g} % in contact')
         if self.request.export:
             os.makedirs(self.request.export, exist_ok=True)
             with open(os.path.join(self.request.export, 'scenes.json'), 'w') as out:
