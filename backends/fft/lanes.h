@@ -10,6 +10,7 @@
 
 // Inlined into functions that are compiled for one instruction set each, see columns.cpp.
 #define RC_FFT_INLINE [[gnu::always_inline]] inline
+#define RC_FFT_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace rc_fft {
 
