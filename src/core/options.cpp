@@ -8,11 +8,17 @@
 
 namespace rc {
 
-void Schema::add(const OptionSpec& spec) {
-  OptionSpec copy = spec;
-  copy.parsed_default = parsed_value(spec, spec.default_value);
-  specs_.push_back(std::move(copy));
-}
+OptionSpec::OptionSpec(const rc_option_spec& spec)
+    : key(spec.key),
+      default_value(spec.default_value),
+      help(spec.help),
+      choices(spec.choices ? split(spec.choices, '|') : std::vector<std::string>()),
+      choices_text(spec.choices ? spec.choices : ""),
+      type(spec.type),
+      fixed(spec.fixed != 0),
+      minimum(spec.minimum),
+      maximum(spec.maximum),
+      parsed_default(parsed_value(*this, default_value)) {}
 
 const OptionSpec* Schema::find(std::string_view key) const {
   const auto it = std::find_if(specs_.begin(), specs_.end(), [&](const OptionSpec& spec) { return spec.key == key; });
@@ -39,16 +45,12 @@ OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component) 
          "\"; its keys must start with \"", prefix, "\"");
   if (!spec.default_value || !spec.help || spec.type < RC_TYPE_INT || spec.type > RC_TYPE_TEXT)
     fail(RC_ERR_PLUGIN, "option \"", spec.key, "\" lacks a default, a help text or a type");
-  OptionSpec copy{spec.key,  spec.default_value, spec.help,    {},          spec.choices ? spec.choices : "",
-                  spec.type, spec.fixed != 0,    spec.minimum, spec.maximum};
-  if (spec.choices) copy.choices = split(spec.choices, '|');
   try {
-    parsed_value(copy, copy.default_value);
+    return OptionSpec(spec);
   } catch (const Error& error) {
     if (error.code() != RC_ERR_OPTION) throw;
     fail(RC_ERR_PLUGIN, "component \"", component, "\": the default of an option does not fit: ", error.what());
   }
-  return copy;
 }
 
 namespace {

@@ -15,19 +15,31 @@ namespace rc {
 using OptionValue = std::variant<std::int64_t, double, std::string>;
 
 struct OptionSpec {
+  explicit OptionSpec(const rc_option_spec& spec);  // throws Error(RC_ERR_OPTION) where the default does not fit
+
   std::string key, default_value, help;
   std::vector<std::string> choices;  // text only; empty: any text
   std::string choices_text;
-  int type = RC_TYPE_TEXT;
-  bool fixed = false;
-  double minimum = 0, maximum = 0;
-  OptionValue parsed_default{};  // filled by Schema::add
+  int type;
+  bool fixed;
+  double minimum, maximum;
+  OptionValue parsed_default;
 };
+
+constexpr rc_option_spec text_option(const char* key, const char* value, const char* choices, const char* help) {
+  return {sizeof(rc_option_spec), key, value, choices, help, RC_TYPE_TEXT, 0, 0, 0};
+}
+constexpr rc_option_spec int_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
+  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_INT, 0, minimum, maximum};
+}
+constexpr rc_option_spec real_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
+  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
+}
 
 // The declared keys. Grows as components are loaded; entries never move.
 class Schema {
  public:
-  void add(const OptionSpec& spec);
+  void add(const OptionSpec& spec) { specs_.push_back(spec); }
   void shrink(std::size_t size) { specs_.erase(specs_.begin() + static_cast<std::ptrdiff_t>(size), specs_.end()); }
   const OptionSpec* find(std::string_view key) const;
   std::size_t size() const { return specs_.size(); }
@@ -39,7 +51,7 @@ class Schema {
 };
 
 // The core's own keys.
-const std::vector<OptionSpec>& core_options();
+std::vector<OptionSpec> core_options();
 
 // Checks a component's description of an option; throws Error(RC_ERR_PLUGIN).
 OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component);

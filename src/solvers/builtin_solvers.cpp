@@ -1,64 +1,27 @@
 // The solvers of this source tree as one built-in plugin, through the same vtable as those from outside.
 #include <algorithm>
-#include <new>
+#include <type_traits>
 
 #include "solvers/solver.h"
 
 namespace rc {
 
-std::int64_t Problem::option_int(const char* key) const {
-  std::int64_t value = 0;
-  check(host_.option_int(&host_, &options_, key, &value));
-  return value;
-}
-
-double Problem::option_real(const char* key) const {
-  double value = 0;
-  check(host_.option_real(&host_, &options_, key, &value));
-  return value;
-}
-
-std::string Problem::option_text(const char* key) const {
-  const char* value = "";
-  check(host_.option_text(&host_, &options_, key, &value));
-  return value;
-}
-
 namespace {
 
-using Function = rc_status (*)(const Problem&, Vector&, double&);
 using InPlace = rc_status (*)(const Problem&, std::span<double>, double&);
 
-template <Function function>
+// function: one that takes a Vector, or that.
+template <auto function>
 rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d) {
-  Vector pressure;
-  rc_status status;
-  try {
-    pressure.assign(p, p + problem->n);
-    status = function(Problem(*host, *problem, *options), pressure, *d);
-  } catch (const Leave& leave) {
-    status = leave.status;
-  } catch (const std::bad_alloc&) {
-    return host->fail(host, RC_ERR_MEMORY, "out of memory in the solver's vectors");
-  }
-  if (status >= 0)
+  constexpr bool in_place = std::is_convertible_v<decltype(function), InPlace>;
+  std::conditional_t<in_place, std::span<double>, Vector> pressure;
+  const rc_status status = roughcontact::guard(host, {"solvers", "use a coarser grid"}, [&] {
+    pressure = {p, p + problem->n};
+    check(function(Problem(*host, *problem, *options), pressure, *d));
+  });
+  if (status > 0 || (status == 0 && !in_place))
     for (std::int64_t i = 0; i < problem->n; ++i)
       p[i] = std::max(pressure[static_cast<std::size_t>(i)], 0.0);  // negative where a stop came between a step and its cut
-  return status;
-}
-
-template <InPlace function>
-rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options* options, double* p, double* d) {
-  rc_status status;
-  try {
-    status = function(Problem(*host, *problem, *options), {p, static_cast<std::size_t>(problem->n)}, *d);
-  } catch (const Leave& leave) {
-    status = leave.status;
-  } catch (const std::bad_alloc&) {
-    return host->fail(host, RC_ERR_MEMORY, "out of memory in the solver's vectors");
-  }
-  if (status > 0)
-    for (std::int64_t i = 0; i < problem->n; ++i) p[i] = std::max(p[i], 0.0);  // negative before a cut
   return status;
 }
 

@@ -116,16 +116,15 @@ class Cascade {
       request.solver = inner_.c_str();
       request.p = p.data();
       request.keep = 1;
-      const rc_status status = problem_.coarse(request);
-      if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) throw Leave{status};
-      if (status < 0) return {};
+      if (problem_.coarse(request) < 0) return {};
       if (k == 0 && by_gap_) return nearly_closed_tiles(level, p);
       const std::int64_t nx = k > 0 ? levels_[k - 1].nx : grid_.nx, ny = k > 0 ? levels_[k - 1].ny : grid_.ny;
       allowed = near_contacts(level, p, nx, ny);
       if (allowed.empty()) return {};
     }
     Mask keep(static_cast<std::size_t>(n_));
-    for (std::int64_t i = 0; i < n_; ++i) keep[static_cast<std::size_t>(i)] = allowed[static_cast<std::size_t>(point(i))];
+    for (std::int64_t i = 0; i < n_; ++i)
+      keep[static_cast<std::size_t>(i)] = allowed[static_cast<std::size_t>(problem_.point(i))];
     return keep;
   }
 
@@ -139,15 +138,13 @@ class Cascade {
     return lowest;
   }
 
-  std::int64_t point(std::int64_t i) const { return grid_.index ? grid_.index[i] : i; }
-
   // The unknowns of tiles in which the coarser grid's pressure acts or leaves a gap nearly closed. Empty without such pressure.
   Mask nearly_closed_tiles(const Level& level, const Vector& coarse) {
     const auto size = static_cast<std::size_t>(n_);
     Vector p(size), w(size);
     bool any = false;
     for (std::size_t i = 0; i < size; ++i) {
-      const std::int64_t at = point(static_cast<std::int64_t>(i)), x = at % grid_.nx / 2, y = at / grid_.nx / 2;
+      const std::int64_t at = problem_.point(static_cast<std::int64_t>(i)), x = at % grid_.nx / 2, y = at / grid_.nx / 2;
       p[i] = std::max(0.0, coarse[static_cast<std::size_t>(y * level.nx + x)] / problem_.pressure_unit());
       any = any || p[i] > 0;
     }
@@ -157,7 +154,7 @@ class Cascade {
     const std::int64_t columns = (grid_.nx + tile - 1) / tile, rows = (grid_.ny + tile - 1) / tile;
     Mask active(static_cast<std::size_t>(columns * rows), 0), keep(size);
     const auto tile_of = [&](std::size_t i) {
-      const std::int64_t at = point(static_cast<std::int64_t>(i));
+      const std::int64_t at = problem_.point(static_cast<std::int64_t>(i));
       return static_cast<std::size_t>(at / grid_.nx / tile * columns + at % grid_.nx / tile);
     };
     for (std::size_t i = 0; i < size; ++i)
@@ -226,8 +223,8 @@ class Cascade {
     for (std::int64_t i = 0; i < n_; ++i)
       if (trial[static_cast<std::size_t>(i)]) kept.push_back(i);
     kept_ = static_cast<long long>(kept.size());
-    const rc_status status = problem_.inner(inner_.c_str(), kept, problem_.tol(), p_, product);
-    if (status < 0) throw Leave{status};
+    const rc_status status = problem_.inner(inner_.c_str(), kept, p_.data(), product);
+    if (status < 0) check(status);
     return status;
   }
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 #include "core/conjugate_gradients.h"
 #include "core/stall.h"
@@ -153,7 +152,7 @@ class Greedy {
       right.push_back(u_[i]);
       solution.push_back(p_[i]);
     }
-    Problem::check(problem_.try_subset(kept, right, solution));
+    check(problem_.try_subset(kept, right, solution));
     for (std::size_t k = 0; k < kept.size(); ++k) p_[static_cast<std::size_t>(kept[k])] = solution[k];
     problem_.poll(++iterations_, std::max(0.0, -*std::min_element(solution.begin(), solution.end())));
   }
@@ -193,9 +192,7 @@ class Greedy {
                   repair ? "nnls has repaired it" : "set greedy.repair or use nnls");
     problem_.note(remark);
     if (!repair) return RC_STOP_UNCERTIFIED;
-    Positions all(n_);
-    std::iota(all.begin(), all.end(), 0);
-    return problem_.inner("nnls", all, problem_.tol(), p_, nullptr);
+    return problem_.by_nnls(p_.data());
   }
 
   const Problem& problem_;

@@ -8,6 +8,7 @@
 
 #include "core/stall.h"
 #include "core/sums.h"
+#include "solvers/common/residual.h"
 #include "solvers/solver.h"
 
 namespace rc {
@@ -23,15 +24,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 class Iteration {
  public:
   Iteration(const Problem& problem, Vector& p, double& d)
-      : problem_(problem),
-        u_(problem.u()),
-        n_(p.size()),
-        p_(p),
-        d_(d),
-        hp_(n_),
-        t_(n_, 0.0),
-        q_(n_),
-        highest_(*std::max_element(u_, u_ + n_)) {
+      : problem_(problem), u_(problem.u()), n_(p.size()), p_(p), d_(d), hp_(n_), t_(n_, 0.0), q_(n_) {
     for (double& value : p_) value = std::max(value, 0.0);
   }
 
@@ -98,22 +91,10 @@ class Iteration {
     problem_.fail("polonsky-keer: the operator is not positive definite: t'Ht <= 0 along a search direction t");
   }
 
-  // The largest violation of the KKT conditions, relative to the largest compenetration. In load control the approach becomes the
-  // one at which the contact set has a mean gap of 0.
   double residual() {
-    double scale = 1;
-    if (problem_.load_control()) {
-      approach_ = 0;
-      double count = 0;
-      for (std::size_t i = 0; i < n_; ++i) count += p_[i] > 0;
-      approach_ = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? hp_[i] - u_[i] : 0.0; }) / count;
-      d_ = approach_;
-      scale = std::max(approach_ + highest_, problem_.least_scale());
-      if (!(scale > 0)) return infinite;
-    }
-    double largest = 0;
-    for (std::size_t i = 0; i < n_; ++i) largest = std::max(largest, p_[i] > 0 ? std::abs(gap(i)) : -gap(i));
-    return largest / scale;
+    const Residual present = residual_of(problem_, p_, hp_);
+    approach_ = d_ = present.approach;
+    return present.worst;
   }
 
   // Load control: the mean of a vector over the contact set; a change of the approach absorbs it. Displacement control: 0.
@@ -213,7 +194,6 @@ class Iteration {
   Vector& p_;               // pressure
   double& d_;               // load control: the approach, an answer
   Vector hp_, t_, q_;       // H p, direction, H t
-  const double highest_;    // largest u
   double approach_ = 0;     // the gap is H p - u - approach; 0 in displacement control, where u contains it
   double steepest_ = 0;     // largest |H t| / |t| seen
   double last_length_ = 1;  // the last positive step length, which admitted points take

@@ -1,22 +1,22 @@
 // The interface that the solvers of this source tree use: the problem of <roughcontact/plugin.h> in mathematical terms.
 #pragma once
 
-#include <roughcontact/plugin.h>
-
 #include <cstdint>
+#include <numeric>
+#include <roughcontact/plugin.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "core/options.h"
 
 namespace rc {
 
 using Vector = std::vector<double>;
 using Positions = std::vector<std::int64_t>;
 
-// Thrown to leave a solver from any depth with this status: a requested stop, or the status of a failed product.
-struct Leave {
-  rc_status status;
-};
+// Leaves a solver from any depth with a status that is not RC_OK: a requested stop, or that of a failed product.
+using roughcontact::check;
 
 class Problem {
  public:
@@ -56,14 +56,24 @@ class Problem {
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
   // Runs another solver, with pressure on the positions `a` only. product: null, or receives H p.
-  rc_status inner(const char* solver, const Positions& a, double tol, double* p, Vector* product) const {
-    return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol, p,
+  rc_status inner(const char* solver, const Positions& a, double* p, Vector* product) const {
+    return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol(), p,
                           product ? product->data() : nullptr);
   }
-  rc_status inner(const char* solver, const Positions& a, double tol, Vector& p, Vector* product) const {
-    return inner(solver, a, tol, p.data(), product);
+  // Goes on from p with nnls, which ends after finitely many steps on every surface.
+  rc_status by_nnls(double* p) const {
+    Positions all(static_cast<std::size_t>(size()));
+    std::iota(all.begin(), all.end(), std::int64_t{0});
+    return inner("nnls", all, p, nullptr);
   }
-  rc_status coarse(rc_coarse& request) const { return problem_.coarse(&problem_, &request); }
+  // Solves on a coarser grid. Leaves where the whole solve must end.
+  rc_status coarse(rc_coarse& request) const {
+    const rc_status status = problem_.coarse(&problem_, &request);
+    if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_ERR_MEMORY) check(status);
+    return status;
+  }
+  // The point of the grid that unknown i stands for.
+  std::int64_t point(std::int64_t i) const { return grid()->index ? grid()->index[i] : i; }
   void coefficients(std::int64_t mx, std::int64_t my, Vector& out) const {
     out.resize(static_cast<std::size_t>(mx * my));
     check(problem_.coefficients(&problem_, mx, my, out.data()));
@@ -78,13 +88,12 @@ class Problem {
   // Call it once an iteration.
   void poll(std::int64_t iteration, double kkt) const { check(problem_.poll(&problem_, iteration, kkt)); }
 
-  std::int64_t option_int(const char* key) const;
-  double option_real(const char* key) const;
-  std::string option_text(const char* key) const;
+  std::int64_t option_int(const char* key) const { return roughcontact::option_int(&host_, &options_, key); }
+  double option_real(const char* key) const { return roughcontact::option_real(&host_, &options_, key); }
+  std::string option_text(const char* key) const { return roughcontact::option_text(&host_, &options_, key); }
   [[noreturn]] void fail(const char* message) const { fail(RC_ERR_NUMERIC, message); }
-  [[noreturn]] void fail(rc_status status, const char* message) const { throw Leave{host_.fail(&host_, status, message)}; }
-  static void check(rc_status status) {
-    if (status != RC_OK) throw Leave{status};
+  [[noreturn]] void fail(rc_status status, const char* message) const {
+    throw roughcontact::Failure{host_.fail(&host_, status, message), {}};
   }
 
  private:
@@ -100,15 +109,6 @@ struct Options {
 };
 template <std::size_t count> constexpr Options listed(const rc_option_spec* const (&specs)[count]) {
   return {specs, static_cast<std::int64_t>(count)};
-}
-constexpr rc_option_spec text_option(const char* key, const char* value, const char* choices, const char* help) {
-  return {sizeof(rc_option_spec), key, value, choices, help, RC_TYPE_TEXT, 0, 0, 0};
-}
-constexpr rc_option_spec int_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
-  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_INT, 0, minimum, maximum};
-}
-constexpr rc_option_spec real_option(const char* key, const char* value, double minimum, double maximum, const char* help) {
-  return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
 }
 
 // Declares the function and the options of every line of solvers.def. The function improves p (and, in load control, d) until

@@ -1,12 +1,12 @@
 // The solver haar-cg: projected conjugate gradients on the contact set, preconditioned by two multilevel trees. README.md has the
 // method, iteration.h its control flow. This file runs it on the threads of this process.
+#include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 
+#include "grid/downsample.h"
 #include "solvers/haar_cg/iteration.h"
-#include "solvers/haar_cg/nested_start.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
 #include "solvers/haar_cg/tree_inputs.h"
 #include "solvers/solver.h"
@@ -21,6 +21,57 @@ constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: wi
 constexpr rc_option_spec patience =
     int_option("haar-cg.patience", "120", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
 const rc_option_spec* const specs[] = {&products, &nested, &patience};
+
+constexpr std::int64_t coarsest_side = 64;
+constexpr std::int64_t chunk = 8192;
+constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
+constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
+
+// Every point takes the pressure of the coarse cell in which it lies.
+void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressure, std::span<double> p) {
+  const rc_grid& grid = *problem.grid();
+  const double unit = problem.pressure_unit();
+  const auto n = static_cast<std::int64_t>(p.size());
+  roughcontact::for_each(problem.team(), (n + chunk - 1) / chunk, n >= 4 * chunk, [&](std::int64_t item, std::int64_t) {
+    for (std::int64_t i = item * chunk; i < std::min((item + 1) * chunk, n); ++i) {
+      const std::int64_t point = problem.point(i), x = point % grid.nx, y = point / grid.nx;
+      p[static_cast<std::size_t>(i)] = pressure[static_cast<std::size_t>(y / 2 * coarse_nx + x / 2)] / unit;
+    }
+  });
+}
+
+// A start from the solution on a grid of half the resolution, which starts from a still coarser grid. p and d stay as they are
+// where the grid is too small, or its coarse problem cannot be solved.
+void start_nested(const Problem& problem, std::span<double> p, double& d) {
+  const rc_grid& grid = *problem.grid();
+  if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
+  const auto points = static_cast<std::size_t>(grid.nx * grid.ny);
+  const CoarseGrid coarse = downsample(grid.nx, grid.ny, {grid.gap, points}, {grid.mask, grid.mask ? points : 0}, Filter::mean);
+  Vector pressure(static_cast<std::size_t>(coarse.nx * coarse.ny));
+  const double length = problem.length_unit();
+
+  rc_coarse request{};
+  request.struct_size = sizeof request;
+  request.nx = coarse.nx;
+  request.ny = coarse.ny;
+  request.factor = 2;
+  request.gap = coarse.gap.data();
+  request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
+  request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  request.approach = grid.approach;
+  request.load = problem.load() * problem.pressure_unit() * grid.hx * grid.hy;
+  request.solver = "haar-cg";
+  request.p = pressure.data();
+  request.keep = coarse.nx * coarse.ny <= remembered;
+  request.tol = std::max(coarse_tol, problem.tol());
+  if (problem.coarse(request) < 0) return;
+
+  spread(problem, coarse.nx, pressure, p);
+  if (!problem.load_control()) return;
+  // The datum from u = (datum - gap) / length.
+  const double datum = problem.u() ? grid.gap[problem.point(0)] + problem.u()[0] * length : grid.approach;
+  d = std::max(0.0, (request.approach - datum) / length);
+}
 
 template <class Real> rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
   TreeInputs inputs = tree_inputs(*problem.grid(), problem.size(),
@@ -50,13 +101,8 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   const bool mixed = problem.has_float() && problem.option_text("haar-cg.products") == "mixed";
   const rc_status status = mixed ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
-  // nnls ends after finitely many steps on every surface.
   problem.note("haar-cg: stalled; nnls finished");
-  Positions all(p.size());
-  std::iota(all.begin(), all.end(), std::int64_t{0});
-  const rc_status finished = problem.inner("nnls", all, problem.tol(), p.data(), nullptr);
-  if (finished < 0) throw Leave{finished};
-  return finished;
+  return problem.by_nnls(p.data());
 }
 
 }  // namespace rc

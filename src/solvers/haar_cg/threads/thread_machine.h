@@ -1,10 +1,11 @@
-// The machine of the threads of one process: vectorised loops over arrays. Threads share chunks of a fixed size, so that sums do
-// not depend on the number of threads.
+// The machine of the threads of one process: vectorised loops over arrays. Each pass between two products is one fused loop.
+// Threads share chunks of a fixed size, so that sums do not depend on the number of threads.
 #pragma once
 
-#include <utility>
+#include <cstddef>
+#include <memory>
 
-#include "solvers/haar_cg/threads/passes.h"
+#include "solvers/haar_cg/threads/pass_loops.h"
 #include "solvers/haar_cg/tree_pair.h"
 #include "solvers/solver.h"
 
@@ -17,45 +18,51 @@ template <class R> class ThreadMachine {
   using Wide = double*;
 
   // problem and the pressures p must outlive it.
-  ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees)
-      : problem_(problem),
-        team_(problem.team()),
-        trees_(std::move(trees)),
-        s_(problem.size(), {problem.u(), problem.grid(), problem.length_unit()}, p.data(), trees_.bytes(), team_) {
-    trees_.place(s_.tree_spare());
-  }
+  ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees);
   ThreadMachine(const ThreadMachine&) = delete;
   ThreadMachine& operator=(const ThreadMachine&) = delete;
 
-  Vector w() { return s_.w; }
-  Vector t() { return s_.t; }
-  Vector q() { return s_.q; }
-  Vector z() { return s_.first_spare(); }
-  Vector y() { return s_.second_spare(); }
-  Wide p() { return s_.p; }
-  Wide wide_spare() { return s_.double_spare(); }
+  Vector w() { return w_; }
+  Vector t() { return t_; }
+  Vector q() { return q_; }
+  Vector z() { return reinterpret_cast<Real*>(memory_.get()); }
+  Vector y() { return z() + n_; }
+  Wide p() { return p_; }
+  Wide wide_spare() { return reinterpret_cast<double*>(memory_.get()); }
 
   template <class Value> void product(Value* from, Value* to) { problem_.apply(static_cast<const Value*>(from), to); }
-  template <class Value> void raise(Value* x, double by) { rc::raise(s_.n, by, x, team_); }
-  template <class Value> double total(Value* x) { return rc::total(s_.n, x, team_); }
-  double inner(Vector a, Vector b) { return rc::inner(s_, a, b, team_); }
+  template <class Value> void raise(Value* x, double by);
+  template <class Value> double total(Value* x);
+  double inner(Vector a, Vector b);
 
-  void set_up_trees(double surplus) { trees_.set_up(s_.active, static_cast<float>(surplus), team_); }
-  double apply_trees(Vector g, Vector q) { return trees_.apply<Real>(g, s_.active, z(), q, team_); }
+  void set_up_trees(double surplus) { trees_.set_up(active_, static_cast<float>(surplus), team_); }
+  double apply_trees(Vector g, Vector q) { return trees_.apply<Real>(g, active_, z(), q, team_); }
 
-  HaarStart begin() { return rc::begin(s_, team_); }
-  void multiply(double factor) { rc::multiply(s_, factor, team_); }
-  double turn(double beta) { return rc::turn(s_, z(), static_cast<Real>(beta), team_); }
-  bool advance(double length, bool cut) { return rc::advance(s_, length, cut ? z() : nullptr, team_); }
-  HaarMeasure add_and_measure(Vector change, double shift) { return rc::add_and_measure(s_, change, shift, team_); }
-  HaarMeasure replace_and_measure(Wide product, double shift) { return rc::replace_and_measure(s_, product, shift, team_); }
-  bool choose_set(double threshold) { return rc::choose_set(s_, threshold, team_); }
+  HaarStart begin();
+  void multiply(double factor);
+  double turn(double beta);
+  bool advance(double length, bool cut);
+  HaarMeasure add_and_measure(Vector change, double shift);
+  HaarMeasure replace_and_measure(Wide product, double shift);
+  bool choose_set(double threshold);
 
  private:
+  HaarMeasure measure(typename HaarLoops<Real>::Measure loop, const Real* change, const double* product, double shift);
+  template <class Visit> void with_u(std::int64_t begin, std::int64_t count, const Visit& visit) const;
+
   const Problem& problem_;
   const rc_team& team_;
   HaarTreePair trees_;
-  HaarState<Real> s_;
+  const HaarLoops<Real> loops_ = best_haar_loops<Real>();
+  const std::int64_t n_;
+  double* const p_;
+  // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
+  // the contact set.
+  std::unique_ptr<std::byte[]> memory_;
+  Real *w_, *t_, *q_;
+  std::uint8_t* active_;
 };
+
+bool any_positive(std::int64_t n, const double* x, const rc_team& team);
 
 }  // namespace rc

@@ -1,0 +1,185 @@
+#include "solvers/haar_cg/threads/thread_machine.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/sums.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t chunk = 8192, piece = 1024;
+constexpr std::int64_t least_shared = 4 * chunk;
+
+// act(begin, count) for all chunks.
+template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act) {
+  roughcontact::for_each(team, (n + chunk - 1) / chunk, n >= least_shared,
+                         [&](std::int64_t item, std::int64_t) { act(item * chunk, std::min(chunk, n - item * chunk)); });
+}
+
+// Combines body(begin, count) of all chunks, in their order.
+template <class Part, class Body, class Combine = std::plus<>>
+Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {}) {
+  std::vector<Part> parts(static_cast<std::size_t>((n + chunk - 1) / chunk));
+  each_chunk(n, team, [&](std::int64_t begin, std::int64_t count) {
+    parts[static_cast<std::size_t>(begin / chunk)] = body(begin, count);
+  });
+  for (const Part& part : parts) total = combine(total, part);
+  return total;
+}
+
+// Whether body(begin, count) is true of any chunk.
+template <class Body> bool any(std::int64_t n, const rc_team& team, const Body& body) {
+  return reduce<char>(n, team, body, 0, std::logical_or<>()) != 0;
+}
+
+HaarMeasure sum_of_two(const HaarMeasure& a, const HaarMeasure& b) {
+  return {std::max(a.largest, b.largest), a.load + b.load, a.merit + b.merit, a.moment + b.moment};
+}
+
+}  // namespace
+
+template <class Real>
+ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees)
+    : problem_(problem), team_(problem.team()), trees_(std::move(trees)), n_(problem.size()), p_(p.data()) {
+  const auto count = static_cast<std::size_t>(n_);
+  const std::size_t shared = std::max({count * sizeof(double), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
+  const std::size_t spares = (shared + sizeof(double) - 1) / sizeof(double) * sizeof(double);  // so that all is aligned
+  memory_.reset(new std::byte[spares + count * (3 * sizeof(Real) + 1)]);
+  w_ = reinterpret_cast<Real*>(memory_.get() + spares);
+  t_ = w_ + count;
+  q_ = t_ + count;
+  active_ = reinterpret_cast<std::uint8_t*>(q_ + count);
+  each_chunk(n_, team_, [&](std::int64_t i, std::int64_t length) {
+    std::fill_n(t_ + i, length, Real{0});
+    std::fill_n(active_ + i, length, std::uint8_t{1});
+  });
+  trees_.place(reinterpret_cast<std::byte*>(y()));
+}
+
+// visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack, where the problem has none.
+template <class Real>
+template <class Visit>
+void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Visit& visit) const {
+  const double* const u = problem_.u();
+  const rc_grid& grid = *problem_.grid();
+  const double approach = grid.approach, length = problem_.length_unit();
+  double room[piece];
+  for (std::int64_t i = begin; i < begin + n; i += piece) {
+    const std::int64_t count = std::min(piece, begin + n - i);
+    if (!u && grid.index)
+      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.gap[grid.index[i + k]]) / length;
+    else if (!u)
+      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.gap[i + k]) / length;
+    visit(i, count, u ? u + i : room);
+  }
+}
+
+template <class Real> HaarStart ThreadMachine<Real>::begin() {
+  constexpr HaarStart none{-std::numeric_limits<double>::infinity(), false};
+  const auto both = [](const HaarStart& a, const HaarStart& b) {
+    return HaarStart{std::max(a.highest, b.highest), a.warm || b.warm};
+  };
+  const auto body = [&](std::int64_t from, std::int64_t n) {
+    HaarStart start = none;
+    with_u(from, n, [&](std::int64_t first, std::int64_t count, const double* u) {
+      double* const p = p_ + first;
+      double highest = start.highest, most = 0;
+      for (std::int64_t i = 0; i < count; ++i) {
+        highest = std::max(highest, u[i]);
+        p[i] = std::max(p[i], 0.0);
+        most = std::max(most, p[i]);
+      }
+      start = both(start, {highest, most > 0});
+    });
+    return start;
+  };
+  return reduce<HaarStart>(n_, team_, body, none, both);
+}
+
+template <class Real>
+HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure loop, const Real* change, const double* product,
+                                         double shift) {
+  const auto body = [&](std::int64_t begin, std::int64_t n) {
+    HaarMeasure sum;
+    with_u(begin, n, [&](std::int64_t i, std::int64_t count, const double* u) {
+      sum = sum_of_two(sum, loop(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr, shift, u, p_ + i,
+                                 active_ + i));
+    });
+    return sum;
+  };
+  return reduce<HaarMeasure>(n_, team_, body, {}, sum_of_two);
+}
+
+template <class Real> HaarMeasure ThreadMachine<Real>::add_and_measure(Vector change, double shift) {
+  return measure(change ? loops_.add : loops_.lower, change, nullptr, shift);
+}
+
+template <class Real> HaarMeasure ThreadMachine<Real>::replace_and_measure(Wide product, double shift) {
+  return measure(product ? loops_.replace : loops_.begin, nullptr, product, shift);
+}
+
+template <class Real> void ThreadMachine<Real>::multiply(double factor) {
+  each_chunk(n_, team_, [&](std::int64_t from, std::int64_t n) {
+    for (std::int64_t i = from; i < from + n; ++i) p_[i] *= factor;
+  });
+}
+
+template <class Real> double ThreadMachine<Real>::turn(double beta) {
+  return reduce<double>(n_, team_, [&](std::int64_t i, std::int64_t n) {
+    return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i);
+  });
+}
+
+template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut) {
+  return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
+    if (cut) return loops_.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, w_ + i, z() + i, active_ + i);
+    loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, active_ + i);
+    return false;
+  });
+}
+
+template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
+  return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
+    return loops_.choose(n, p_ + i, w_ + i, static_cast<Real>(-threshold), active_ + i);
+  });
+}
+
+template <class Real> double ThreadMachine<Real>::inner(Vector a, Vector b) {
+  return reduce<double>(n_, team_, [&](std::int64_t i, std::int64_t n) { return loops_.inner(n, a + i, b + i, active_ + i); });
+}
+
+template <class Real> template <class Value> double ThreadMachine<Real>::total(Value* x) {
+  return reduce<double>(n_, team_, [&](std::int64_t begin, std::int64_t count) {
+    return sum_of(static_cast<std::size_t>(count),
+                  [&](std::size_t i) { return static_cast<double>(x[begin + static_cast<std::int64_t>(i)]); });
+  });
+}
+
+template <class Real> template <class Value> void ThreadMachine<Real>::raise(Value* x, double by) {
+  each_chunk(n_, team_, [&](std::int64_t begin, std::int64_t count) {
+    for (std::int64_t i = begin; i < begin + count; ++i) x[i] += static_cast<Value>(by);
+  });
+}
+
+bool any_positive(std::int64_t n, const double* x, const rc_team& team) {
+  return any(n, team, [&](std::int64_t begin, std::int64_t count) {
+    double most = 0;
+    for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, x[i]);
+    return most > 0;
+  });
+}
+
+template class ThreadMachine<float>;
+template class ThreadMachine<double>;
+template double ThreadMachine<float>::total(float*);
+template double ThreadMachine<float>::total(double*);
+template double ThreadMachine<double>::total(double*);
+template void ThreadMachine<float>::raise(float*, double);
+template void ThreadMachine<float>::raise(double*, double);
+template void ThreadMachine<double>::raise(double*, double);
+
+}  // namespace rc
