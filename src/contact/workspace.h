@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "contact/goal.h"
 #include "contact/grids/solver_grids.h"
 #include "contact/proof/spectrum.h"
 #include "contact/step/auto_choice.h"
@@ -22,6 +21,18 @@
 #include "registry/options_handle.h"
 
 namespace rc {
+
+// The accuracy goal: what the option accuracy asks for.
+struct Goal {
+  double error = 0;  // relative; 0: none
+  bool of_area = false;
+
+  // A tolerance far below the goal. Areas need a smaller one: they count points, some of which carry hardly any pressure.
+  double tol() const { return error / (of_area ? 1000 : 100); }
+};
+inline Goal goal_of(const rc_options& options) {
+  return {options.real(RC_OPT_ACCURACY), options.text(RC_OPT_ACCURACY_OF) == "area"};
+}
 
 // Notes of one step, for its result and for its next choice.
 struct StepRecord {

@@ -37,25 +37,19 @@ bool Operator::forget() {
   return backend_.forget && backend_.forget(self_) == RC_OK;
 }
 
-rc_status Operator::apply(const double* x, double* y) {
+template <class Real> rc_status Operator::product(rc_status (*multiply)(void*, const Real*, Real*), const Real* x, Real* y) {
   if (ask_)
     if (const rc_status stop = ask_(); stop != RC_OK) return stop;
   ++applications_;
-  const rc_status status = backend_.apply(self_, x, y);
+  const rc_status status = multiply(self_, x, y);
   if (scale_ != 1)
-    for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= scale_;
+    for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= static_cast<Real>(scale_);
   return status;
 }
 
-rc_status Operator::apply_float(const float* x, float* y) {
-  if (ask_)
-    if (const rc_status stop = ask_(); stop != RC_OK) return stop;
-  ++applications_;
-  const rc_status status = backend_.apply_float(self_, x, y);
-  if (scale_ != 1)
-    for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= static_cast<float>(scale_);
-  return status;
-}
+rc_status Operator::apply(const double* x, double* y) { return product(backend_.apply, x, y); }
+
+rc_status Operator::apply_float(const float* x, float* y) { return product(backend_.apply_float, x, y); }
 
 void Operator::field(std::span<const double> x, std::span<double> y) {
   ++applications_;

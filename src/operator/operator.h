@@ -64,6 +64,7 @@ class Operator {
   const char* name() const { return backend_.name; }
 
  private:
+  template <class Real> rc_status product(rc_status (*multiply)(void*, const Real*, Real*), const Real* x, Real* y);
   rc_status subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol);
 
   const rc_backend& backend_;

@@ -50,10 +50,28 @@ void write_note(Workspace& work, double compression, rc_result& result) {
   copy_text(result.note, note.c_str());
 }
 
+double wanted_stiffness(Workspace& work, const Answer& answer) {
+  return work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
+}
+
 // Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
 bool only_unknowns_matter(const Workspace& work, const Answer& answer) {
   return answer.op && work.system.positive && answer.status == RC_OK && answer.compression <= answer.limit &&
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
+}
+
+// Writes the result, its message and the caller's arrays.
+void finish(Workspace& work, const rc_step& step, const Answer& answer, const Deflected& found, double depth, double rate,
+            const Monitor& monitor, rc_result& result) {
+  result.modelled = answer.op ? answer.op->modelled() : 0;
+  name_components(work, answer, result);
+  const rc_status checked = certify_and_fill(work, step, found, depth, result);
+  result.stiffness = rate;
+  result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
+  count_work(work, monitor, result);
+  if (result.status != RC_OK)
+    set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
+  write_arrays(work, found, depth, result);
 }
 
 }  // namespace
@@ -197,24 +215,13 @@ double fitting_compression(const Workspace& work, const Deflected& answer) {
 }
 
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
-  const double rate = work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
+  const double rate = wanted_stiffness(work, answer);
   Deflected found = deflected(work, answer, result.gap != nullptr);
-  double depth = step.control == RC_CONTROL_LOAD ? 0 : compression_of(step, work);
-  result.modelled = 0;
-  if (answer.op) {
-    // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
-    const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK && !answer.checked;
-    depth = stopped ? fitting_compression(work, found) : answer.compression;
-    result.modelled = answer.op->modelled();
-  }
-  name_components(work, answer, result);
-  const rc_status checked = certify_and_fill(work, step, found, depth, result);
-  result.stiffness = rate;
-  result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
-  count_work(work, monitor, result);
-  if (result.status != RC_OK)
-    set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
-  write_arrays(work, found, depth, result);
+  // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
+  const bool by_load = step.control == RC_CONTROL_LOAD, stopped = by_load && answer.status != RC_OK && !answer.checked;
+  const double without = by_load ? 0 : compression_of(step, work);
+  const double depth = !answer.op ? without : stopped ? fitting_compression(work, found) : answer.compression;
+  finish(work, step, answer, found, depth, rate, monitor, result);
   return {result.status, std::move(found.pressures)};
 }
 
@@ -222,10 +229,8 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
   const System& system = work.system;
   const std::span<const double> p(result.p, static_cast<std::size_t>(system.points()));
   TrialSet trial;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p[i] == 0) continue;
-    trial.index.push_back(static_cast<std::int64_t>(i));
-  }
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p[i] != 0) trial.index.push_back(static_cast<std::int64_t>(i));
   trial.n = static_cast<std::int64_t>(trial.index.size());
   if (trial.n == system.points()) trial.index.clear();
 
@@ -243,15 +248,8 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
     for (double& value : product) value *= system.length_per_pressure;
   }
   const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(work, given) : compression_of(step, work);
-  name_components(work, answer, result);
+  finish(work, step, answer, given, depth, wanted_stiffness(work, answer), monitor, result);
   copy_text(result.solver, "none");
-  result.modelled = answer.op ? answer.op->modelled() : 0;
-  result.status = certify_and_fill(work, step, given, depth, result);
-  result.stiffness = work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
-  count_work(work, monitor, result);
-  if (result.status != RC_OK)
-    set_message(explain(result.status, result, work.options.real(RC_OPT_TOL), work.record.remarks).c_str());
-  write_arrays(work, given, depth, result);
   return result.status;
 }
 
