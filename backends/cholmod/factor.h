@@ -28,7 +28,7 @@ class Factor {
   double pivot(std::int64_t slot) const;
 
   Session& session_;
-  Session::Factor L_{nullptr, {nullptr}};
+  Session::Factor L_;
 };
 
 }  // namespace rc_cholmod

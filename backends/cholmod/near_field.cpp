@@ -77,9 +77,8 @@ class Nearness {
 
 }  // namespace
 
-NearField::NearField(Session& session, const rc_common::MemoryLimit& limit, const rc_operator_spec& spec,
-                     const rc_common::Influence& H, std::span<const Point> points, double radius, double shift)
-    : session_(session) {
+Session::Factor near_field(Session& session, const rc_common::MemoryLimit& limit, const rc_operator_spec& spec,
+                           const rc_common::Influence& H, std::span<const Point> points, double radius, double shift) {
   const Nearness nearness(*spec.system, std::max(radius, 0.5));
   const auto n = static_cast<std::int64_t>(points.size());
   // Looks at all pairs of points, or looks each point's neighbours up, whichever is less.
@@ -117,13 +116,14 @@ NearField::NearField(Session& session, const rc_common::MemoryLimit& limit, cons
   check_for_stop(spec);
   A->sorted = 0;
   session.order(false);
-  L_ = session.analyze(*A);
+  Session::Factor L = session.analyze(*A);
   limit.require("the near field's factor", n, 12.0 * session.common()->lnz, 12.0 * most);
-  if (!session.factorize(*A, shift, *L_))
-    fail(RC_ERR_NUMERIC, "the near field is not positive definite at unknown ", L_->minor + 1, " of ", n,
+  if (!session.factorize(*A, shift, *L))
+    fail(RC_ERR_NUMERIC, "the near field is not positive definite at unknown ", L->minor + 1, " of ", n,
          "; the matrix must be symmetric positive definite");
   A.reset();
-  session.to_columns(*L_);
+  session.to_columns(*L);
+  return L;
 }
 
 }  // namespace rc_cholmod

@@ -76,7 +76,7 @@ void Operator::iterate(std::span<const Point> points, double rho, const double* 
   if (!near_ || rho != rho_ || !std::equal(points.begin(), points.end(), near_points_.begin(), near_points_.end())) {
     near_.reset();
     near_points_.assign(points.begin(), points.end());
-    near_.emplace(session_, limit_, spec_, H, points, radius_, rho);
+    near_ = near_field(session_, limit_, spec_, H, points, radius_, rho);
     rho_ = rho;
   }
   const auto n = static_cast<std::int64_t>(points.size());
@@ -87,7 +87,7 @@ void Operator::iterate(std::span<const Point> points, double rho, const double* 
     for (std::int64_t i = 0; i < n; ++i) out[i] += rho * in[i];
   };
   const Conclusion reached = conjugate_gradients(
-      n, multiply, [this](double* r) { near_->solve(r); }, b, x);
+      n, multiply, [this](double* r) { session_.solve(*near_, r); }, b, x);
   if (reached.residual <= acceptable) return;
   if (!(reached.curvature > 0.0))
     fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", reached.curvature, " on a set of ", n, " points");

@@ -48,7 +48,7 @@ class Operator {
   Session session_;  // before what was made with it
   WorkingSet set_;
   std::optional<Factor> shifted_;
-  std::optional<NearField> near_;
+  Session::Factor near_;
   std::vector<rc_common::Point> near_points_;
   double rho_ = 0.0;  // of shifted_ or near_
 };

@@ -22,7 +22,7 @@ class Session {
   void check();
 
   template <class Object, int (*release)(Object**, cholmod_common*)> struct Release {
-    cholmod_common* common;
+    cholmod_common* common = nullptr;
     void operator()(Object* object) const { release(&object, common); }
   };
   using Sparse = std::unique_ptr<cholmod_sparse, Release<cholmod_sparse, cholmod_free_sparse>>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace rc_cholmod {
 
@@ -45,14 +46,9 @@ bool WorkingSet::update(const Influence& H, std::span<const Point> points) {
   if (!factor_) return false;
   std::vector<Member> kept, removed;
   std::vector<Point> added;
-  auto wanted = points.begin();
-  for (const Member& member : members_) {
-    while (wanted != points.end() && *wanted < member.point) added.push_back(*wanted++);
-    const bool stays = wanted != points.end() && *wanted == member.point;
-    (stays ? kept : removed).push_back(member);
-    if (stays) ++wanted;
-  }
-  added.insert(added.end(), wanted, points.end());
+  for (const Member& member : members_) (std::ranges::binary_search(points, member.point) ? kept : removed).push_back(member);
+  std::ranges::copy_if(points, std::back_inserter(added),
+                       [&](Point point) { return !std::ranges::binary_search(members_, point, {}, &Member::point); });
   const auto changes = static_cast<std::int64_t>(removed.size() + added.size());
   const auto size = static_cast<std::int64_t>(members_.size());
   const bool room = added.size() <= removed.size() + free_.size();
@@ -71,11 +67,9 @@ bool WorkingSet::update(const Influence& H, std::span<const Point> points) {
 bool WorkingSet::add(const Influence& H, Point point) {
   const std::int64_t slot = free_.back();
   free_.pop_back();
-  const auto place = std::lower_bound(members_.begin(), members_.end(), point,
-                                      [](const Member& member, Point other) { return member.point < other; });
-  members_.insert(place, {point, slot});
+  members_.insert(std::ranges::lower_bound(members_, point, {}, &Member::point), {point, slot});
   std::vector<Member> by_slot = members_;
-  std::sort(by_slot.begin(), by_slot.end(), [](const Member& a, const Member& b) { return a.slot < b.slot; });
+  std::ranges::sort(by_slot, {}, &Member::slot);
   std::vector<Point> rows;
   std::vector<std::int64_t> slots;
   for (const Member& member : by_slot) {
@@ -91,11 +85,7 @@ void WorkingSet::factor(const Influence& H, std::span<const Point> points, std::
   clear();
   const auto size = static_cast<std::int64_t>(points.size());
   const std::int64_t slots = slots_for(size, n);
-  const auto entries = [&](std::int64_t first_row, std::int64_t rows, std::int64_t column, double* out) {
-    H.column(points.subspan(static_cast<std::size_t>(first_row), static_cast<std::size_t>(rows)),
-             points[static_cast<std::size_t>(column)], out);
-  };
-  factor_.emplace(session_, size, slots, entries, 0.0);
+  factor_.emplace(session_, size, slots, H.between(points), 0.0);
   for (std::int64_t i = 0; i < size; ++i) members_.push_back({points[static_cast<std::size_t>(i)], i});
   for (std::int64_t i = size; i < slots; ++i) free_.push_back(i);
 }
@@ -111,7 +101,7 @@ void WorkingSet::solve_once(const double* b, double* x) {
 bool WorkingSet::refine(const Influence& H, const double* b, double* x) {
   const std::size_t n = members_.size();
   std::vector<Point> points(n);
-  std::transform(members_.begin(), members_.end(), points.begin(), [](const Member& member) { return member.point; });
+  std::ranges::transform(members_, points.begin(), &Member::point);
   std::vector<double> residual(n), correction(n);
   H.multiply(points, x, rc_common::runs_of(points), residual.data());
   double largest = 0.0, scale = 0.0;

@@ -1,11 +1,15 @@
 // FFTW in both precisions under one name. Its planners are global to the process, so plans are made and destroyed under the
-// host's "fftw" lock. No transform is in place, so that FFTW allocates nothing while it transforms: it would end the process if
-// memory ran out.
+// host's "fftw" lock. It ends the process where it gets no memory: so there is a look for memory before plans are made, and no
+// transform is in place, which would allocate.
 #pragma once
 
 #include <fftw3.h>
 
+#include <cstdint>
+#include <memory>
+#include <new>
 #include <roughcontact/plugin.hpp>
+#include <type_traits>
 
 namespace rc_common {
 
@@ -29,9 +33,7 @@ template <class Real> struct Fftw;
     static void run_real_to_complex(Plan plan, Real* in, auto* out) { PREFIX##_execute_dft_r2c(plan, in, pairs(out)); } \
     static void run_complex_to_real(Plan plan, auto* in, Real* out) { PREFIX##_execute_dft_c2r(plan, pairs(in), out); } \
     static void run_complex(Plan plan, auto* in, auto* out) { PREFIX##_execute_dft(plan, pairs(in), pairs(out)); }      \
-    static void destroy(Plan plan) {                                                                                    \
-      if (plan) PREFIX##_destroy_plan(plan);                                                                            \
-    }                                                                                                                   \
+    static void destroy(Plan plan) { PREFIX##_destroy_plan(plan); }                                                     \
     static void make_planner_thread_safe() { PREFIX##_make_planner_thread_safe(); }                                     \
     static int planner_threads() { return PREFIX##_planner_nthreads(); }                                                \
     static void plan_with_threads(int n) { PREFIX##_plan_with_nthreads(n); }                                            \
@@ -61,6 +63,52 @@ template <class Real> class PlannerLock {
  private:
   roughcontact::HostLock lock_;
   int threads_;
+};
+
+template <class Real> struct DestroyPlan {
+  const rc_host* host = nullptr;
+  void operator()(typename Fftw<Real>::Plan plan) const {
+    const PlannerLock<Real> lock(host);
+    Fftw<Real>::destroy(plan);
+  }
+};
+template <class Real> using OwnedPlan = std::unique_ptr<std::remove_pointer_t<typename Fftw<Real>::Plan>, DestroyPlan<Real>>;
+
+// Makes the plans of one transform, out of place, while it holds the lock. No plan may be destroyed meanwhile.
+template <class Real> class Planner {
+ public:
+  // Throws if there is too little memory to plan lines of these lengths: it tries to allocate ten times what that takes.
+  Planner(const rc_host* host, const roughcontact::Component& component, std::int64_t nx, std::int64_t ny)
+      : host_(host), component_(component), nx_(nx), ny_(ny), lock_(host) {
+    void* const block = ::operator new((std::size_t{4} << 20) + 256 * static_cast<std::size_t>(nx + ny), std::nothrow);
+    ::operator delete(block);
+    if (!block)
+      roughcontact::fail(component_, RC_ERR_MEMORY, "cannot allocate the memory to plan a ", nx, "x", ny,
+                         " transform; use a coarser grid");
+  }
+
+  OwnedPlan<Real> real_to_complex(std::int64_t n, Real* in, auto* out, unsigned flags) const {
+    return made(Fftw<Real>::real_to_complex(static_cast<int>(n), in, out, flags));
+  }
+  OwnedPlan<Real> complex_to_real(std::int64_t n, auto* in, Real* out, unsigned flags) const {
+    return made(Fftw<Real>::complex_to_real(static_cast<int>(n), in, out, flags));
+  }
+  OwnedPlan<Real> complex_to_complex(std::int64_t n, auto* in, auto* out, int sign, unsigned flags) const {
+    return made(Fftw<Real>::complex_to_complex(static_cast<int>(n), in, out, sign, flags));
+  }
+
+ private:
+  OwnedPlan<Real> made(typename Fftw<Real>::Plan plan) const {
+    if (!plan)
+      roughcontact::fail(component_, RC_ERR_INTERNAL, "FFTW made no plan for a ", nx_, "x", ny_,
+                         " transform; check the FFTW installation");
+    return {plan, {host_}};
+  }
+
+  const rc_host* host_;
+  const roughcontact::Component& component_;
+  std::int64_t nx_, ny_;
+  PlannerLock<Real> lock_;
 };
 
 }  // namespace rc_common

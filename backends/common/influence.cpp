@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "common/coefficients.h"
+
 namespace rc_common {
 
 namespace {
@@ -11,18 +13,9 @@ namespace {
 // H(i, j) depends on |xi - xj| and |yi - yj| only: one table of offsets holds all of it.
 class HalfSpace final : public Influence {
  public:
-  HalfSpace(const rc_host* host, const rc_operator_spec& spec) : host_(host), system_(spec.system), kernel_(spec.kernel) {}
+  HalfSpace(const rc_host* host, const rc_operator_spec& spec) : system_(spec.system), table_(host, spec) {}
 
-  void prepare(std::int64_t mx, std::int64_t my) override {
-    if (mx <= mx_ && my <= my_) return;
-    mx = std::max(mx, mx_);
-    my = std::max(my, my_);
-    mx_ = my_ = 0;
-    table_.resize(static_cast<std::size_t>(mx) * static_cast<std::size_t>(my));
-    roughcontact::check(host_->coefficients(host_, system_, kernel_, mx, my, table_.data()));
-    mx_ = mx;
-    my_ = my;
-  }
+  void prepare(std::int64_t mx, std::int64_t my) override { table_.cover(mx, my); }
 
   // The table has zero mode 0. Adding zero_mode / n to every entry gives the constant vector the eigenvalue zero_mode.
   void set_zero_mode(double zero_mode) override {
@@ -46,7 +39,7 @@ class HalfSpace final : public Influence {
   }
 
  private:
-  const double* table_row(std::int64_t dy) const { return table_.data() + std::abs(dy) * mx_; }
+  const double* table_row(std::int64_t dy) const { return table_.row(std::abs(dy)); }
 
   // Adds the deflection of a load at x cells from the run's first point, in two contiguous parts, left of the load and from it
   // on, so that both are vector loops.
@@ -56,12 +49,9 @@ class HalfSpace final : public Influence {
     for (std::int64_t k = left; k < count; ++k) out[k] += p * h[k - x];
   }
 
-  const rc_host* host_;
   const rc_system* system_;
-  const char* kernel_;
   double shift_ = 0.0;
-  std::int64_t mx_ = 0, my_ = 0;
-  std::vector<double> table_;
+  Coefficients table_;
 };
 
 // The caller's symmetric matrix. Columns are read as rows, which are contiguous.
@@ -98,6 +88,13 @@ class CallersMatrix final : public Influence {
 };
 
 }  // namespace
+
+ColumnSource Influence::between(std::span<const Point> points) const {
+  return [this, points](std::int64_t first_row, std::int64_t rows, std::int64_t number, double* out) {
+    column(points.subspan(static_cast<std::size_t>(first_row), static_cast<std::size_t>(rows)),
+           points[static_cast<std::size_t>(number)], out);
+  };
+}
 
 std::vector<Run> runs_of(std::span<const Point> points) {
   std::vector<Run> runs;

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "common/symmetric_matrix.h"
+
 namespace rc_common {
 
 struct Point {
@@ -35,6 +37,9 @@ class Influence {
   virtual void column(std::span<const Point> rows, Point column, double* out) const = 0;
   // y = H[targets, points] x. The cost is the number of nonzeros of x times the number of targets.
   virtual void multiply(std::span<const Point> points, const double* x, std::span<const Run> targets, double* y) const = 0;
+
+  // Entries of H[points, points], by positions. Both must outlive it.
+  ColumnSource between(std::span<const Point> points) const;
 };
 
 std::unique_ptr<Influence> make_influence(const rc_host*, const rc_operator_spec&, const roughcontact::Component&);

@@ -46,14 +46,6 @@ const Influence& Products::entries() {
   return *influence_;
 }
 
-ColumnSource Products::source() {
-  return [&influence = entries(), points = std::span<const Point>(points_)](std::int64_t first_row, std::int64_t rows,
-                                                                            std::int64_t column, double* out) {
-    influence.column(points.subspan(static_cast<std::size_t>(first_row), static_cast<std::size_t>(rows)),
-                     points[static_cast<std::size_t>(column)], out);
-  };
-}
-
 void Products::store() {
   if (!matrix_) matrix_.emplace(size(), source());
 }

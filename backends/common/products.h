@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "common/influence.h"
-#include "common/symmetric_matrix.h"
 
 namespace rc_common {
 
@@ -28,7 +27,7 @@ class Products {
   // Entries between points of the domain.
   const Influence& entries();
   // Entries of H[T,T], by positions in the domain.
-  ColumnSource source();
+  ColumnSource source() { return entries().between(points_); }
 
   void store();
   void forget() { matrix_.reset(); }

@@ -1,6 +1,7 @@
 #include "working_set.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "common/serial_eigen.h"
@@ -34,8 +35,7 @@ void WorkingSet::solve(const Influence& H, std::span<const Point> points, const 
 std::vector<std::int64_t> WorkingSet::ascending() const {
   std::vector<std::int64_t> order(points_.size());
   std::iota(order.begin(), order.end(), 0);
-  const Point* point = points_.data();
-  std::sort(order.begin(), order.end(), [point](std::int64_t i, std::int64_t j) { return point[i] < point[j]; });
+  std::ranges::sort(order, {}, [point = points_.data()](std::int64_t i) { return point[i]; });
   return order;
 }
 
@@ -43,16 +43,12 @@ std::vector<std::int64_t> WorkingSet::ascending() const {
 void WorkingSet::update(const Influence& H, std::span<const Point> points) {
   std::vector<std::int64_t> removed;
   std::vector<Point> added;
-  auto wanted = points.begin();
-  for (const std::int64_t i : ascending()) {
-    const Point present = points_[static_cast<std::size_t>(i)];
-    while (wanted != points.end() && *wanted < present) added.push_back(*wanted++);
-    if (wanted != points.end() && *wanted == present)
-      ++wanted;
-    else
-      removed.push_back(i);
-  }
-  added.insert(added.end(), wanted, points.end());
+  const std::vector<std::int64_t> present = ascending();
+  const auto point = [this](std::int64_t i) { return points_[static_cast<std::size_t>(i)]; };
+  std::ranges::copy_if(points, std::back_inserter(added),
+                       [&](Point wanted) { return !std::ranges::binary_search(present, wanted, {}, point); });
+  std::ranges::copy_if(present, std::back_inserter(removed),
+                       [&](std::int64_t i) { return !std::ranges::binary_search(points, point(i)); });
   if (!removed.empty()) {
     std::sort(removed.begin(), removed.end());
     remove(removed, added);
@@ -85,12 +81,7 @@ void WorkingSet::append(const Influence& H, std::span<const Point> added) {
   const auto count = static_cast<std::int64_t>(added.size());
   const std::int64_t needed = factor_.size() + count;
   points_.insert(points_.end(), added.begin(), added.end());
-  const std::span<const Point> points(points_);
-  const auto entries = [&](std::int64_t first_row, std::int64_t rows, std::int64_t column, double* out) {
-    H.column(points.subspan(static_cast<std::size_t>(first_row), static_cast<std::size_t>(rows)),
-             points[static_cast<std::size_t>(column)], out);
-  };
-  if (const auto bad = factor_.append(count, entries))
+  if (const auto bad = factor_.append(count, H.between(points_)))
     fail(RC_ERR_NUMERIC, "the matrix is not positive definite: pivot ", bad->unknown + 1, " of ", needed, " is ", bad->value,
          "; it must be symmetric positive definite on every set of points (a periodic one with zero mode 0 is not on all of "
          "them)");

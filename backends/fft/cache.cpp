@@ -4,12 +4,6 @@
 
 namespace rc_fft {
 
-namespace {
-
-constexpr std::size_t most_forgotten = std::size_t{1} << 24;  // bytes
-
-}  // namespace
-
 void Cache::fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths largest) {
   if (present && suits(present->lengths, needed)) return;
   auto best = idle_.end();
@@ -29,12 +23,7 @@ void Cache::fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths la
 void Cache::retire(std::unique_ptr<Transforms>& present) {
   if (present && present->bytes() > 0 && present->bytes() <= limit_) {
     idle_.push_back(std::move(present));
-    std::size_t total = 0;
-    for (const auto& each : idle_) total += each->bytes();
-    while (total > limit_) {
-      total -= idle_.front()->bytes();
-      idle_.erase(idle_.begin());
-    }
+    trim(idle_, limit_);
   }
   present.reset();
 }
@@ -46,12 +35,13 @@ void Cache::forget(std::unique_ptr<Transforms>& box, std::unique_ptr<Transforms>
   put_away(std::move(box));
 }
 
-void Cache::trim_forgotten() {
+// Drops those that have not been used for the longest time.
+void Cache::trim(List& list, std::size_t limit) {
   std::size_t total = 0;
-  for (const auto& each : forgotten_) total += each->bytes();
-  while (total > most_forgotten) {
-    total -= forgotten_.front()->bytes();
-    forgotten_.erase(forgotten_.begin());
+  for (const auto& each : list) total += each->bytes();
+  while (total > limit) {
+    total -= list.front()->bytes();
+    list.erase(list.begin());
   }
 }
 
@@ -60,8 +50,8 @@ void Cache::put_away(std::unique_ptr<Transforms> present) {
   const auto same =
       std::find_if(forgotten_.begin(), forgotten_.end(), [&](const auto& f) { return f->lengths == present->lengths; });
   if (same != forgotten_.end()) {  // it may hold the other precision
-    if (!present->in_double) present->in_double = std::move((*same)->in_double);
-    if (!present->in_float) present->in_float = std::move((*same)->in_float);
+    if (!present->in<double>()) present->in<double>() = std::move((*same)->in<double>());
+    if (!present->in<float>()) present->in<float>() = std::move((*same)->in<float>());
     forgotten_.erase(same);
   }
   if (present->bytes() > 0) forgotten_.push_back(std::move(present));

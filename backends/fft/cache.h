@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <memory>
-#include <type_traits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,17 +14,13 @@ namespace rc_fft {
 // The transforms of the same lengths in both precisions, each made for the first product that needs it.
 struct Transforms {
   explicit Transforms(Lengths of) : lengths(of) {}
-  template <class Real> std::unique_ptr<Transform<Real>>& in() {
-    if constexpr (std::is_same_v<Real, double>)
-      return in_double;
-    else
-      return in_float;
+  template <class Real> std::unique_ptr<Transform<Real>>& in() { return std::get<std::unique_ptr<Transform<Real>>>(made); }
+  std::size_t bytes() const {
+    return std::apply([](const auto&... each) { return ((each ? each->bytes() : 0) + ...); }, made);
   }
-  std::size_t bytes() const { return (in_double ? in_double->bytes() : 0) + (in_float ? in_float->bytes() : 0); }
 
   Lengths lengths;
-  std::unique_ptr<Transform<double>> in_double;
-  std::unique_ptr<Transform<float>> in_float;
+  std::tuple<std::unique_ptr<Transform<double>>, std::unique_ptr<Transform<float>>> made;
 };
 
 class Cache {
@@ -44,17 +40,20 @@ class Cache {
   template <class Real> std::unique_ptr<Transform<Real>> recalled(Lengths lengths) {
     for (const auto& each : forgotten_)
       if (each->lengths == lengths && each->in<Real>()) return std::move(each->in<Real>());
-    trim_forgotten();
+    trim(forgotten_, most_forgotten);
     return nullptr;
   }
 
  private:
+  static constexpr std::size_t most_forgotten = std::size_t{1} << 24;  // bytes
+  using List = std::vector<std::unique_ptr<Transforms>>;               // in the order of their last use
+
+  static void trim(List& list, std::size_t limit);
   void put_away(std::unique_ptr<Transforms> present);
-  void trim_forgotten();
 
   std::size_t limit_;
-  std::vector<std::unique_ptr<Transforms>> idle_;       // in the order of their last use
-  std::vector<std::unique_ptr<Transforms>> forgotten_;  // likewise; no two of the same lengths
+  List idle_;
+  List forgotten_;  // no two of the same lengths
 };
 
 }  // namespace rc_fft

@@ -160,20 +160,6 @@ template <class Real, int Bytes> struct Passes {
   }
 };
 
-template <class Real, int Bytes> void multiply_columns(const ColumnProduct<Real>& plan, const ColumnBlock<Real>& block) {
-  Passes<Real, Bytes>::run(plan, block);
-}
-
-#ifdef RC_HAS_WIDER_VECTORS
-template <class Real>
-[[gnu::target("avx2,fma")]] void multiply_columns_avx2(const ColumnProduct<Real>& plan, const ColumnBlock<Real>& block) {
-  Passes<Real, 32>::run(plan, block);
-}
-template <class Real>
-[[gnu::target("avx512f,avx512dq,fma")]] void multiply_columns_avx512(const ColumnProduct<Real>& plan,
-                                                                     const ColumnBlock<Real>& block) {
-  Passes<Real, 64>::run(plan, block);
-}
-#endif
+template <class Real> using ColumnBuilds = Builds<const ColumnProduct<Real>&, const ColumnBlock<Real>&>;
 
 }  // namespace rc_fft

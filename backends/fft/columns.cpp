@@ -36,10 +36,6 @@ std::vector<int> factors(std::int64_t length) {
   return result;
 }
 
-template <class Real> auto passes_for_this_processor() {
-  return RC_FOR_THIS_PROCESSOR((&multiply_columns<Real, 16>), &multiply_columns_avx2<Real>, &multiply_columns_avx512<Real>);
-}
-
 }  // namespace
 
 bool has_small_factors(std::int64_t length) {
@@ -54,7 +50,7 @@ ColumnProduct<Real>::ColumnProduct(std::int64_t length)
       radices_(factors(length)),
       waves_(static_cast<std::size_t>(length)),
       rank_(static_cast<std::size_t>(length / 2 + 1), -1),
-      run_(passes_for_this_processor<Real>()) {
+      run_(ColumnBuilds<Real>::template best<Passes<Real, 16>, Passes<Real, 32>, Passes<Real, 64>>()) {
   // Twiddle factors exp(-2 pi i jq/L), 0 < q < radix, of each pass.
   std::int64_t part = length;
   for (const int radix : radices_) {

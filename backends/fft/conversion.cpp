@@ -51,14 +51,10 @@ double unit_of(double largest) {
 
 }  // namespace
 
-Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x) {
-  return {0, unit_of(sums_of(team, n, x).largest), 0};
-}
-
 Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x, double zero_mode, std::int64_t points) {
   const Sums sums = sums_of(team, n, x);
-  const double mean = sums.sum / static_cast<double>(points);
-  return {mean, unit_of(sums.largest), zero_mode * mean};
+  const double mean = points > 0 ? sums.sum / static_cast<double>(points) : 0;
+  return {mean, unit_of(sums.largest), points > 0 ? zero_mode * mean : 0};
 }
 
 }  // namespace rc_fft

@@ -26,10 +26,9 @@ struct Conversion {
   }
 };
 
-// The unit is a power of two with which v is near 1 and nothing over- or underflows. The second form multiplies the mean of x
-// over all `points` apart; x is zero but for the n entries, and zero_mode is the eigenvalue of H for the constant vector.
+// The unit is a power of two with which v is near 1 and nothing over- or underflows. points > 0: x is zero but for the n entries
+// of so many points, and its mean over all of them is multiplied apart by zero_mode, the eigenvalue of H for the constant vector.
 // Otherwise a large mean, as near full contact, would leave single precision few digits for what varies.
-Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x);
 Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x, double zero_mode, std::int64_t points);
 
 }  // namespace rc_fft

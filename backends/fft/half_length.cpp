@@ -10,8 +10,8 @@ namespace rc_fft {
 namespace {
 
 template <class Real, bool Back> auto pass_for_this_processor() {
-  return RC_FOR_THIS_PROCESSOR((&join_halves<Real, 16, Back>), (&join_halves_avx2<Real, Back>),
-                               (&join_halves_avx512<Real, Back>));
+  return HalfLengthBuilds<Real>::template best<HalfLengthPass<Real, 16, Back>, HalfLengthPass<Real, 32, Back>,
+                                               HalfLengthPass<Real, 64, Back>>();
 }
 
 }  // namespace

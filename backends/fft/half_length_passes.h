@@ -10,7 +10,7 @@
 
 namespace rc_fft {
 
-template <class Real, int Bytes> struct HalfLengthPass {
+template <class Real, int Bytes, bool Back> struct HalfLengthPass {
   using V = Vector<Real, Bytes>;
   static constexpr int lanes = V::lanes;
   using Lanes = std::make_integer_sequence<int, lanes>;
@@ -21,21 +21,23 @@ template <class Real, int Bytes> struct HalfLengthPass {
   RC_FFT_INLINE static void put(Real* p, const Plain& v) { std::memcpy(p, &v, Bytes); }
 
   // Load and store `lanes` complex numbers, in their order or from the last to the first.
-  static constexpr int place(int i, bool back) { return back ? lanes - 1 - i : i; }
-  template <bool Back, int... I> RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
+  static constexpr int place(int i, bool reversed) { return reversed ? lanes - 1 - i : i; }
+  template <bool Reversed, int... I>
+  RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
     Plain a, b;
     get(p, a);
     get(p + lanes, b);
-    z.re = __builtin_shufflevector(a, b, (2 * place(I, Back))...);
-    z.im = __builtin_shufflevector(a, b, (2 * place(I, Back) + 1)...);
+    z.re = __builtin_shufflevector(a, b, (2 * place(I, Reversed))...);
+    z.im = __builtin_shufflevector(a, b, (2 * place(I, Reversed) + 1)...);
   }
-  template <bool Back, int... I> RC_FFT_INLINE static void store(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
-    put(p, __builtin_shufflevector(z.re, z.im, (place(I / 2, Back) + I % 2 * lanes)...));
-    put(p + lanes, __builtin_shufflevector(z.re, z.im, (place(lanes / 2 + I / 2, Back) + I % 2 * lanes)...));
+  template <bool Reversed, int... I>
+  RC_FFT_INLINE static void store(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
+    put(p, __builtin_shufflevector(z.re, z.im, (place(I / 2, Reversed) + I % 2 * lanes)...));
+    put(p + lanes, __builtin_shufflevector(z.re, z.im, (place(lanes / 2 + I / 2, Reversed) + I % 2 * lanes)...));
   }
 
   // The elements k and M - k; `mirrored` is the latter before, and after.
-  template <bool Back, class Number>
+  template <class Number>
   RC_FFT_INLINE static void join(Number& re, Number& im, Number& mirrored_re, Number& mirrored_im, const Number& turn_re,
                                  const Number& turn_im) {
     const Number sum_re = re + mirrored_re, sum_im = im - mirrored_im;
@@ -49,12 +51,12 @@ template <class Real, int Bytes> struct HalfLengthPass {
     mirrored_im = turned_im - sum_im;
   }
 
-  template <bool Back> RC_FFT_INLINE static void run(const HalfLength<Real>& plan, std::complex<Real>* row) {
+  RC_FFT_INLINE static void run(const HalfLength<Real>& plan, std::complex<Real>* row) {
     const std::int64_t half = plan.half();
     Real* const z = reinterpret_cast<Real*>(row);
     const auto one = [&](std::int64_t k, std::int64_t mirror) {
       Real re = z[2 * k], im = z[2 * k + 1], mirrored_re = z[2 * mirror], mirrored_im = z[2 * mirror + 1];
-      join<Back>(re, im, mirrored_re, mirrored_im, plan.re()[k], plan.im()[k]);
+      join(re, im, mirrored_re, mirrored_im, plan.re()[k], plan.im()[k]);
       z[2 * mirror] = mirrored_re;
       z[2 * mirror + 1] = mirrored_im;
       z[2 * k] = re;
@@ -75,7 +77,7 @@ template <class Real, int Bytes> struct HalfLengthPass {
       Plain turn_re, turn_im;
       get(plan.re() + k, turn_re);
       get(plan.im() + k, turn_im);
-      join<Back, Plain>(a.re, a.im, b.re, b.im, turn_re, turn_im);
+      join<Plain>(a.re, a.im, b.re, b.im, turn_re, turn_im);
       store<false>(left, a, Lanes{});
       store<true>(right, b, Lanes{});
     }
@@ -83,19 +85,6 @@ template <class Real, int Bytes> struct HalfLengthPass {
   }
 };
 
-template <class Real, int Bytes, bool Back> void join_halves(const HalfLength<Real>& plan, std::complex<Real>* row) {
-  HalfLengthPass<Real, Bytes>::template run<Back>(plan, row);
-}
-
-#ifdef RC_HAS_WIDER_VECTORS
-template <class Real, bool Back>
-[[gnu::target("avx2,fma")]] void join_halves_avx2(const HalfLength<Real>& plan, std::complex<Real>* row) {
-  HalfLengthPass<Real, 32>::template run<Back>(plan, row);
-}
-template <class Real, bool Back>
-[[gnu::target("avx512f,avx512dq,fma")]] void join_halves_avx512(const HalfLength<Real>& plan, std::complex<Real>* row) {
-  HalfLengthPass<Real, 64>::template run<Back>(plan, row);
-}
-#endif
+template <class Real> using HalfLengthBuilds = Builds<const HalfLength<Real>&, std::complex<Real>*>;
 
 }  // namespace rc_fft

@@ -8,11 +8,26 @@
 
 #include "common/processor.h"
 
-// Inlined into functions that are compiled for one instruction set each, see columns.cpp.
+// Inlined into functions that are compiled for one instruction set each, see Builds.
 #define RC_FFT_INLINE [[gnu::always_inline]] inline
 #define RC_FFT_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace rc_fft {
+
+// Pass::run(arguments), compiled for each set of instructions.
+template <class... Arguments> struct Builds {
+  template <class Pass> static void any(Arguments... arguments) { Pass::run(arguments...); }
+#ifdef RC_HAS_WIDER_VECTORS
+  template <class Pass> [[gnu::target("avx2,fma")]] static void avx2(Arguments... arguments) { Pass::run(arguments...); }
+  template <class Pass> [[gnu::target("avx512f,avx512dq,fma")]] static void avx512(Arguments... arguments) {
+    Pass::run(arguments...);
+  }
+#endif
+  // That for this processor. The passes differ in the width of their vectors.
+  template <class Bytes16, class Bytes32, class Bytes64> static auto best() {
+    return RC_FOR_THIS_PROCESSOR(&any<Bytes16>, &avx2<Bytes32>, &avx512<Bytes64>);
+  }
+};
 
 // Bytes of one row's real parts in a block of columns, which its imaginary parts follow.
 inline constexpr std::int64_t part_bytes = 64;

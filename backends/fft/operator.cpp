@@ -60,14 +60,13 @@ void Operator::check_tolerance() const {
 }
 
 Conversion Operator::conversion(const double* x) const {
-  return periodic() ? conversion_of(team_, points_.count(), x, zero_mode_, whole_.count())
-                    : conversion_of(team_, points_.count(), x);
+  return conversion_of(team_, points_.count(), x, zero_mode_, periodic() ? whole_.count() : 0);
 }
 
 void Operator::bind(const rc_domain& domain) {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
   const Box grid{0, 0, nx, ny};
-  box_ = periodic() ? grid : bounding_box(domain, nx, ny);
+  box_ = periodic() ? grid : rc_common::bounding_box(domain, nx, ny);
   points_ = domain.index ? Points(domain, box_, nx) : whole_;
   zero_mode_ = domain.zero_mode;
   if (!periodic()) {
@@ -75,8 +74,7 @@ void Operator::bind(const rc_domain& domain) {
     return;
   }
   if (!box_transforms_) box_transforms_ = std::make_unique<Transforms>(Lengths{nx, ny});
-  if (auto& transform = box_transforms_->in_double) transform->set_zero_mode(zero_mode_);
-  if (auto& transform = box_transforms_->in_float) transform->set_zero_mode(zero_mode_);
+  std::apply([&](const auto&... each) { ((each ? each->set_zero_mode(zero_mode_) : void()), ...); }, box_transforms_->made);
 }
 
 Lengths Operator::box_lengths() const { return {exact_length(0, box_.nx, box_.nx), exact_length(0, box_.ny, box_.ny)}; }
@@ -145,8 +143,8 @@ template <class Real> Transform<Real>& Operator::made(Transforms& transforms, st
   transform = std::make_unique<Transform<Real>>(host_, transforms.lengths, rows, planning_, workspace_, team_);
   try {
     if constexpr (std::is_same_v<Real, float>) {
-      if (transforms.in_double) {
-        transform->load(*transforms.in_double);
+      if (const auto& source = transforms.in<double>()) {
+        transform->load(*source);
         return *transform;
       }
     }

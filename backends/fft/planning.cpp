@@ -10,7 +10,6 @@
 #include <iterator>
 #include <memory>
 #include <system_error>
-#include <type_traits>
 
 #include "common/fftw.h"
 #include "failure.h"
@@ -69,19 +68,12 @@ Planning::Planning(const rc_host* host, const rc_options* options) {
   effort_ = planning == "estimate" || deterministic ? FFTW_ESTIMATE : FFTW_MEASURE;
   const std::string path = roughcontact::option_text(host, options, "fft.wisdom");
   if (path.empty()) return;
-  in_double_.path = path;
-  in_float_.path = path + ".float";
-}
-
-template <class Real> Planning::File& Planning::file() {
-  if constexpr (std::is_same_v<Real, double>)
-    return in_double_;
-  else
-    return in_float_;
+  std::get<File<double>>(files_).path = path;
+  std::get<File<float>>(files_).path = path + ".float";
 }
 
 template <class Real> void Planning::recall() {
-  File& kept = file<Real>();
+  auto& kept = std::get<File<Real>>(files_);
   if (kept.path.empty() || kept.read) return;
   if (read(kept.path, kept.contents) && !Fftw<Real>::import_wisdom(kept.contents.c_str()))
     fail(RC_ERR_OPTION, "wisdom file \"", kept.path, "\" holds no wisdom of ", Fftw<Real>::version(), "; remove it",
@@ -90,7 +82,7 @@ template <class Real> void Planning::recall() {
 }
 
 template <class Real> void Planning::remember() {
-  File& kept = file<Real>();
+  auto& kept = std::get<File<Real>>(files_);
   if (kept.path.empty() || effort_ == FFTW_ESTIMATE) return;
   const std::unique_ptr<char, void (*)(void*)> wisdom(Fftw<Real>::export_wisdom(), std::free);
   if (!wisdom) throw std::bad_alloc();

@@ -3,6 +3,7 @@
 
 #include <roughcontact/plugin.hpp>
 #include <string>
+#include <tuple>
 
 namespace rc_fft {
 
@@ -18,15 +19,14 @@ class Planning {
   template <class Real> void remember();  // after that; writes the file if measuring has taught anything
 
  private:
-  struct File {
+  template <class Real> struct File {
     std::string path;
     std::string contents;
     bool read = false;
   };
-  template <class Real> File& file();
 
   unsigned effort_;
-  File in_double_, in_float_;
+  std::tuple<File<double>, File<float>> files_;
 };
 
 }  // namespace rc_fft

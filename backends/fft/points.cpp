@@ -4,38 +4,11 @@
 
 namespace rc_fft {
 
-namespace {
-
-// visit(entry, column, row) for the entries in order; divides only where a row begins.
-template <class Visit> void for_each_point(const rc_domain& domain, std::int64_t nx, const Visit& visit) {
-  std::int64_t row = 0, row_start = 0;
-  for (std::int64_t i = 0; i < domain.n; ++i) {
-    if (domain.index[i] >= row_start + nx) {
-      row = domain.index[i] / nx;
-      row_start = row * nx;
-    }
-    visit(i, domain.index[i] - row_start, row);
-  }
-}
-
-}  // namespace
-
-Box bounding_box(const rc_domain& domain, std::int64_t nx, std::int64_t ny) {
-  if (!domain.index) return {0, 0, nx, ny};
-  std::int64_t first = nx, last = 0;
-  for_each_point(domain, nx, [&](std::int64_t, std::int64_t column, std::int64_t) {
-    first = std::min(first, column);
-    last = std::max(last, column);
-  });
-  const std::int64_t first_row = domain.index[0] / nx, last_row = domain.index[domain.n - 1] / nx;
-  return {first, first_row, last - first + 1, last_row - first_row + 1};
-}
-
 Points::Points(const rc_domain& domain, const Box& box, std::int64_t grid_nx) : nx_(box.nx), ny_(box.ny) {
   if (domain.n == box.points()) return;
   begin_.resize(static_cast<std::size_t>(ny_) + 1);
   columns_.resize(static_cast<std::size_t>(domain.n));
-  for_each_point(domain, grid_nx, [&](std::int64_t i, std::int64_t column, std::int64_t row) {
+  rc_common::for_each_point(domain, grid_nx, [&](std::int64_t i, std::int64_t column, std::int64_t row) {
     ++begin_[static_cast<std::size_t>(row - box.y) + 1];
     columns_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(column - box.x);
   });

@@ -5,18 +5,12 @@
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
+#include "common/domain.h"
 #include "conversion.h"
 
 namespace rc_fft {
 
-struct Box {
-  std::int64_t x = 0, y = 0;    // first column and row on the grid
-  std::int64_t nx = 0, ny = 0;  // columns and rows
-
-  std::int64_t points() const { return nx * ny; }
-};
-
-Box bounding_box(const rc_domain& domain, std::int64_t nx, std::int64_t ny);
+using rc_common::Box;
 
 // The points of a domain, row by row of its box: vector entries in a row are consecutive.
 class Points {

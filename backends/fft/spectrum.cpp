@@ -64,7 +64,11 @@ Eigenvalues Eigenvalues::periodic(const rc_host* host, const rc_operator_spec& s
 
 // rows(first, count, out): coefficients of `count` rows from `first` on, into rows of columns_ values.
 template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, const Rows& rows) {
-  plans_ = std::make_unique<EvenPlans>(host_, lengths_, scratch(0), scratch(0) + line_);
+  {
+    const Planner<double> planner(host_, component, lengths_.x, lengths_.y);
+    along_x_ = planner.complex_to_complex(lengths_.x, scratch(0), scratch(0) + line_, FFTW_FORWARD, FFTW_ESTIMATE);
+    along_y_ = planner.complex_to_complex(lengths_.y, scratch(0), scratch(0) + line_, FFTW_FORWARD, FFTW_ESTIMATE);
+  }
   std::atomic<std::int64_t> failed{-1};
   const std::int64_t items = (rows_ + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(*spec.team, items, worth_sharing(lengths_), [&](std::int64_t item, std::int64_t thread) {
@@ -85,7 +89,7 @@ template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, co
         line[ix] = pair;
         line[ix == 0 ? 0 : lengths_.x - ix] = pair;
       }
-      plans_->along_x(line, waves);
+      Fftw<double>::run_complex(along_x_.get(), line, waves);
       double* const row = table() + iy * stride_;
       for (std::int64_t kx = 0; kx < half_x_; ++kx) row[kx] = waves[kx].real();
       std::fill(row + half_x_, row + stride_, 0.0);
@@ -112,7 +116,7 @@ void Eigenvalues::transform_block(std::int64_t block, std::int64_t thread) const
       const auto* const from = reinterpret_cast<const std::complex<double>*>(table() + iy * stride_ + block * width);
       column[iy] = column[iy == 0 ? 0 : lengths_.y - iy] = from[pair];
     }
-    plans_->along_y(column, transformed);
+    Fftw<double>::run_complex(along_y_.get(), column, transformed);
     for (std::int64_t ky = 0; ky < half_y_; ++ky) to[ky * pairs + pair] = transformed[ky];
   }
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <complex>
-#include <memory>
 #include <roughcontact/plugin.hpp>
 
 #include "buffer.h"
@@ -28,7 +27,7 @@ class Eigenvalues {
 
   // visit(ky, values) for the waves along y, `width` values each: columns block * width and following.
   template <class Visit> void along_y(std::int64_t block, std::int64_t thread, const Visit& visit) const {
-    if (!plans_) {
+    if (!along_y_) {
       for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, table() + ky * stride_ + block * width);
       return;
     }
@@ -51,11 +50,11 @@ class Eigenvalues {
   Workspace& workspace_;
   Lengths lengths_;
   std::int64_t half_x_, half_y_;
-  std::int64_t columns_, rows_;             // coefficients that the circular operator takes
-  std::int64_t stride_;                     // of the table's rows
-  std::int64_t line_;                       // room for a line [complex values]
-  std::int64_t scratch_;                    // of a thread: two lines, and coefficients or waves [complex values]
-  std::unique_ptr<const EvenPlans> plans_;  // null: the table holds the eigenvalues
+  std::int64_t columns_, rows_;          // coefficients that the circular operator takes
+  std::int64_t stride_;                  // of the table's rows
+  std::int64_t line_;                    // room for a line [complex values]
+  std::int64_t scratch_;                 // of a thread: two lines, and coefficients or waves [complex values]
+  OwnedPlan<double> along_x_, along_y_;  // null: the table holds the eigenvalues
 };
 
 }  // namespace rc_fft

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "common/planner_memory.h"
 #include "cosines.h"
 #include "failure.h"
 
@@ -57,7 +56,7 @@ std::vector<double> bent(std::int64_t straight, std::int64_t end) {
 template <class T>
 Convolution<T>::Convolution(const rc_host* host, const rc_team& team, const Axis& x, const Axis& y,
                             const std::function<double(double, double)>& kernel)
-    : host_(host), team_(team) {
+    : team_(team) {
   length_x_ = transform_length(2 * (x.nodes + x.bend));
   length_y_ = transform_length(2 * (y.nodes + y.bend));
   half_x_ = length_x_ / 2 + 1;
@@ -72,37 +71,20 @@ Convolution<T>::Convolution(const rc_host* host, const rc_team& team, const Axis
   scratch_size_ = std::max(stride_, (columns_per_block + 1) * column_stride_);
   make_room(scratch_, team_.threads * scratch_size_);
   make_room(eigenvalues_, half_x_ * half_y_);
-  load(x, y, kernel);
-  make_plans();
-}
-
-template <class T> Convolution<T>::~Convolution() { destroy_plans(); }
-
-template <class T> void Convolution<T>::make_plans() {
+  load(host, x, y, kernel);
   T *const line = scratch(0), *const column = line + column_stride_;
-  const int nx = static_cast<int>(length_x_), ny = static_cast<int>(length_y_);
-  if (!rc_common::planner_has_memory(length_x_ + length_y_))
-    fail(RC_ERR_MEMORY, "cannot allocate the memory to plan a ", nx, "x", ny, " transform; use a coarser grid");
-  {
-    const PlannerLock<T> lock(host_);
-    forward_x_ = Fftw<T>::real_to_complex(nx, row(0), line, FFTW_ESTIMATE);
-    backward_x_ = Fftw<T>::complex_to_real(nx, row(0), line, FFTW_ESTIMATE);
-    forward_y_ = Fftw<T>::complex_to_complex(ny, column, line, FFTW_FORWARD, FFTW_ESTIMATE);
-    backward_y_ = Fftw<T>::complex_to_complex(ny, line, column, FFTW_BACKWARD, FFTW_ESTIMATE);
-  }
-  if (forward_x_ && backward_x_ && forward_y_ && backward_y_) return;
-  destroy_plans();
-  fail(RC_ERR_INTERNAL, "FFTW made no plan for a ", length_x_, "x", length_y_, " transform; check the FFTW installation");
-}
-
-template <class T> void Convolution<T>::destroy_plans() {
-  const PlannerLock<T> lock(host_);
-  for (auto plan : {forward_x_, backward_x_, forward_y_, backward_y_}) Fftw<T>::destroy(plan);
+  const Planner<T> planner(host, component, length_x_, length_y_);
+  forward_x_ = planner.real_to_complex(length_x_, row(0), line, FFTW_ESTIMATE);
+  backward_x_ = planner.complex_to_real(length_x_, row(0), line, FFTW_ESTIMATE);
+  forward_y_ = planner.complex_to_complex(length_y_, column, line, FFTW_FORWARD, FFTW_ESTIMATE);
+  backward_y_ = planner.complex_to_complex(length_y_, line, column, FFTW_BACKWARD, FFTW_ESTIMATE);
 }
 
 // The kernel is even, so its transform is a cosine transform. Spreading and interpolating each multiply by the window's
 // transform, which is divided out here.
-template <class T> void Convolution<T>::load(const Axis& x, const Axis& y, const std::function<double(double, double)>& kernel) {
+template <class T>
+void Convolution<T>::load(const rc_host* host, const Axis& x, const Axis& y,
+                          const std::function<double(double, double)>& kernel) {
   const std::vector<double> along_x = bent(nodes_x_, length_x_ / 2), along_y = bent(nodes_y_, length_y_ / 2);
   Array<double> table(static_cast<std::size_t>(half_x_ * half_y_));
   roughcontact::for_each(team_, half_y_, true, [&](std::int64_t my, std::int64_t) {
@@ -119,7 +101,7 @@ template <class T> void Convolution<T>::load(const Axis& x, const Axis& y, const
     return inverse;
   };
   const std::vector<double> by_x = weights(x, length_x_), by_y = weights(y, length_y_);
-  transform_even(host_, team_, half_x_, half_y_, table.data());
+  transform_even(host, team_, half_x_, half_y_, table.data());
   for (std::int64_t ky = 0; ky < half_y_; ++ky)
     for (std::int64_t kx = 0; kx < half_x_; ++kx)
       eigenvalues_[static_cast<std::size_t>(kx * half_y_ + ky)] =
@@ -129,18 +111,18 @@ template <class T> void Convolution<T>::load(const Axis& x, const Axis& y, const
 
 template <class T> void Convolution<T>::forward(std::int64_t i, std::int64_t thread) {
   T* const line = scratch(thread);
-  Fftw<T>::run_real_to_complex(forward_x_, row(i), line);
+  Fftw<T>::run_real_to_complex(forward_x_.get(), row(i), line);
   std::copy_n(line, 2 * half_x_, row(i));
 }
 
 template <class T> void Convolution<T>::backward(std::int64_t i, std::int64_t thread) {
   T* const line = scratch(thread);
-  Fftw<T>::run_complex_to_real(backward_x_, row(i), line);
+  Fftw<T>::run_complex_to_real(backward_x_.get(), row(i), line);
   std::copy_n(line, length_x_, row(i));
 }
 
 template <class T> void Convolution<T>::multiply_column(T* column, T* waves, const T* eigenvalues) const {
-  Fftw<T>::run_complex(forward_y_, column, waves);
+  Fftw<T>::run_complex(forward_y_.get(), column, waves);
   for (std::int64_t k = 0; k < half_y_; ++k) {
     waves[2 * k] *= eigenvalues[k];
     waves[2 * k + 1] *= eigenvalues[k];
@@ -149,7 +131,7 @@ template <class T> void Convolution<T>::multiply_column(T* column, T* waves, con
     waves[2 * k] *= eigenvalues[length_y_ - k];
     waves[2 * k + 1] *= eigenvalues[length_y_ - k];
   }
-  Fftw<T>::run_complex(backward_y_, waves, column);
+  Fftw<T>::run_complex(backward_y_.get(), waves, column);
 }
 
 template <class T> void Convolution<T>::columns(std::int64_t rows, bool parallel) {

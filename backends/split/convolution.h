@@ -10,7 +10,7 @@
 
 namespace rc_split {
 
-using rc_common::Fftw, rc_common::PlannerLock;
+using rc_common::Fftw, rc_common::OwnedPlan, rc_common::Planner;
 
 struct Axis {
   std::int64_t nodes;                             // nodes that are wanted
@@ -23,9 +23,6 @@ template <class T> class Convolution {
   // kernel(x, y): the smooth part at a distance in coarse cells.
   Convolution(const rc_host* host, const rc_team& team, const Axis& x, const Axis& y,
               const std::function<double(double x, double y)>& kernel);
-  ~Convolution();
-  Convolution(const Convolution&) = delete;
-  Convolution& operator=(const Convolution&) = delete;
 
   // How many nodes it has room for, along each axis.
   std::int64_t nodes_x() const { return nodes_x_; }
@@ -43,17 +40,14 @@ template <class T> class Convolution {
   void backward(std::int64_t i, std::int64_t thread);
 
  private:
-  void make_plans();
-  void destroy_plans();
-  void load(const Axis& x, const Axis& y, const std::function<double(double, double)>& kernel);
+  void load(const rc_host* host, const Axis& x, const Axis& y, const std::function<double(double, double)>& kernel);
   void multiply_column(T* column, T* waves, const T* eigenvalues) const;
   T* scratch(std::int64_t thread) { return scratch_.data() + thread * scratch_size_; }
 
-  const rc_host* host_;
   const rc_team& team_;
   std::int64_t nodes_x_, nodes_y_, length_x_, length_y_, half_x_, half_y_, stride_, column_stride_;
   std::int64_t scratch_size_;  // of a thread: a line, and columns
-  typename Fftw<T>::Plan forward_x_ = nullptr, backward_x_ = nullptr, forward_y_ = nullptr, backward_y_ = nullptr;
+  OwnedPlan<T> forward_x_, backward_x_, forward_y_, backward_y_;
   Array<T> rows_, scratch_, eigenvalues_;  // eigenvalues [wave number along x][wave number along y] / (lengths)
 };
 

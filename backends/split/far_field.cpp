@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "common/coefficients.h"
 #include "failure.h"
 
 namespace rc_split {
@@ -62,20 +63,14 @@ std::array<double, 6> moments(Point s) {
 
 }  // namespace
 
-Coefficients::Coefficients(const rc_host* host, const rc_operator_spec& spec, std::int64_t mx, std::int64_t my)
-    : mx_(mx), table_(static_cast<std::size_t>(mx) * static_cast<std::size_t>(my)) {
-  roughcontact::check(host->coefficients(host, spec.system, spec.kernel, mx, my, table_.data()));
-}
-
 FarField::FarField(const rc_host* host, const rc_operator_spec& spec) {
   const double hx = spec.system->hx, hy = spec.system->hy, side = std::max(hx, hy);
   force_ = hx * hy / (std::numbers::pi * spec.system->modulus);
   step_ = side / 2;
 
   // About 12 radii and 12 angles are more than enough for 9 coefficients.
-  const std::int64_t mx = static_cast<std::int64_t>(fit_to * side / hx) + 1,
-                     my = static_cast<std::int64_t>(fit_to * side / hy) + 1;
-  const Coefficients h(host, spec, mx, my);
+  rc_common::Coefficients h(host, spec);
+  h.cover(static_cast<std::int64_t>(fit_to * side / hx) + 1, static_cast<std::int64_t>(fit_to * side / hy) + 1);
   std::vector<Point> samples;
   std::vector<double> values;
   for (int i = 0; i < 12; ++i)

@@ -4,22 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <roughcontact/plugin.hpp>
-#include <vector>
 
 #include "scheme.h"
 
 namespace rc_split {
-
-// A table of H at offsets 0 <= ix < mx, 0 <= iy < my.
-class Coefficients {
- public:
-  Coefficients(const rc_host* host, const rc_operator_spec& spec, std::int64_t mx, std::int64_t my);
-  double operator()(std::int64_t ix, std::int64_t iy) const { return table_[static_cast<std::size_t>(iy * mx_ + ix)]; }
-
- private:
-  std::int64_t mx_;
-  std::vector<double> table_;
-};
 
 // Laplace's expansion H = F/r sum_k r^(-2k) sum_(l <= k) c_kl cos(2 l angle), F = hx hy / (pi modulus), with c_kl fitted to a
 // table of H. Towards the source it is continued by the potential of point sources with the same moments, in which the smooth

@@ -1,11 +1,11 @@
 // H as the host gives it. Coefficients that several tables need are asked for once.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <roughcontact/plugin.hpp>
 
+#include "common/coefficients.h"
 #include "far_field.h"
 
 namespace rc_split {
@@ -13,7 +13,7 @@ namespace rc_split {
 class Kernel {
  public:
   // Both must outlive it.
-  Kernel(const rc_host* host, const rc_operator_spec& spec) : host_(host), spec_(spec) {}
+  Kernel(const rc_host* host, const rc_operator_spec& spec) : host_(host), spec_(spec), near_(host, spec) {}
 
   const rc_host* host() const { return host_; }
   const rc_operator_spec& spec() const { return spec_; }
@@ -25,23 +25,16 @@ class Kernel {
     return *far_;
   }
   // H at offsets 0 <= ix < mx, 0 <= iy < my at least. Valid until the next call.
-  const Coefficients& near(std::int64_t mx, std::int64_t my) {
-    if (mx > mx_ || my > my_) {
-      mx = std::max(mx, mx_);
-      my = std::max(my, my_);
-      near_.emplace(host_, spec_, mx, my);
-      mx_ = mx;
-      my_ = my;
-    }
-    return *near_;
+  const rc_common::Coefficients& near(std::int64_t mx, std::int64_t my) {
+    near_.cover(mx, my);
+    return near_;
   }
 
  private:
   const rc_host* host_;
   const rc_operator_spec& spec_;
   std::optional<FarField> far_;
-  std::optional<Coefficients> near_;
-  std::int64_t mx_ = 0, my_ = 0;
+  rc_common::Coefficients near_;
 };
 
 }  // namespace rc_split

@@ -52,7 +52,7 @@ template <class T> ShortRange<T>::ShortRange(Kernel& kernel, const Smoothed& smo
   const double hx = kernel.hx(), hy = kernel.hy(), limit = rc + far.margin();
   range_ = Range::within(limit, hx, hy);
   const std::int64_t nx = cells_within(limit, hx) + 1, ny = cells_within(limit, hy) + 1;
-  const Coefficients& h = kernel.near(nx, ny);
+  const rc_common::Coefficients& h = kernel.near(nx, ny);
   std::vector<double> rest(static_cast<std::size_t>(nx * ny), 0.0);
   roughcontact::for_each(*kernel.spec().team, ny, true, [&](std::int64_t iy, std::int64_t) {
     for (std::int64_t ix = 0; ix < nx; ++ix) {

@@ -1,42 +1,14 @@
 #include "tiles.h"
 
-#include <algorithm>
-#include <limits>
+#include "common/domain.h"
 
 namespace rc_split {
 
-namespace {
-
-// visit(i, column, row) for the points in order.
-template <class Visit> void for_each_point(const rc_domain& domain, std::int64_t nx, const Visit& visit) {
-  std::int64_t row = 0, start = 0;  // of the row that the last point was in: a division for each point would be slow
-  for (std::int64_t i = 0; i < domain.n; ++i) {
-    const std::int64_t point = domain.index ? domain.index[i] : i;
-    if (point - start >= nx) {
-      row = point / nx;
-      start = row * nx;
-    }
-    visit(i, point - start, row);
-  }
-}
-
-}  // namespace
+using rc_common::for_each_point;
 
 Tiles::Tiles(const rc_domain& domain, std::int64_t nx, std::int64_t ny) {
-  std::int64_t left = std::numeric_limits<std::int64_t>::max(), right = 0, top = left, bottom = 0;
-  if (domain.index) {
-    for_each_point(domain, nx, [&](std::int64_t, std::int64_t x, std::int64_t y) {
-      left = std::min(left, x);
-      right = std::max(right, x);
-      top = std::min(top, y);
-      bottom = y;
-    });
-  } else {
-    left = top = 0;
-    right = nx - 1;
-    bottom = ny - 1;
-  }
-  box_ = {left / side, top / side, right / side - left / side + 1, bottom / side - top / side + 1};
+  const auto [left, top, width, height] = rc_common::bounding_box(domain, nx, ny);
+  box_ = {left / side, top / side, (left + width - 1) / side - left / side + 1, (top + height - 1) / side - top / side + 1};
 
   // Entries per tile, then the tiles' numbers, then the entries in the order of tiles.
   const auto place = [this](std::int64_t x, std::int64_t y) {

@@ -78,14 +78,15 @@ Iterations iterations(const rc_backend& tested, std::int32_t boundary, std::int6
   products.bind(domain);
   const rc_common::MemoryLimit limit(&host, spec, rc_cholmod::component, "cholmod.memory_limit");
   rc_cholmod::Session session;
-  rc_cholmod::NearField near(session, limit, spec, products.entries(), products.points(), radius, 0.0);
+  const rc_cholmod::Session::Factor near =
+      rc_cholmod::near_field(session, limit, spec, products.entries(), products.points(), radius, 0.0);
   const auto multiply = [&](const double* x, double* y) { products.apply(x, y); };
   const Vector b(index.size(), 1.0);
   Vector x(index.size());
   const auto n = static_cast<std::int64_t>(index.size());
   const auto plain = rc_cholmod::conjugate_gradients(n, multiply, {}, b.data(), x.data());
   const auto faster = rc_cholmod::conjugate_gradients(
-      n, multiply, [&](double* r) { near.solve(r); }, b.data(), x.data());
+      n, multiply, [&](double* r) { session.solve(*near, r); }, b.data(), x.data());
   assert_true(plain.residual < 1e-13 && faster.residual < 1e-13);
   return {plain.iterations, faster.iterations};
 }
@@ -143,7 +144,7 @@ void a_near_field_takes_memory_that_grows_with_the_points(void**) {
   products.bind(domain);
   const rc_common::MemoryLimit limit(&host, spec, rc_cholmod::component, "cholmod.memory_limit");
   rc_cholmod::Session session;
-  const rc_cholmod::NearField near(session, limit, spec, products.entries(), products.points(), 3.0, 0.0);
+  const auto near = rc_cholmod::near_field(session, limit, spec, products.entries(), products.points(), 3.0, 0.0);
   print_message("40000 points, radius 3: CHOLMOD's peak %zu bytes\n", session.common()->memory_usage);
   assert_true(session.common()->memory_usage < 128u << 20);
 }

@@ -105,6 +105,7 @@ template <class Real> class Columns {
 };
 
 template <class Real> void check(const Shape& shape, double tolerance) {
+  using Builds = rc_fft::ColumnBuilds<Real>;
   Columns<Real> columns(shape);
   const auto verify = [&](const char* passes, const auto& run) {
     const double error = columns.error(columns.product(run));
@@ -114,11 +115,12 @@ template <class Real> void check(const Shape& shape, double tolerance) {
                static_cast<long long>(shape.targets), passes, error);
   };
   verify("chosen", [](const auto& plan, const auto& block) { plan.multiply(block); });
-  verify("16 bytes", rc_fft::multiply_columns<Real, 16>);
+  verify("16 bytes", Builds::template any<rc_fft::Passes<Real, 16>>);
 #ifdef RC_HAS_WIDER_VECTORS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) verify("AVX2", rc_fft::multiply_columns_avx2<Real>);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    verify("AVX2", Builds::template avx2<rc_fft::Passes<Real, 32>>);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    verify("AVX-512", rc_fft::multiply_columns_avx512<Real>);
+    verify("AVX-512", Builds::template avx512<rc_fft::Passes<Real, 64>>);
 #endif
 }
 
@@ -151,6 +153,7 @@ std::complex<double> wave(const std::vector<std::complex<double>>& x, std::size_
 }
 
 template <class Real> void check_halves(std::size_t length, double tolerance) {
+  using Builds = rc_fft::HalfLengthBuilds<Real>;
   using Row = std::vector<std::complex<Real>>;
   const rc_fft::HalfLength<Real> plan(static_cast<std::int64_t>(length));
   const std::size_t half = length / 2;
@@ -174,12 +177,15 @@ template <class Real> void check_halves(std::size_t length, double tolerance) {
   };
   verify(
       "chosen", [](const auto& p, auto* row) { p.to_real(row); }, [](const auto& p, auto* row) { p.from_real(row); });
-  verify("16 bytes", rc_fft::join_halves<Real, 16, false>, rc_fft::join_halves<Real, 16, true>);
+  verify("16 bytes", Builds::template any<rc_fft::HalfLengthPass<Real, 16, false>>,
+         Builds::template any<rc_fft::HalfLengthPass<Real, 16, true>>);
 #ifdef RC_HAS_WIDER_VECTORS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    verify("AVX2", rc_fft::join_halves_avx2<Real, false>, rc_fft::join_halves_avx2<Real, true>);
+    verify("AVX2", Builds::template avx2<rc_fft::HalfLengthPass<Real, 32, false>>,
+           Builds::template avx2<rc_fft::HalfLengthPass<Real, 32, true>>);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    verify("AVX-512", rc_fft::join_halves_avx512<Real, false>, rc_fft::join_halves_avx512<Real, true>);
+    verify("AVX-512", Builds::template avx512<rc_fft::HalfLengthPass<Real, 64, false>>,
+           Builds::template avx512<rc_fft::HalfLengthPass<Real, 64, true>>);
 #endif
 }
 
