@@ -11,39 +11,38 @@ constexpr std::int64_t rows_per_item = 8;
 
 }  // namespace
 
-template <class Real> Layout<Real>::Layout(Lengths l) : lengths(l), half_x(l.x / 2 + 1), half_y(l.y / 2 + 1) {
-  constexpr std::int64_t width = columns_per_block<Real>;
-  row_stride = round_up(half_x, width);
-  // Rows a multiple of 4096 bytes apart would compete for the same cache sets.
-  if (row_stride % (32 * width) == 0) row_stride += width;
-  column = round_up(l.y, 16);
-  scratch = std::max({round_up(l.x, width), width * ColumnProduct<Real>::scratch_rows(l.y), 2 * column});
-}
-
 template <class Real>
 Transform<Real>::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, Planning& planning, Workspace& workspace,
                            const rc_team& team)
-    : layout_(lengths), workspace_(workspace), team_(team), parallel_(worth_sharing(lengths)) {
+    : lengths_(lengths),
+      half_x_(lengths.x / 2 + 1),
+      half_y_(lengths.y / 2 + 1),
+      row_stride_(round_up(half_x_, width)),
+      column_(round_up(lengths.y, 16)),
+      scratch_(std::max({round_up(lengths.x, width), width * ColumnProduct<Real>::scratch_rows(lengths.y), 2 * column_})),
+      workspace_(workspace),
+      team_(team),
+      parallel_(worth_sharing(lengths)) {
+  // Rows a multiple of 4096 bytes apart would compete for the same cache sets.
+  if (row_stride_ % (32 * width) == 0) row_stride_ += width;
   reserve(rows);
-  spectrum_.reserve<Real>(layout_.blocks() * width, layout_.half_y, lengths);
+  spectrum_.reserve<Real>(blocks() * width, half_y_, lengths);
   if (has_small_factors(lengths.y)) own_columns_.emplace(lengths.y);
-  plans_.emplace(host, lengths, planning, line(0), row(0), scratch(0), scratch(0) + layout_.column);
+  plans_.emplace(host, lengths, planning, line(0), row(0), scratch(0), scratch(0) + column_);
 }
 
 template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
-  workspace_.rows.reserve<Complex>(rows, layout_.row_stride, layout_.lengths);
-  workspace_.scratch.reserve<Complex>(team_.threads, layout_.scratch, layout_.lengths);
+  workspace_.rows.reserve<Complex>(rows, row_stride_, lengths_);
+  workspace_.scratch.reserve<Complex>(team_.threads, scratch_, lengths_);
 }
 
-template <class Real> double Transform<Real>::scale() const {
-  return 1.0 / (plans_->gain() * static_cast<double>(layout_.lengths.y));
-}
+template <class Real> double Transform<Real>::scale() const { return 1.0 / (plans_->gain() * static_cast<double>(lengths_.y)); }
 
 template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
   const double factor = scale();
   roughcontact::for_each(team_, source.blocks(), parallel_, [&](std::int64_t wide, std::int64_t thread) {
     constexpr std::int64_t parts = Eigenvalues::width / width;
-    const std::int64_t first = wide * parts, last = std::min(first + parts, layout_.blocks());
+    const std::int64_t first = wide * parts, last = std::min(first + parts, blocks());
     source.along_y(wide, thread, [&](std::int64_t ky, const double* values) {
       for (std::int64_t block = first; block < last; ++block) {
         Real* const to = eigenvalues(block, ky);
@@ -55,8 +54,8 @@ template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
 }
 
 template <class Real> template <class Other> void Transform<Real>::load(const Transform<Other>& source) {
-  for (std::int64_t kx = 0; kx < layout_.half_x; ++kx)
-    for (std::int64_t ky = 0; ky < layout_.half_y; ++ky)
+  for (std::int64_t kx = 0; kx < half_x_; ++kx)
+    for (std::int64_t ky = 0; ky < half_y_; ++ky)
       eigenvalues(kx / width, ky)[kx % width] = static_cast<Real>(source.eigenvalues(kx / source.width, ky)[kx % source.width]);
 }
 
@@ -77,26 +76,26 @@ void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::
   const std::int64_t items = (sources.rows() + rows_per_item - 1) / rows_per_item;
   roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
     Real* const padded = line(thread);
-    std::fill_n(padded, layout_.lengths.x, Real{0});
+    std::fill_n(padded, lengths_.x, Real{0});
     const std::int64_t end = std::min((item + 1) * rows_per_item, sources.rows());
     for (std::int64_t i = item * rows_per_item; i < end; ++i) {
       Complex* const transformed = row(y0 + i);
       if (convert.mean == 0 && sources.row_is_zero(i, x)) {
-        std::fill_n(transformed, layout_.blocks() * width, Complex{});
+        std::fill_n(transformed, blocks() * width, Complex{});
       } else {
         sources.scatter(i, x, padded + x0, convert);
         plans_->line_to_row(padded, transformed);
-        std::fill(transformed + layout_.half_x, transformed + layout_.blocks() * width, Complex{});
+        std::fill(transformed + half_x_, transformed + blocks() * width, Complex{});
       }
     }
   });
 }
 
 template <class Real> void Transform<Real>::columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows) {
-  roughcontact::for_each(team_, layout_.blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
+  roughcontact::for_each(team_, blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
     if (own_columns_)
-      own_columns_->multiply({row(0) + block * width, layout_.row_stride, y0, source_rows, target_rows,
-                              spectrum_.data<Real>() + block * layout_.half_y * width, scratch(thread)});
+      own_columns_->multiply({row(0) + block * width, row_stride_, y0, source_rows, target_rows,
+                              spectrum_.data<Real>() + block * half_y_ * width, scratch(thread)});
     else
       columns_by_fftw(block, scratch(thread), y0, source_rows, target_rows);
   });
@@ -105,16 +104,16 @@ template <class Real> void Transform<Real>::columns(std::int64_t y0, std::int64_
 template <class Real>
 void Transform<Real>::columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows,
                                       std::int64_t target_rows) {
-  const std::int64_t length = layout_.lengths.y;
-  Complex* const waves = column + layout_.column;
+  const std::int64_t length = lengths_.y;
+  Complex* const waves = column + column_;
   for (std::int64_t c = 0; c < width; ++c) {
     Complex* const at = row(0) + block * width + c;
     std::fill_n(column, length, Complex{});
-    for (std::int64_t iy = y0; iy < y0 + source_rows; ++iy) column[iy] = at[iy * layout_.row_stride];
+    for (std::int64_t iy = y0; iy < y0 + source_rows; ++iy) column[iy] = at[iy * row_stride_];
     plans_->column_to_waves(column, waves);
     for (std::int64_t k = 0; k < length; ++k) waves[k] *= eigenvalues(block, std::min(k, length - k))[c];
     plans_->waves_to_column(waves, column);
-    for (std::int64_t iy = 0; iy < target_rows; ++iy) at[iy * layout_.row_stride] = column[iy];
+    for (std::int64_t iy = 0; iy < target_rows; ++iy) at[iy * row_stride_] = column[iy];
   }
 }
 
@@ -132,8 +131,6 @@ void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conve
   });
 }
 
-template struct Layout<double>;
-template struct Layout<float>;
 template class Transform<double>;
 template class Transform<float>;
 template void Transform<float>::load(const Transform<double>&);

@@ -15,19 +15,6 @@
 
 namespace rc_fft {
 
-// Sizes of the arrays of a transform.
-template <class Real> struct Layout {
-  explicit Layout(Lengths lengths);
-
-  Lengths lengths;
-  std::int64_t half_x, half_y;  // wave numbers 0..length/2 that determine the others
-  std::int64_t row_stride;      // half_x complex values, rounded up to whole blocks [complex values]
-  std::int64_t column;          // room for one column, where FFTW transforms it
-  std::int64_t scratch;         // of a thread: a line, or a block of columns [complex values]
-
-  std::int64_t blocks() const { return (half_x + columns_per_block<Real> - 1) / columns_per_block<Real>; }
-};
-
 template <class Real> class Transform {
  public:
   // Makes room for targets in `rows` rows; products with more rows enlarge it.
@@ -51,15 +38,16 @@ template <class Real> class Transform {
   using Complex = std::complex<Real>;
   static constexpr std::int64_t width = columns_per_block<Real>;
 
+  std::int64_t blocks() const { return (half_x_ + width - 1) / width; }
   void reserve(std::int64_t rows);
-  Complex* row(std::int64_t i) const { return workspace_.rows.data<Complex>() + i * layout_.row_stride; }
-  Complex* scratch(std::int64_t thread) const { return workspace_.scratch.data<Complex>() + thread * layout_.scratch; }
+  Complex* row(std::int64_t i) const { return workspace_.rows.data<Complex>() + i * row_stride_; }
+  Complex* scratch(std::int64_t thread) const { return workspace_.scratch.data<Complex>() + thread * scratch_; }
   Real* line(std::int64_t thread) const { return reinterpret_cast<Real*>(scratch(thread)); }
   double scale() const;
   // Eigenvalues of the wave ky along y and the columns of a block.
   Real* eigenvalues(std::int64_t block, std::int64_t ky) const {
     const std::int64_t place = own_columns_ ? own_columns_->rank(ky) : ky;
-    return spectrum_.data<Real>() + (block * layout_.half_y + place) * width;
+    return spectrum_.data<Real>() + (block * half_y_ + place) * width;
   }
 
   template <class Outer>
@@ -68,7 +56,11 @@ template <class Real> class Transform {
   void columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);
   template <class Outer> void rows_backward(const Points& targets, Outer* y, const Conversion& convert);
 
-  Layout<Real> layout_;
+  Lengths lengths_;
+  std::int64_t half_x_, half_y_;  // wave numbers 0..length/2 that determine the others
+  std::int64_t row_stride_;       // half_x complex values, rounded up to whole blocks [complex values]
+  std::int64_t column_;           // room for one column, where FFTW transforms it
+  std::int64_t scratch_;          // of a thread: a line, or a block of columns [complex values]
   Workspace& workspace_;
   const rc_team& team_;
   bool parallel_;

@@ -10,11 +10,11 @@
 // few points that the contact does not need.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <span>
 
+#include "core/text.h"
 #include "grid/downsample.h"
 #include "solvers/solver.h"
 
@@ -31,18 +31,6 @@ constexpr std::int64_t tile = 16;
 constexpr double nearly_closed = 0.01;
 
 using Mask = std::vector<std::uint8_t>;
-
-struct Level {
-  std::int64_t nx, ny;
-  std::vector<double> gap;
-  Mask mask;  // empty: every point
-};
-
-std::string text(const char* format, long long a, long long b, long long c) {
-  char line[120];
-  std::snprintf(line, sizeof line, format, a, b, c);
-  return line;
-}
 
 class Cascade {
  public:
@@ -76,14 +64,12 @@ class Cascade {
 
   void coarsen() {
     const std::int64_t wanted = problem_.option_int("cmr.levels");
-    const auto points = static_cast<std::size_t>(grid_.nx * grid_.ny);
     std::int64_t nx = grid_.nx, ny = grid_.ny;
-    std::span<const double> gap(grid_.gap, points);
-    std::span<const std::uint8_t> mask(grid_.mask, grid_.mask ? points : 0);
+    std::span<const double> gap = problem_.gap();
+    std::span<const std::uint8_t> mask = problem_.mask();
     for (std::int64_t finer = 1; finer < (wanted > 0 ? wanted : most_levels); ++finer) {
       if (std::max(nx, ny) < 2 || (wanted == 0 && std::min(nx, ny) < 2 * coarsest_side)) break;
-      CoarseGrid coarse = downsample(nx, ny, gap, mask, filter_);
-      levels_.push_back({coarse.nx, coarse.ny, std::move(coarse.gap), std::move(coarse.mask)});
+      levels_.push_back(downsample(nx, ny, gap, mask, filter_));
       nx = levels_.back().nx;
       ny = levels_.back().ny;
       gap = levels_.back().gap;
@@ -96,14 +82,15 @@ class Cascade {
     if (levels_.empty()) return Mask(static_cast<std::size_t>(n_), 1);
     Mask allowed;  // on the present grid; empty: every point
     for (std::size_t k = levels_.size(); k-- > 0;) {
-      Level& level = levels_[k];
+      const CoarseGrid& level = levels_[k];
       if (!allowed.empty()) {
         for (std::size_t i = 0; i < allowed.size(); ++i) allowed[i] = allowed[i] && (level.mask.empty() || level.mask[i]);
       } else {
         allowed = level.mask;
       }
       Vector p(level.gap.size());
-      const double lowest = lowest_gap(level.gap, level.mask), depth = grid_.approach - lowest_gap(fine_gap(), fine_mask());
+      const double lowest = lowest_gap(level.gap, level.mask),
+                   depth = grid_.approach - lowest_gap(problem_.gap(), problem_.mask());
       rc_coarse request{};
       request.struct_size = sizeof request;
       request.nx = level.nx;
@@ -128,9 +115,6 @@ class Cascade {
     return keep;
   }
 
-  std::span<const double> fine_gap() const { return {grid_.gap, static_cast<std::size_t>(grid_.nx * grid_.ny)}; }
-  std::span<const std::uint8_t> fine_mask() const { return {grid_.mask, grid_.mask ? fine_gap().size() : 0}; }
-
   static double lowest_gap(std::span<const double> gap, std::span<const std::uint8_t> mask) {
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < gap.size(); ++i)
@@ -139,7 +123,7 @@ class Cascade {
   }
 
   // The unknowns of tiles in which the coarser grid's pressure acts or leaves a gap nearly closed. Empty without such pressure.
-  Mask nearly_closed_tiles(const Level& level, const Vector& coarse) {
+  Mask nearly_closed_tiles(const CoarseGrid& level, const Vector& coarse) {
     const auto size = static_cast<std::size_t>(n_);
     Vector p(size), w(size);
     bool any = false;
@@ -168,7 +152,7 @@ class Cascade {
   // Standard deviation of the gap [length].
   double roughness() const {
     double count = 0, mean = 0, squares = 0;  // of the deviations from the mean so far
-    for (std::size_t i = 0; i < fine_gap().size(); ++i) {
+    for (std::size_t i = 0; i < problem_.gap().size(); ++i) {
       if (grid_.mask && !grid_.mask[i]) continue;
       const double off = grid_.gap[i] - mean;
       mean += off / ++count;
@@ -178,7 +162,7 @@ class Cascade {
   }
 
   // Points of the next finer grid that lie in the area of influence of a coarse contact. Empty if there is no contact.
-  Mask near_contacts(const Level& level, const Vector& p, std::int64_t nx, std::int64_t ny) const {
+  Mask near_contacts(const CoarseGrid& level, const Vector& p, std::int64_t nx, std::int64_t ny) const {
     // Lengths in cells of the finer grid. A subsampled coarse point lies at its fine point, others in the middle of their block.
     const double offset = filter_ == Filter::subsample ? 0 : 0.5, reach = 2 * radius_;
     const auto rows = std::min(static_cast<std::int64_t>(std::ceil(reach + offset)), ny);
@@ -222,7 +206,7 @@ class Cascade {
     Positions kept;
     for (std::int64_t i = 0; i < n_; ++i)
       if (trial[static_cast<std::size_t>(i)]) kept.push_back(i);
-    kept_ = static_cast<long long>(kept.size());
+    kept_ = kept.size();
     const rc_status status = problem_.inner(inner_.c_str(), kept, p_.data(), product);
     if (status < 0) check(status);
     return status;
@@ -232,7 +216,7 @@ class Cascade {
     const double* u = problem_.u();
     Vector product(static_cast<std::size_t>(n_));
     for (std::size_t i = 0; i < trial.size(); ++i) trial[i] = trial[i] || p_[i] > 0;
-    long long added = 0;
+    std::int64_t added = 0;
     for (int round = 1;; ++round) {
       const rc_status status = solve(trial, &product);
       if (status == RC_STOP_CANCELLED || status == RC_STOP_TIME || status == RC_STOP_MAX_ITER) return status;
@@ -249,8 +233,8 @@ class Cascade {
       }
       problem_.poll(round, worst);
       if (complete || status != RC_OK || round == most_rounds) {
-        remark_ = text("trial set %lld of %lld after %lld rounds", kept_, n_, round) +
-                  (added > 0 ? ", " + std::to_string(added) + " points added" : "") + (remark_.empty() ? "" : "; " + remark_);
+        remark_ = join("trial set ", kept_, " of ", n_, " after ", round, " rounds",
+                       added > 0 ? join(", ", added, " points added") : "", remark_.empty() ? "" : "; ", remark_);
         problem_.note("cmr: " + remark_);
         return complete ? status : RC_STOP_UNCERTIFIED;
       }
@@ -265,8 +249,8 @@ class Cascade {
   const bool certified_, by_gap_;
   const double radius_;  // of the area of influence, in cells of the coarse grid
   Filter filter_;
-  std::vector<Level> levels_;  // [0] is half as fine as the problem's grid
-  long long kept_ = 0;
+  std::vector<CoarseGrid> levels_;  // [0] is half as fine as the problem's grid
+  std::size_t kept_ = 0;
   std::string remark_;
 };
 

@@ -14,6 +14,7 @@
 #include "core/conjugate_gradients.h"
 #include "core/stall.h"
 #include "core/sums.h"
+#include "core/text.h"
 #include "solvers/common/residual.h"
 #include "solvers/solver.h"
 
@@ -105,14 +106,10 @@ class Greedy {
   }
 
   void store_matrix() {
-    if (problem_.size() > most_entries_of) {
-      char message[200];
-      std::snprintf(message, sizeof message,
-                    "greedy: greedy.inner = gauss-seidel stores the matrix of all candidates, %lld of at most %lld; use cg or "
-                    "cholesky, or a smaller approach",
-                    static_cast<long long>(n_), static_cast<long long>(most_entries_of));
-      problem_.fail(RC_ERR_INCOMPATIBLE, message);
-    }
+    if (problem_.size() > most_entries_of)
+      problem_.fail(RC_ERR_INCOMPATIBLE, join("greedy: greedy.inner = gauss-seidel stores the matrix of all candidates, ", n_,
+                                              " of at most ", most_entries_of, "; use cg or cholesky, or a smaller approach")
+                                             .c_str());
     Vector unit(n_, 0.0), column(n_);
     for (std::size_t i = 0; i < n_; ++i) {
       unit[i] = 1;

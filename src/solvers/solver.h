@@ -55,6 +55,8 @@ class Problem {
   double lambda_min() const { return problem_.lambda_min; }  // a lower bound of the eigenvalues; 0: none is known
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
+  std::span<const double> gap() const { return {grid()->gap, static_cast<std::size_t>(grid()->nx * grid()->ny)}; }
+  std::span<const std::uint8_t> mask() const { return {grid()->mask, grid()->mask ? gap().size() : 0}; }  // empty: all points
   // Runs another solver, with pressure on the positions `a` only. product: null, or receives H p.
   rc_status inner(const char* solver, const Positions& a, double* p, Vector* product) const {
     return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol(), p,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "contact/proof/bounds.h"
 #include "contact/proof/certificate.h"
@@ -60,13 +61,13 @@ bool only_unknowns_matter(const Workspace& work, const Answer& answer) {
          std::all_of(answer.p.begin(), answer.p.end(), [](double p) { return p >= 0; });
 }
 
-// Writes the result, its message and the caller's arrays.
-void finish(Workspace& work, const rc_step& step, const Answer& answer, const Deflected& found, double depth, double rate,
-            const Monitor& monitor, rc_result& result) {
+// Writes the result, its message and the caller's arrays. rate: the stiffness, where the answer has given its pressures away.
+void finish(Workspace& work, const rc_step& step, const Answer& answer, const Deflected& found, double depth,
+            std::optional<double> rate, const Monitor& monitor, rc_result& result) {
   result.modelled = answer.op ? answer.op->modelled() : 0;
   name_components(work, answer, result);
   const rc_status checked = certify_and_fill(work, step, found, depth, result);
-  result.stiffness = rate;
+  result.stiffness = rate ? *rate : wanted_stiffness(work, answer);
   result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
   count_work(work, monitor, result);
   if (result.status != RC_OK)
@@ -248,7 +249,7 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
     for (double& value : product) value *= system.length_per_pressure;
   }
   const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(work, given) : compression_of(step, work);
-  finish(work, step, answer, given, depth, wanted_stiffness(work, answer), monitor, result);
+  finish(work, step, answer, given, depth, std::nullopt, monitor, result);
   copy_text(result.solver, "none");
   return result.status;
 }

@@ -10,6 +10,22 @@
 
 namespace rc {
 
+// rc_problem, and the state that its callbacks need.
+struct BoundProblem : rc_problem {
+  explicit BoundProblem(SolverRun& solver_run) : rc_problem{}, run(solver_run) {}
+  BoundProblem(const BoundProblem&) = delete;
+  BoundProblem& operator=(const BoundProblem&) = delete;
+  // The next problem may get the same address, and must not pass for the owner.
+  ~BoundProblem() {
+    if (run.owner == this) run.owner = nullptr;
+  }
+
+  SolverRun& run;
+  TrialSet trial;
+  rc_grid where{};
+  std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
+};
+
 namespace {
 
 // Throws where this solver cannot run inside this run.
@@ -20,45 +36,19 @@ void require(const rc_solver& solver, const SolverRun& run, const char* as) {
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
 }
 
-struct Session;
-
-// rc_problem, and the state that its callbacks need.
-struct BoundProblem : rc_problem {
-  Session* session = nullptr;
-  TrialSet trial;
-  rc_grid where{};
-  std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
-
-  BoundProblem() = default;
-  BoundProblem(const BoundProblem&) = delete;
-  BoundProblem& operator=(const BoundProblem&) = delete;
-  ~BoundProblem();
-};
-
-// A step's problem and the problems that its solver opens inside it take turns on one operator. owner: the one it is bound to.
-struct Session {
-  const SolverRun& run;
-  const BoundProblem* owner = nullptr;
-
-  Operator& op_for(const BoundProblem& problem) {
-    if (owner != &problem) {
-      owner = nullptr;
-      run.op.bind(problem.trial);
-      owner = &problem;
-    }
-    return run.op;
-  }
-  void connect(BoundProblem& problem);
-  rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d);
-};
-
-// The next problem may get the same address, and must not pass for the owner.
-BoundProblem::~BoundProblem() {
-  if (session && session->owner == this) session->owner = nullptr;
-}
-
 const BoundProblem& bound(const rc_problem* problem) { return *static_cast<const BoundProblem*>(problem); }
-const SolverRun& run_of(const rc_problem* problem) { return bound(problem).session->run; }
+const SolverRun& run_of(const rc_problem* problem) { return bound(problem).run; }
+
+Operator& op_for(const BoundProblem& problem) {
+  SolverRun& run = problem.run;
+  if (run.owner != &problem) {
+    run.owner = nullptr;
+    run.op.bind(problem.trial);
+    run.owner = &problem;
+  }
+  return run.op;
+}
+Operator& op_of(const rc_problem* problem) { return op_for(bound(problem)); }
 
 // The solver may be C: no exception passes through it.
 template <class Action> rc_status contained(const Action& action) {
@@ -72,8 +62,6 @@ template <class Action> rc_status contained(const Action& action) {
     return RC_ERR_MEMORY;
   }
 }
-
-Operator& op_of(const rc_problem* problem) { return bound(problem).session->op_for(bound(problem)); }
 
 rc_status apply(const rc_problem* problem, const double* x, double* y) {
   return contained([&] { return op_of(problem).apply(x, y); });
@@ -126,18 +114,24 @@ void note(const rc_problem* problem, const char* text) {
   });
 }
 
+void connect(BoundProblem& problem);
+
+rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
+  const rc_options& options = problem.run.work.options;
+  op_for(problem);
+  return solver.solve(&options.context->host(), &problem, &options, p, d);
+}
+
 // Runs another solver, with pressure at some of the unknowns only.
 rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<const std::int64_t> a, double tol, double* p,
                       double* product) {
-  Session& session = *outer.session;
-  const SolverRun& run = session.run;
+  SolverRun& run = outer.run;
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
   const rc_solver& solver = run.work.options.context->solver(
       std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
   require(solver, run, "a solver inside a solver");
 
-  BoundProblem problem{};
-  problem.session = &session;
+  BoundProblem problem(run);
   problem.trial.zero_mode = outer.trial.zero_mode;
   problem.trial.n = static_cast<std::int64_t>(a.size());
   if (problem.trial.n < outer.n || !outer.trial.index.empty())
@@ -155,13 +149,13 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   problem.u = u.data();
   problem.tol = tol;
   problem.where = outer.where;
-  session.connect(problem);
+  connect(problem);
 
   rc_status status = RC_OK;
   if (problem.n > 0) {
     const std::int64_t iteration = run.monitor.begin_call();
     double unused = 0;
-    status = session.solve(solver, problem, start.data(), &unused);
+    status = solve(solver, problem, start.data(), &unused);
     run.monitor.end_call(iteration);
     if (status < 0) return status;
   }
@@ -171,7 +165,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
     std::fill(product, product + outer.n, 0.0);
     if (problem.n > 0) {
       std::vector<double> everywhere(static_cast<std::size_t>(run.op.points()));
-      session.op_for(problem).field(start, everywhere);
+      op_for(problem).field(start, everywhere);
       for (std::int64_t i = 0; i < outer.n; ++i) product[i] = everywhere[static_cast<std::size_t>(outer.trial.point(i))];
     }
   }
@@ -183,10 +177,10 @@ rc_status inner(const rc_problem* problem, const char* solver, std::int64_t na, 
   return contained([&] { return inner_solve(bound(problem), solver, {a, static_cast<std::size_t>(na)}, tol, p, product); });
 }
 
-void Session::connect(BoundProblem& problem) {
+void connect(BoundProblem& problem) {
+  const SolverRun& run = problem.run;
   const std::uint64_t caps = run.op.capabilities();
   problem.struct_size = sizeof(rc_problem);
-  problem.session = this;
   problem.apply = apply;
   problem.subset = run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
   problem.poll = poll;
@@ -209,26 +203,22 @@ void Session::connect(BoundProblem& problem) {
   }
 }
 
-rc_status Session::solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
-  op_for(problem);
-  return solver.solve(&run.work.options.context->host(), &problem, &run.work.options, p, d);
-}
-
 // The warm-up: some iterations of another solver come first. They need not converge.
-rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d) {
-  const std::string& name = session.run.work.options.text(RC_OPT_WARMUP);
-  if (name == "none" || name == session.run.solver.name) return RC_OK;
-  const rc_solver& solver = session.run.work.options.context->solver(name);
+rc_status warm_up(BoundProblem& problem, double* p, double* d) {
+  const SolverRun& run = problem.run;
+  const std::string& name = run.work.options.text(RC_OPT_WARMUP);
+  if (name == "none" || name == run.solver.name) return RC_OK;
+  const rc_solver& solver = run.work.options.context->solver(name);
   if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
-    session.run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
+    run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
     return RC_OK;
   }
-  require(solver, session.run, "warmup");
-  problem.most_iterations = session.run.work.options.integer(RC_OPT_WARMUP_ITERATIONS);
-  const rc_status status = session.solve(solver, problem, p, d);
-  problem.most_iterations = session.run.most_iterations;
+  require(solver, run, "warmup");
+  problem.most_iterations = run.work.options.integer(RC_OPT_WARMUP_ITERATIONS);
+  const rc_status status = solve(solver, problem, p, d);
+  problem.most_iterations = run.most_iterations;
   raise_if_failed(status, solver.name);
-  session.run.monitor.next_call();
+  run.monitor.next_call();
   return status == RC_STOP_CANCELLED || status == RC_STOP_TIME ? status : RC_OK;
 }
 
@@ -260,8 +250,7 @@ void SolverRun::note(const std::string& text) const {
 
 rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                                 std::vector<double>& p, double& d) {
-  Session session{*this};
-  BoundProblem problem{};
+  BoundProblem problem(*this);
   problem.trial = op.trial();
   problem.n = static_cast<std::int64_t>(p.size());
   problem.control = control;
@@ -271,7 +260,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.where = grid;
   problem.where.approach = approach;
   problem.most_iterations = most_iterations;
-  session.connect(problem);
+  connect(problem);
   struct Watch {
     Operator& watched;
     ~Watch() { watched.watch(nullptr); }
@@ -281,11 +270,11 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   clear_message();
   if (!warmed_up_) {
     warmed_up_ = true;
-    if (const rc_status status = warm_up(session, problem, p.data(), &d); status != RC_OK) return status;
+    if (const rc_status status = warm_up(problem, p.data(), &d); status != RC_OK) return status;
   }
-  const rc_status status = session.solve(solver, problem, p.data(), &d);
+  const rc_status status = solve(solver, problem, p.data(), &d);
   raise_if_failed(status, solver.name);
-  session.op_for(problem);
+  op_for(problem);
   return status;
 }
 

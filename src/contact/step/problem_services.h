@@ -15,6 +15,8 @@ namespace rc {
 // Whether this solver reads the gap and no other one warms up, so that the run needs no compenetrations.
 bool takes_gap(const rc_solver& solver, const rc_options& options);
 
+struct BoundProblem;
+
 // Runs one solver for one answer. It makes the problem that the solver sees, and its services.
 class SolverRun {
  public:
@@ -36,6 +38,9 @@ class SolverRun {
   const rc_grid grid;                       // without its index and approach; gap null: there is no grid
   const double length_unit, pressure_unit;  // of u and p; 0 without a grid
   const std::int64_t most_iterations;       // of each run
+
+  // A step's problem and the problems that its solver opens inside it take turns on the operator. owner: the one it is bound to.
+  const BoundProblem* owner = nullptr;
 
   // A remark replaces an earlier one that has the same words before its colon.
   void note(const std::string& text) const;

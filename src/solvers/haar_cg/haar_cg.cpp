@@ -45,8 +45,7 @@ void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressu
 void start_nested(const Problem& problem, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
   if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
-  const auto points = static_cast<std::size_t>(grid.nx * grid.ny);
-  const CoarseGrid coarse = downsample(grid.nx, grid.ny, {grid.gap, points}, {grid.mask, grid.mask ? points : 0}, Filter::mean);
+  const CoarseGrid coarse = downsample(grid.nx, grid.ny, problem.gap(), problem.mask(), Filter::mean);
   Vector pressure(static_cast<std::size_t>(coarse.nx * coarse.ny));
   const double length = problem.length_unit();
 
