@@ -8,7 +8,7 @@ import sys
 
 BUILD = sys.argv[1]
 PROGRAM = os.path.join(BUILD, 'bin', 'roughcontact-bench')
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'bench'))
 
 if 'ROUGHCONTACT_LIBRARY' not in os.environ:  # the test runs in the program's environment
     with open(PROGRAM) as launcher:
