@@ -111,13 +111,24 @@ constexpr rc_option_spec real_option(const char* key, const char* value, double 
   return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
 }
 
-// Two declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met; one in
-// place works on the caller's array.
-#define RC_SOLVER(function, name, summary, needs, controls)         \
+// Seconds of a method that takes `usual` products on a half-space, where little depends on the grid. Near round-off it goes on
+// until it stalls, and of the caller's own matrix or product nothing is known but that each unknown may take one.
+inline double seconds_of(const rc_facts& facts, double usual) {
+  constexpr double near_round_off = 1e-12, until_it_stalls = 1e4;
+  const bool grid = facts.system->op == RC_OPERATOR_HALFSPACE;
+  const double products = !grid ? static_cast<double>(facts.n) : facts.tol < near_round_off ? until_it_stalls : usual;
+  return facts.backend->seconds + products * facts.backend->product + facts.backend->field;
+}
+
+// Three declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met; one
+// in place works on the caller's array. The score is that of rc_solver.
+#define RC_SOLVER(function, name, summary, needs, controls, score)  \
   rc_status function(const Problem& problem, Vector& p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);    \
   extern const Options function##_options;
-#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls)          \
+#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls, score)   \
   rc_status function(const Problem& problem, std::span<double> p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);              \
   extern const Options function##_options;
 #include "solvers/solvers.def"
 #undef RC_SOLVER
