@@ -5,6 +5,7 @@ module roughcontact_contacts
   use roughcontact_errors
   use roughcontact_functions
   use roughcontact_options, only: rcf_or_null
+  use roughcontact_strings, only: rc_from_c
   implicit none
   private
   public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &

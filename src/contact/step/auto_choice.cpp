@@ -72,21 +72,20 @@ template <class Vtable> std::vector<const Vtable*> tables(const std::vector<cons
   return result;
 }
 
-class Comparison {
- public:
-  // explain: obstacles come with their text, and what cannot be chosen is listed as well.
-  Comparison(const rc_options& options, const System& system, const StepFacts& facts, const std::vector<std::string>& failed,
-             bool any_solver, bool any_backend, bool explain)
-      : options_(options),
-        system_(system),
-        facts_(facts),
-        failed_(failed),
-        any_solver_(any_solver),
-        any_backend_(any_backend),
-        explain_(explain),
-        fallbacks_(options.integer(RC_OPT_ALLOW_FALLBACK) != 0),
-        deterministic_(options.integer(RC_OPT_DETERMINISTIC) != 0) {}
+bool can(const std::vector<Candidate>& list) { return !list.empty() && list.front().obstacle.empty(); }
 
+struct Question {
+  const rc_options& options;
+  const System& system;
+  const StepFacts& facts;
+  const std::vector<std::string>& failed;
+  const bool explain;  // obstacles come with their text, and what cannot be chosen is listed as well
+  const rc_solver* const solver =
+      options.text(RC_OPT_SOLVER) == "auto" ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
+  const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";
+  const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0, deterministic = options.integer(RC_OPT_DETERMINISTIC) != 0;
+
+  // Every pair of these, the best first.
   std::vector<Candidate> pairs(const Backends& backends, const Solvers& solvers) const {
     std::vector<Candidate> list;
     for (const rc_backend* backend : backends) add(*backend, solvers, list);
@@ -94,136 +93,119 @@ class Comparison {
     return list;
   }
 
-  // Plugins are opened only where what is built in takes longer than that or cannot do it, and all of them only where nothing
-  // else can.
-  std::vector<Candidate> pairs(const Backends& named, const rc_solver* solver) const {
-    Context& context = *options_.context;
+  // With this backend or, for null, with any. Plugins are opened only where what is built in takes longer than that or cannot do
+  // it, and all of them only where nothing else can.
+  std::vector<Candidate> pairs(const rc_backend* backend) const {
+    Context& context = *options.context;
+    const auto solvers = [&](std::int64_t points) { return solver ? Solvers{solver} : tables(context.solvers_for_auto(points)); };
     std::vector<Candidate> list;
-    for (const std::int64_t points : {std::int64_t{0}, system_.points()}) {
-      list = pairs(any_backend_ ? tables(context.backends_for_auto(points)) : named,
-                   any_solver_ ? tables(context.solvers_for_auto(points)) : Solvers{solver});
-      if (can(list) && (!any_backend_ || list.front().seconds <= worth_opening)) return list;
+    for (const std::int64_t points : {std::int64_t{0}, system.points()}) {
+      list = pairs(backend ? Backends{backend} : tables(context.backends_for_auto(points)), solvers(points));
+      if (can(list) && (backend || list.front().seconds <= worth_opening)) return list;
     }
-    if (can(list) || !any_backend_) return list;
-    return pairs(tables(context.backends()), any_solver_ ? tables(context.solvers_for_auto(system_.points())) : Solvers{solver});
+    return can(list) || backend ? list : pairs(tables(context.backends()), solvers(system.points()));
   }
 
-  static bool can(const std::vector<Candidate>& list) { return !list.empty() && list.front().obstacle.empty(); }
+  // All that are in question, the best first. missing: why a named backend is not there.
+  std::vector<Candidate> ranked(std::optional<Error>* missing = nullptr) const {
+    if (any_backend) return pairs(nullptr);
+    std::vector<Candidate> all;
+    for (const std::string& name : split(options.text(RC_OPT_BACKEND), ',')) {
+      try {
+        std::vector<Candidate> list = pairs(&options.context->backend(name));
+        if (can(list)) return list;
+        all.insert(all.end(), list.begin(), list.end());
+      } catch (const Error& error) {
+        if (missing && !*missing) *missing = error;
+      }
+    }
+    return all;
+  }
 
  private:
   template <class... Parts>
-  void leave(std::vector<Candidate>& list, const rc_solver* solver, const rc_backend& backend, const Parts&... why) const {
-    if (explain_) list.push_back({.solver = solver, .backend = &backend, .obstacle = join(why...)});
+  void leave(std::vector<Candidate>& list, const rc_solver* by, const rc_backend& backend, const Parts&... why) const {
+    if (explain) list.push_back({.solver = by, .backend = &backend, .obstacle = join(why...)});
   }
 
   // Whether the component says what it costs; one that refuses has set the message.
-  template <class Vtable> static bool says(const Vtable& component, const rc_facts& facts, rc_estimate& estimate, bool& refuses) {
-    refuses = false;
-    if (!component.score) return false;
+  template <class Vtable> static bool says(const Vtable& component, const rc_facts& given, rc_estimate& estimate, bool& refuses) {
     estimate.struct_size = sizeof estimate;
-    const rc_status status = component.score(&facts, &estimate);
-    refuses = status != RC_OK;
-    return !refuses;
+    refuses = component.score && component.score(&given, &estimate) != RC_OK;
+    return component.score && !refuses;
   }
 
   // What a backend costs that does not say so: products entry by entry.
   rc_estimate entry_by_entry() const {
-    constexpr double entry = 1e-9;
-    const auto n = static_cast<double>(facts_.candidates), points = static_cast<double>(system_.points());
-    return {.struct_size = sizeof(rc_estimate),
-            .product = entry * n * n,
-            .field = entry * n * points,
-            .factor = entry * n * n * n / 81};
+    constexpr double entry = 1e-9;  // [s]
+    const auto n = static_cast<double>(facts.candidates), points = static_cast<double>(system.points());
+    return {.product = entry * n * n, .field = entry * n * points, .factor = entry * n * n * n / 81};
   }
 
   void add(const rc_backend& backend, const Solvers& solvers, std::vector<Candidate>& list) const {
-    if (!fits(backend, system_))
-      return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot do ", kind_of(system_));
-    if (facts_.few && (backend.caps & RC_CAP_SCREEN) == 0) return leave(list, nullptr, backend, "does not screen other points");
-    if (contains(failed_, backend.name)) return leave(list, nullptr, backend, "has failed");
-    rc_facts facts{.struct_size = sizeof facts,
-                   .host = &options_.context->host(),
-                   .options = &options_,
-                   .system = &system_.unit,
-                   .n = facts_.candidates,
-                   .box = facts_.box,
-                   .tol = facts_.tol,
-                   .partial = facts_.partial};
+    if (!fits(backend, system))
+      return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot do ", kind_of(system));
+    if (facts.few && (backend.caps & RC_CAP_SCREEN) == 0) return leave(list, nullptr, backend, "does not screen other points");
+    if (contains(failed, backend.name)) return leave(list, nullptr, backend, "has failed");
     rc_estimate cost{};
+    rc_facts given{.struct_size = sizeof given,
+                   .host = &options.context->host(),
+                   .options = &options,
+                   .system = &system.unit,
+                   .n = facts.candidates,
+                   .box = facts.box,
+                   .tol = facts.tol,
+                   .partial = facts.partial};
     bool refuses = false;
-    const bool scored = says(backend, facts, cost, refuses);
-    if (refuses && any_backend_) return leave(list, nullptr, backend, last_message());
+    const bool scored = says(backend, given, cost, refuses);
+    if (refuses && any_backend) return leave(list, nullptr, backend, last_message());
     if (!scored) cost = entry_by_entry();
-    facts.backend = &cost;
-    facts.caps = backend.caps;
-    for (const rc_solver* solver : solvers) add(*solver, backend, facts, scored, list);
+    given.backend = &cost;
+    given.caps = backend.caps;
+    for (const rc_solver* each : solvers) add(*each, backend, given, scored, list);
   }
 
-  void add(const rc_solver& solver, const rc_backend& backend, const rc_facts& facts, bool scored,
+  void add(const rc_solver& by, const rc_backend& backend, const rc_facts& given, bool scored,
            std::vector<Candidate>& list) const {
-    if (contains(failed_, solver.name)) return leave(list, &solver, backend, "has failed");
-    if (const std::string why = obstacle(solver, backend, system_, facts_.control, fallbacks_); !why.empty())
-      return leave(list, &solver, backend, why);
+    if (contains(failed, by.name)) return leave(list, &by, backend, "has failed");
+    if (const std::string why = obstacle(by, backend, system, facts.control, fallbacks); !why.empty())
+      return leave(list, &by, backend, why);
     rc_estimate whole{};
     bool refuses = false;
-    const bool known = says(solver, facts, whole, refuses);
-    if (refuses && any_solver_) return leave(list, &solver, backend, last_message());
-    if (!known) whole.seconds = facts.backend->seconds + usual_products * facts.backend->product + facts.backend->field;
-    whole.bytes += facts.backend->bytes;
-    if (any_backend_ && whole.bytes > machine_bytes())
-      return leave(list, &solver, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ",
-                   machine_bytes());
-    if (!(whole.seconds >= 0)) return leave(list, &solver, backend, "its estimate on ", backend.name, " is not a time");
-    const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic_;
-    list.push_back({&solver, &backend, whole.seconds, whole.bytes, scored && known, repeats, {}});
+    const bool known = says(by, given, whole, refuses);
+    if (refuses && !solver) return leave(list, &by, backend, last_message());
+    if (!known) whole.seconds = given.backend->seconds + usual_products * given.backend->product + given.backend->field;
+    whole.bytes += given.backend->bytes;
+    if (any_backend && whole.bytes > machine_bytes())
+      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ", machine_bytes());
+    if (!(whole.seconds >= 0)) return leave(list, &by, backend, "its estimate on ", backend.name, " is not a time");
+    const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic;
+    list.push_back({&by, &backend, whole.seconds, whole.bytes, scored && known, repeats, {}});
   }
-
-  const rc_options& options_;
-  const System& system_;
-  const StepFacts& facts_;
-  const std::vector<std::string>& failed_;
-  const bool any_solver_, any_backend_, explain_, fallbacks_, deterministic_;
 };
 
-// All pairs in question, the best first. missing: what keeps a named backend from being looked at.
-std::vector<Candidate> ranked(const rc_options& options, const System& system, const StepFacts& facts,
-                              const std::vector<std::string>& failed, bool explain, std::optional<Error>* missing = nullptr) {
-  const std::string &solver = options.text(RC_OPT_SOLVER), &backend = options.text(RC_OPT_BACKEND);
-  const bool any_solver = solver == "auto", any_backend = backend == "auto";
-  const rc_solver* const named = any_solver ? nullptr : &options.context->solver(solver);
-  const Comparison comparison(options, system, facts, failed, any_solver, any_backend, explain);
-  if (any_backend) return comparison.pairs({}, named);
-  // The first of the named backends that can be used.
-  std::vector<Candidate> all;
-  for (const std::string& name : split(backend, ',')) {
-    try {
-      std::vector<Candidate> list = comparison.pairs({&options.context->backend(name)}, named);
-      if (Comparison::can(list)) return list;
-      all.insert(all.end(), list.begin(), list.end());
-    } catch (const Error& error) {
-      if (missing && !*missing) *missing = error;
-    }
-  }
+// What components say in between is no failure.
+std::vector<Candidate> answered(const Question& question, std::optional<Error>* missing = nullptr) {
+  std::vector<Candidate> all = question.ranked(missing);
+  clear_message();
   return all;
 }
 
 // Throws what is in the way of every pair.
-[[noreturn]] void refuse(const rc_options& options, const System& system, const StepFacts& facts,
-                         const std::vector<std::string>& failed) {
-  const std::string &solver = options.text(RC_OPT_SOLVER), &backend = options.text(RC_OPT_BACKEND);
+[[noreturn]] void refuse(const Question& question) {
   std::optional<Error> missing;
-  const std::vector<Candidate> all = ranked(options, system, facts, failed, true, &missing);
-  if (backend != "auto") {
+  const std::vector<Candidate> all = answered(question, &missing);
+  if (!question.any_backend) {
     if (missing && all.empty()) throw *missing;
     std::vector<std::string> reasons;
     for (const Candidate& each : all)
-      if (std::find(reasons.begin(), reasons.end(), each.obstacle) == reasons.end()) reasons.push_back(each.obstacle);
+      if (!contains(reasons, each.obstacle.c_str())) reasons.push_back(each.obstacle);
     if (missing) reasons.push_back(missing->what());
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
   }
   const bool usable = std::any_of(all.begin(), all.end(), [](const Candidate& each) { return each.solver != nullptr; });
-  if (usable && solver == "auto") fail(RC_ERR_NO_SOLVER, "every solver that suits ", kind_of(system), " has failed");
-  fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver != "auto" ? " with this solver" : "",
+  if (usable && !question.solver) fail(RC_ERR_NO_SOLVER, "every solver that suits ", kind_of(question.system), " has failed");
+  fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(question.system), question.solver ? " with this solver" : "",
        "; is a plugin missing?");
 }
 
@@ -274,39 +256,38 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
 }
 
 Choice choose(const rc_options& options, const System& system, const StepFacts& facts, const std::vector<std::string>& failed) {
-  const std::vector<Candidate> all = ranked(options, system, facts, failed, false);
-  clear_message();
-  if (!Comparison::can(all)) refuse(options, system, facts, failed);
+  const std::vector<Candidate> all = answered({options, system, facts, failed, false});
+  if (!can(all)) refuse({options, system, facts, failed, true});
   return {all.front().solver, all.front().backend, facts};
 }
 
 const rc_solver& solver_inside(const rc_options& options, const System& system, const StepFacts& facts,
                                const rc_backend& backend) {
   const std::vector<std::string> none;
-  const Comparison comparison(options, system, facts, none, true, false, false);
-  const std::vector<Candidate> all = comparison.pairs({&backend}, tables(options.context->solvers_for_auto(0)));
+  const Question question{options, system, facts, none, false, nullptr, false};
+  const std::vector<Candidate> all = question.pairs({&backend}, tables(options.context->solvers_for_auto(0)));
   clear_message();
-  if (!Comparison::can(all)) fail(RC_ERR_NO_SOLVER, "no solver suits backend \"", backend.name, "\"");
+  if (!can(all)) fail(RC_ERR_NO_SOLVER, "no solver suits backend \"", backend.name, "\"");
   return *all.front().solver;
 }
 
 std::string explained(const rc_options& options, const System& system, const Choice& choice,
                       const std::vector<std::string>& failed) {
   const StepFacts& facts = choice.facts;
-  std::vector<Candidate> all = ranked(options, system, facts, failed, true);
-  clear_message();
+  const Question question{options, system, facts, failed, true};
+  std::vector<Candidate> all = answered(question);
+  std::string text = join(facts.candidates, " of ", system.points(), " points may carry pressure, in a box of ", facts.box,
+                          ", tol = ", facts.tol, "\n");
   const auto taken = std::find_if(all.begin(), all.end(), [&](const Candidate& each) {
     return each.solver == choice.solver && each.backend == choice.backend;
   });
-  std::string text = join(facts.candidates, " of ", system.points(), " points may carry pressure, in a box of ", facts.box,
-                          ", tol = ", facts.tol, "\n");
   if (taken == all.end()) return text;
   std::rotate(all.begin(), taken, taken + 1);
   for (const Candidate& each : all) {
     const std::string line = line_of(each, all.front()) + "\n";
     if (text.find("\n" + line) == std::string::npos) text += line;
   }
-  if (options.text(RC_OPT_BACKEND) == "auto" && all.front().seconds <= worth_opening)
+  if (question.any_backend && all.front().seconds <= worth_opening)
     text += "plugins: left alone, since to open them takes longer\n";
   return text;
 }
@@ -333,9 +314,9 @@ std::optional<Choice> choose_for_few(const rc_options& options, const System& sy
                         .box = system.points(),
                         .tol = options.real(RC_OPT_TOL),
                         .few = true};
-  const std::vector<Candidate> all = ranked(options, system, facts, {}, false);
-  clear_message();
-  if (!Comparison::can(all)) return std::nullopt;
+  const std::vector<std::string> none;
+  const std::vector<Candidate> all = answered({options, system, facts, none, false});
+  if (!can(all)) return std::nullopt;
   return Choice{all.front().solver, all.front().backend, facts};
 }
 
