@@ -19,7 +19,7 @@ void estimate_matrix(const rc_facts& facts, rc_estimate& estimate, const roughco
     MemoryLimit(facts.host, spec, component, key).require("the matrix", facts.n, estimate.bytes);
   }
   // An entry takes half an operation from the first cache and four from memory.
-  const double entry = std::clamp(n / 540, 0.5, 4.0);
+  const double entry = std::clamp(n / 500, 0.5, 4.0);
   estimate.seconds = operation * 4 * n * n;
   estimate.product = operation * entry * n * n;
   estimate.field = operation * 0.5 * n * points;

@@ -210,10 +210,8 @@ rc_status nnls(const Problem& problem, Vector& p, double&) {
 // About six contact sets, of about a third of the points.
 rc_status nnls_score(const rc_facts* facts, rc_estimate* estimate) {
   if (facts->partial) return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "its answer comes with the last contact set");
-  const rc_estimate& backend = *facts->backend;
-  const double products = facts->system->op == RC_OPERATOR_HALFSPACE ? 40 : static_cast<double>(facts->n);
-  const double solve = (facts->caps & RC_CAP_SUBSET) != 0 ? backend.factor : products * backend.product;
-  estimate->seconds = backend.seconds + 6 * solve + backend.field;
+  const double one = (facts->caps & RC_CAP_SUBSET) != 0 ? facts->backend->factor : iterating(*facts, 7);
+  estimate->seconds = with_the_rest(*facts, 6 * one);
   estimate->bytes = 5 * sizeof(double) * static_cast<double>(facts->n);
   return RC_OK;
 }

@@ -111,13 +111,18 @@ constexpr rc_option_spec real_option(const char* key, const char* value, double 
   return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
 }
 
-// Seconds of a method that takes `usual` products on a half-space, where little depends on the grid. Near round-off it goes on
-// until it stalls, and of the caller's own matrix or product nothing is known but that each unknown may take one.
-inline double seconds_of(const rc_facts& facts, double usual) {
-  constexpr double near_round_off = 1e-12, until_it_stalls = 1e4;
+// Seconds for the products of iterations that take `usual` of them on a half-space, where little depends on the grid. Near
+// round-off they go on until they stall, and of the caller's own matrix or product nothing is known but that each unknown may
+// take one.
+inline double iterating(const rc_facts& facts, double usual) {
+  constexpr double near_round_off = 1e-12, until_they_stall = 250;
   const bool grid = facts.system->op == RC_OPERATOR_HALFSPACE;
-  const double products = !grid ? static_cast<double>(facts.n) : facts.tol < near_round_off ? until_it_stalls : usual;
-  return facts.backend->seconds + products * facts.backend->product + facts.backend->field;
+  return facts.backend->product * (!grid                        ? static_cast<double>(facts.n)
+                                   : facts.tol < near_round_off ? until_they_stall * usual
+                                                                : usual);
+}
+inline double with_the_rest(const rc_facts& facts, double solving) {
+  return facts.backend->seconds + solving + facts.backend->field;
 }
 
 // Three declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met; one
