@@ -87,10 +87,10 @@ static rc_status solve(const rc_host* host, const rc_problem* problem, const rc_
   return status;
 }
 
-/* What `auto` compares. Few products to a rough answer, where others prepare for a good one: about 8 for each digit. */
+/* What `auto` compares: about 30 products for each digit, so that it is for rough answers. */
 static rc_status score(const rc_facts* facts, rc_estimate* estimate) {
-  const double products = 8 * -log10(facts->tol) * fmax(1, -log10(facts->tol) / 4);
-  if (facts->tol < 1e-6) return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "spg: for tol of 1e-6 and above");
+  const double products = 30 * -log10(facts->tol);
+  if (facts->tol < 1e-6) return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "for tol of 1e-6 and above");
   estimate->seconds = facts->backend->seconds + products * facts->backend->product + facts->backend->field;
   estimate->bytes = 3 * 8.0 * (double)facts->n;
   return RC_OK;

@@ -67,7 +67,7 @@ for tool in make cmake; do
     echo "$tool: ${words[0]}: load $load"
   done
   # To a rough answer it is the one that takes least time.
-  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --displacement 0.8 --tol 1e-3 --explain 2>"$scratch/why" | tail -1)
+  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --displacement 12 --tol 0.1 --explain 2>"$scratch/why" | tail -1)
   [[ $row == *" spg/"*RC_OK* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
   grep -q "spg on .* taken" "$scratch/why" && grep -q "haar-cg on .* slower" "$scratch/why" || fail "no reasons: $(cat "$scratch/why")"
   mv "$prefix" "$scratch/moved-$tool"
