@@ -80,8 +80,9 @@ struct Question {
   const StepFacts& facts;
   const std::vector<std::string>& failed;
   const bool explain;  // obstacles come with their text, and what cannot be chosen is listed as well
+  // A look is for steps that come near soon, whatever solves the problem.
   const rc_solver* const solver =
-      options.text(RC_OPT_SOLVER) == "auto" ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
+      options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
   const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";
   const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0, deterministic = options.integer(RC_OPT_DETERMINISTIC) != 0;
 
