@@ -173,8 +173,14 @@ void what_does_not_say_its_cost_comes_last(void**) {
   assert_string_equal(pressed.pair().c_str(), Pressed(Registry("", RC_CONTEXT_NO_PLUGINS)).pair().c_str());
   for (const char* line : {"a-mute on ", " on a-silent: "}) assert_has(pressed.explanation(), line);
   assert_has(pressed.explanation(), "does not say what it costs\n");
+  // However fast its products are.
+  rc_backend other;
+  add_backend(registry, other, "b-instant", at_once);
+  assert_string_equal(Pressed(registry).pair().c_str(), "haar-cg on b-instant");
   // It serves where nothing else does.
-  const Pressed without(registry, {{"dense.memory_limit", "1"}});
+  const Registry alone("", RC_CONTEXT_NO_PLUGINS);
+  add_backend(alone, other, "a-silent", nullptr);
+  const Pressed without(alone, {{"dense.memory_limit", "1"}});
   assert_has(without.pair(), " on a-silent");
   assert_has(without.explanation(), "the limit dense.memory_limit is 1 MiB");
 }

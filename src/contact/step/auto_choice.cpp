@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string_view>
 #include <tuple>
 
 #include "core/error.h"
@@ -58,9 +57,7 @@ struct Candidate {
   bool operator<(const Candidate& other) const { return rank() < other.rank(); }
 
  private:
-  std::tuple<bool, bool, bool, double, std::string_view, std::string_view> rank() const {
-    return {!obstacle.empty(), !scored, !repeats, seconds, solver ? solver->name : "", backend->name};
-  }
+  std::tuple<bool, bool, bool, double> rank() const { return {!obstacle.empty(), !scored, !repeats, seconds}; }
 };
 
 using Backends = std::vector<const rc_backend*>;
@@ -90,7 +87,7 @@ struct Question {
   std::vector<Candidate> pairs(const Backends& backends, const Solvers& solvers) const {
     std::vector<Candidate> list;
     for (const rc_backend* backend : backends) add(*backend, solvers, list);
-    std::sort(list.begin(), list.end());
+    std::stable_sort(list.begin(), list.end());  // components come by name
     return list;
   }
 
