@@ -77,6 +77,7 @@ void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
   option("--out", arguments.out, "DIR", "Folder for summary.json, pressure-K.npy, gap-K.npy and contact-K.png", "Output");
   solve->add_flag("--resume", arguments.resume, "Go on after the steps that an earlier run into --out has finished")
       ->group("Output");
+  solve->add_flag("--explain", arguments.explain, "Say why auto chose its solver and backend")->group("Output");
   solve->add_flag("--quiet", arguments.quiet, "No table and no progress")->group("Output");
 }
 

@@ -20,6 +20,7 @@ struct SolveArguments {
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out;
   bool resume = false;
+  bool explain = false;
   bool quiet = false;
 };
 

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <optional>
+#include <sstream>
+#include <string>
 
 #include "error.h"
 #include "interrupt.h"
@@ -81,6 +83,13 @@ void restore(rc_contact* contact, const Problem& problem, const std::vector<doub
   report(format("--resume: %d of %zu steps are finished", files.finished(), problem.targets.size()));
 }
 
+void report_choice(rc_contact* contact) {
+  const char* text = nullptr;
+  check(rc_contact_explain(contact, &text), "--explain");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) report(line);
+}
+
 void report_step(const StepRecord& step, std::size_t steps) {
   const rc_result& r = step.result;
   std::string line = format("step %d/%zu: %s after %lld iterations, %.2f s", step.number, steps, rc_status_name(r.status),
@@ -125,6 +134,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     if (!arguments.quiet && first) print_table_head(problem);
     if (!arguments.quiet) print_table_row(step);
     if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
+    if (arguments.explain) report_choice(contact.get());
     if (files) files->write(step, fields);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }

@@ -5,11 +5,12 @@ module roughcontact_contacts
   use roughcontact_errors
   use roughcontact_functions
   use roughcontact_options, only: rcf_or_null
+  use roughcontact_strings, only: rc_from_c
   implicit none
   private
   public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &
     rcf_contact_set_options, rcf_contact_on_progress, rcf_contact_solve, rcf_contact_certify, rcf_contact_level, &
-    rcf_contact_points, rcf_contact_restore, rcf_solve
+    rcf_contact_points, rcf_contact_explain, rcf_contact_restore, rcf_solve
 
   ! Not to be copied: one variable, destroyed once.
   type :: rcf_contact
@@ -151,6 +152,20 @@ contains
     allocate (index(room), p(room))
     if (status >= 0 .and. room > 0) status = rc_contact_points(contact%handle, room, index, p, n)
     index = index + 1
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Why auto chose what it did in the last step on the given grid, in lines.
+  subroutine rcf_contact_explain(contact, text, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    character(:), allocatable, intent(out) :: text
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: explanation
+    integer(rc_status) :: status
+    explanation = c_null_ptr
+    status = rc_contact_explain(contact%handle, explanation)
+    text = rc_from_c(explanation)
     call rcf_check(status, stat, errmsg)
   end subroutine
 

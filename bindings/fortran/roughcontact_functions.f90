@@ -140,6 +140,10 @@ module roughcontact_functions
       real(c_double), intent(inout), optional :: p(*)
       integer(c_int64_t), intent(inout) :: n
     end function
+    integer(rc_status) function rc_contact_explain(contact, out) bind(c); import
+      type(c_ptr), value :: contact
+      type(c_ptr), intent(inout) :: out
+    end function
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact
     end function

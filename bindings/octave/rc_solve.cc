@@ -57,7 +57,7 @@ std::int32_t interrupted(const rc_progress*, void* user) {
   }
 }
 
-octave_scalar_map info_of(const rc_result& result, const char* message) {
+octave_scalar_map info_of(const rc_result& result, const rc_request& request) {
   octave_scalar_map info;
 #define NUMBER(name) info.setfield(#name, octave_value(static_cast<double>(result.name)));
 #define TEXT(name) info.setfield(#name, octave_value(std::string(result.name)));
@@ -66,7 +66,8 @@ octave_scalar_map info_of(const rc_result& result, const char* message) {
 #undef TEXT
   info.setfield("status_name", octave_value(std::string(rc_status_name(result.status))));
   info.setfield("status_text", octave_value(std::string(rc_status_text(result.status))));
-  info.setfield("message", octave_value(std::string(message)));
+  info.setfield("message", octave_value(std::string(request.message)));
+  info.setfield("explanation", octave_value(std::string(request.explanation ? request.explanation : "")));
   return info;
 }
 
@@ -115,7 +116,7 @@ DEFUN_DLD(rc_solve, args, nargout,
   octave_value_list out;
   out(0) = p;
   if (nargout > 1) {
-    octave_scalar_map info = info_of(result, request.message);
+    octave_scalar_map info = info_of(result, request);
     info.setfield("gap", gap);
     out(1) = info;
   }

@@ -31,6 +31,7 @@ rc_status rc_request_open(rc_request* request, int64_t nx, int64_t ny) {
 
 void rc_request_close(rc_request* request) {
   rc_options_destroy(request->options);
+  free(request->explanation);
   free(request->mask);
   free(request->gap);
   memset(request, 0, sizeof *request);
@@ -128,6 +129,9 @@ rc_status rc_request_solve(rc_request* request, const double* heights, const dou
   if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, user, 1);
   if (status == RC_OK) status = rc_contact_solve(contact, &request->step, result);
   keep_message(request, status);
+  const char* why = NULL;
+  if (status >= 0 && rc_contact_explain(contact, &why) == RC_OK && (request->explanation = malloc(strlen(why) + 1)))
+    strcpy(request->explanation, why);
   rc_contact_destroy(contact);
   return status;
 }

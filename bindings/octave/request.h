@@ -14,8 +14,9 @@ typedef struct rc_request {
   rc_step step;
   rc_options* options;
   int32_t hx_given, hy_given, target_given;
-  uint8_t* mask; /* NULL: all points */
-  double* gap;   /* below the highest point */
+  uint8_t* mask;     /* NULL: all points */
+  double* gap;       /* below the highest point */
+  char* explanation; /* of rc_contact_explain, after a solve */
   char message[1024];
 } rc_request;
 

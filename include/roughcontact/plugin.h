@@ -13,7 +13,7 @@
 #include "roughcontact.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 4u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 5u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -105,6 +105,31 @@ typedef struct rc_screen {
   const double *tile_lowest;
 } rc_screen;
 
+/** What a component is asked to do, so far as it is known before an operator is made. */
+typedef struct rc_estimate rc_estimate;
+typedef struct rc_facts {
+  size_t struct_size;
+  const rc_host *host;        /* reads options; its fail() says why a component cannot                         */
+  const rc_options *options;
+  const rc_system *system;    /* as in rc_operator_spec                                                        */
+  int64_t n;                  /* points that may carry pressure                                                */
+  int64_t box;                /* points of their bounding box                                                  */
+  double tol;                 /* residual to reach                                                             */
+  const rc_estimate *backend; /* solvers: the backend's estimate; backends: NULL                               */
+  uint64_t caps;              /* solvers: what the backend can do, RC_CAP_*; backends: 0                       */
+  int32_t partial;            /* 1: the solver is stopped after some steps, for the pressures that it has by then */
+  int32_t reserved;
+} rc_facts;
+
+/** What it would cost, on one thread. Zero where nothing is written. */
+struct rc_estimate {
+  size_t struct_size;
+  double seconds; /* backend: to make the operator; solver: for the step, the operator's making and work included */
+  double bytes;   /* backend: of the operator; solver: of its own                                               */
+  double product, field; /* backend: seconds of apply() and field()                                            */
+  double factor;  /* backend with subset(): seconds to factor a third of the unknowns                          */
+};
+
 /** A backend: products with H. All vectors are over the domain's points unless said otherwise. One operator is
  *  used by one thread at a time; several operators may be used at the same time. */
 typedef struct rc_backend {
@@ -142,6 +167,9 @@ typedef struct rc_backend {
   /** NULL where it could keep nothing: a new history of loading begins. Products after the next bind() are those of a new
    *  operator, bit for bit; what is the same for every operator of this system may be kept. */
   rc_status (*forget)(void *self);
+  /** What "auto" compares; from counts, never from clocks. NULL: after all that have one. A status other than RC_OK, with
+   *  facts->host->fail and the reason: not for this step, unless it is named. Since plugin ABI minor 5. */
+  rc_status (*score)(const rc_facts *, rc_estimate *);
 } rc_backend;
 
 /** Where the unknowns of a half-space problem lie, in the caller's units. */
@@ -239,6 +267,8 @@ typedef struct rc_solver {
   /** p: start in, solution out; *d: approach (LOAD: start in, answer out). RC_OK only if the solver believes
    *  that tol is met; the core checks. p must be usable at every return >= 0. */
   rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
+  /** As that of a backend, for one that facts->backend and facts->caps describe. Since plugin ABI minor 5. */
+  rc_status (*score)(const rc_facts *, rc_estimate *);
 } rc_solver;
 
 typedef struct rc_plugin {

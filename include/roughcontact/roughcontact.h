@@ -528,6 +528,10 @@ RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out)
  *  points carry pressure (0: none, or no such step); the first `room` of them, point numbers iy*nx + ix in ascending order
  *  and pressures [force/length^2], into index and p [room], either of which may be NULL. Errors: ARGUMENT, BUSY. */
 RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *index, double *p, int64_t *n);
+/** Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend with the seconds and
+ *  bytes that they say they need, or the reason why they cannot. *out: "" where no step has needed a solver; lives until the
+ *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
+RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
 /** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a

@@ -105,6 +105,14 @@ rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, d
   });
 }
 
+rc_status rc_contact_explain(rc_contact* contact, const char** out) {
+  return exclusively("rc_contact_explain", contact, [&](Contact& c) {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = c.explain().c_str();
+    return RC_OK;
+  });
+}
+
 rc_status rc_contact_reset(rc_contact* contact) {
   return exclusively("rc_contact_reset", contact, [&](Contact& c) {
     c.reset();

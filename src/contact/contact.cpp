@@ -51,6 +51,11 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
 
 rc_status Contact::certify(const rc_step& step, rc_result& result) { return grid_.certify(step, result); }
 
+const std::string& Contact::explain() {
+  const StepRecord& record = work().record;
+  return explanation_ = record.choice.solver ? explained(work().options, work().system, record.choice, record.failed) : "";
+}
+
 void Contact::reset() {
   grid_.reset();
   goal_.clear();

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "contact/grid_contact.h"
 #include "contact/grids/accuracy_goal.h"
@@ -23,6 +24,9 @@ class Contact {
 
   rc_status solve(const rc_step& step, rc_result& result);
   rc_status certify(const rc_step& step, rc_result& result);
+
+  // Why "auto" chose what it did in the last step on the given grid; "" where no step has needed a solver.
+  const std::string& explain();
 
   void reset();
   // Afterwards the next answer has the bits of a new contact's. Facts that are the same for all contacts of the system stay.
@@ -56,6 +60,7 @@ class Contact {
  private:
   GridContact grid_;
   AccuracyGoal goal_;
+  std::string explanation_;
   std::atomic<bool> busy_{false};
 };
 

@@ -37,8 +37,9 @@ OptionSpec fixed(OptionSpec spec) {
 
 const std::vector<OptionSpec>& core_options() {
   static const std::vector<OptionSpec> specs = {
-      text(RC_OPT_SOLVER, "auto", "solver by name; auto chooses by the number of candidates and the tolerance"),
-      text(RC_OPT_BACKEND, "auto", "backend by name, or a preference list \"a,b\"; auto chooses by the number of candidates"),
+      text(RC_OPT_SOLVER, "auto", "solver by name; auto: the one that needs least time, by its own estimate"),
+      text(RC_OPT_BACKEND, "auto",
+           "backend by name, or a preference list \"a,b\"; auto: the one that needs least time, by its own estimate"),
       fixed(text(RC_OPT_KERNEL, "auto", "influence kernel by name; auto is love for free and spectral for periodic boundaries")),
       number(RC_TYPE_REAL, RC_OPT_TOL, "1e-8", 1e-16, 0.1, "largest relative residual of a certified answer"),
       number(RC_TYPE_INT, RC_OPT_MAX_ITER, "10000", 1, 1e9, "iterations of the solver after which it stops"),

@@ -111,13 +111,29 @@ constexpr rc_option_spec real_option(const char* key, const char* value, double 
   return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
 }
 
-// Declares the function and the options of every line of solvers.def. The function improves p (and, in load control, d) until
-// problem.tol() is met. With IN_PLACE it works on the caller's array.
-#define RC_SOLVER(function, name, summary, needs, controls)         \
+// Seconds for the products of iterations that take `usual` of them on a half-space, where little depends on the grid. Near
+// round-off they go on until they stall, and of the caller's own matrix or product nothing is known but that each unknown may
+// take one.
+inline double iterating(const rc_facts& facts, double usual) {
+  constexpr double near_round_off = 1e-12, until_they_stall = 250;
+  const bool grid = facts.system->op == RC_OPERATOR_HALFSPACE;
+  return facts.backend->product * (!grid                        ? static_cast<double>(facts.n)
+                                   : facts.tol < near_round_off ? until_they_stall * usual
+                                                                : usual);
+}
+inline double with_the_rest(const rc_facts& facts, double solving) {
+  return facts.backend->seconds + solving + facts.backend->field;
+}
+
+// Declares the function, the score and the options of every line of solvers.def. The function improves p (and, in load control,
+// d) until problem.tol() is met. With IN_PLACE it works on the caller's array. The score is that of rc_solver.
+#define RC_SOLVER(function, name, summary, needs, controls, score)  \
   rc_status function(const Problem& problem, Vector& p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);    \
   extern const Options function##_options;
-#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls)          \
+#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls, score)   \
   rc_status function(const Problem& problem, std::span<double> p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);              \
   extern const Options function##_options;
 #include "solvers/solvers.def"
 #undef RC_SOLVER

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define RC_BACKEND(name, how) name,
+#define RC_BACKEND(name, points, how) name,
 static const char* const backends[] = {
 #include "backends/known.def"
     NULL};

@@ -222,6 +222,17 @@ Section paths() {
                  std::int64_t n = 0;
                  return rc_contact_points(made(Scene()).get(), -1, nullptr, nullptr, &n);
                }},
+              {"`rc_contact_explain`: contact is null",
+               refused,
+               {"rc_contact_explain: contact is null"},
+               [] {
+                 const char* text = nullptr;
+                 return rc_contact_explain(nullptr, &text);
+               }},
+              {"`rc_contact_explain`: out is null",
+               refused,
+               {"rc_contact_explain: out is null"},
+               [] { return rc_contact_explain(made(Scene()).get(), nullptr); }},
               {"level -1", refused, {"rc_contact_level: level -1 is not in 0 .. -1"}, [] { return level_after(true, -1); }},
           }};
 }

@@ -99,6 +99,8 @@ contains
     call rcf_contact_points(contact, points, values)
     call check('the contact set', size(points) == result%contacts .and. &
       all(pack(reshape(p, [n]), reshape(p, [n]) > 0) == values))
+    call rcf_contact_explain(contact, text)
+    call check('the choice: '//text, index(text, 'nnls on ') > 0 .and. index(text, ', taken') > 0)
     call rcf_contact_certify(contact, p, displacement=0.4_c_double, stat=stat)
     call check('pressures are certified', stat == RC_OK)
     p = p * 1.01_c_double

@@ -23,6 +23,7 @@ opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "displacement", 0.4);
 
 [p, info] = rc_solve (z, opts);
 check ("shape of p", isequal (size (p), [nx, ny]) && isequal (size (info.gap), [nx, ny]));
+check ("explained", ! isempty (strfind (info.explanation, [info.solver, " on ", info.backend, ": "])));
 check ("certified", info.status == 0 && strcmp (info.status_name, "RC_OK") && isempty (info.message));
 check ("load", abs (sum (p(:)) * 0.5 * 0.25 / info.load - 1) < 1e-12);
 check ("displacement", info.displacement == 0.4);

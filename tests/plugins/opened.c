@@ -1,5 +1,6 @@
 /* Which plugins a process opens: none where a built-in backend does as well, those that may serve where not, and the others by
-   name. The dynamic loader's map of the process tells. */
+   name. The dynamic loader's map of the process tells. No thread is started that was not asked for. */
+#include <dirent.h>
 #include <roughcontact/roughcontact.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +13,14 @@ static int opened(const char* file) {
   while (maps && fgets(line, sizeof line, maps)) found |= strstr(line, file) != NULL;
   if (maps) fclose(maps);
   return found;
+}
+
+static int threads(void) {
+  int found = 0;
+  DIR* const tasks = opendir("/proc/self/task");
+  while (tasks && readdir(tasks)) ++found;
+  if (tasks) closedir(tasks);
+  return found - 2; /* "." and ".." */
 }
 
 static rc_status solve(int64_t n, double approach, const char* backend) {
@@ -44,7 +53,11 @@ int main(void) {
   if (opened("/rcb_")) return failed("a small contact opened a plugin");
   if (solve(128, 0.9, "auto") != RC_OK) return failed("a larger contact is not solved");
   if (!opened("/rcb_fft.so")) return failed("a larger contact did not open fft");
+  if (opened("/rcb_split.so")) return failed("a grid of a few points opened split");
   if (opened("/rcb_cholmod.so")) return failed("cholmod was opened unasked");
+  if (solve(512, 0.9, "auto") != RC_OK) return failed("a large contact is not solved");
+  if (!opened("/rcb_split.so")) return failed("a large contact did not open split");
+  if (threads() != 1) return failed("a library has started threads");
   if (solve(16, 0.1, "cholmod") != RC_OK) return failed("cholmod does not solve");
   if (!opened("/rcb_cholmod.so")) return failed("cholmod was not opened when it was named");
   return 0;

@@ -121,6 +121,12 @@ class Output(CommandTest):
             self.assertRegex(line, r"^ +%d .* RC_OK$" % number)
         self.assertEqual(done.stderr.count("\n"), 2)
 
+    def test_the_choice_is_explained(self):
+        done = self.hertz("--displacement", "1e-8", "--explain")
+        self.assertRegex(done.stderr, r"(?m)^roughcontact: [\w-]+ on [\w-]+: .* s, .* MiB, taken$")
+        self.assertIn("admm: by name only", done.stderr)
+        self.assertNotIn("by name only", self.hertz("--displacement", "1e-8").stderr)
+
     def test_quiet_prints_nothing(self):
         done = self.hertz("--displacement", "1e-8", "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))

@@ -59,6 +59,7 @@ class ContactFunctions(Protocol):
     rc_contact_solve_path: Callable[[handle, rc_path], rc_status]
     rc_contact_level: Callable[[handle, int64_t, rc_level], rc_status]
     rc_contact_points: Callable[[handle, int64_t, integers, doubles, integers], rc_status]
+    rc_contact_explain: Callable[[handle, texts], rc_status]
     rc_contact_reset: Callable[[handle], rc_status]
     rc_contact_restore: Callable[[handle, rc_state], rc_status]
     rc_contact_cancel: Callable[[handle], None]

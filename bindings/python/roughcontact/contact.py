@@ -206,6 +206,13 @@ class Contact(Handle):
             check(library.rc_contact_points(handle, n.value, pointer(index), pointer(pressure), n))
         return index, pressure
 
+    def explain(self) -> str:
+        """Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend."""
+        text = ctypes.c_char_p()
+        with self._holding() as handle:
+            check(contact_library().rc_contact_explain(handle, text))
+            return (text.value or b"").decode()
+
     def set_options(self, options: Options) -> None:
         """Changes options that are not fixed; the others keep the values they have."""
         together = {**self._options, **(options or {})}

@@ -76,6 +76,15 @@ def test_points_without_arrays(rough):
     assert np.array_equal(index, np.flatnonzero(answer.pressure)) and np.array_equal(pressure, answer.pressure.ravel()[index])
 
 
+def test_the_choice_is_explained(rough):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        assert contact.explain() == ""
+        answer = contact.solve(rough, displacement=5e-8)
+        counts, taken, *left = contact.explain().splitlines()
+    assert "points may carry pressure" in counts
+    assert taken.startswith(f"{answer.solver} on {answer.backend}: ") and taken.endswith(", taken") and left
+
+
 def test_levels_of_the_cascade(sphere_gap, half_space):
     with rc.Contact(half_space, options={"solver": "cmr", "cmr.levels": 3}) as contact:
         answer = contact.solve(gap=sphere_gap, displacement=3e-7)

@@ -132,8 +132,11 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   Session& session = *outer.session;
   const SolverRun& run = session.run;
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
-  const rc_solver& solver = run.work.options.context->solver(
-      std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
+  const auto inside = static_cast<std::int64_t>(a.size());
+  const StepFacts facts{.candidates = inside, .box = inside, .tol = tol};
+  const rc_solver& solver = std::string_view(name) == "auto"
+                                ? solver_inside(run.work.options, run.work.system, facts, run.backend)
+                                : run.work.options.context->solver(name);
   require(solver, run, "a solver inside a solver");
 
   BoundProblem problem{};
@@ -242,6 +245,7 @@ bool takes_gap(const rc_solver& solver, const rc_options& options) {
 SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch)
     : work(workspace),
       solver(*answer.choice.solver),
+      backend(*answer.choice.backend),
       op(*answer.op),
       monitor(watch),
       fallbacks(workspace.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),

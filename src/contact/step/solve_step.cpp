@@ -17,7 +17,7 @@ bool pass_over(Workspace& work, const char* name, const char* option, const std:
   if (work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
   work.record.failed.emplace_back(name);
   try {
-    choose(work.options, work.system, RC_CONTROL_DISPLACEMENT, {}, work.record.failed);
+    choose(work.options, work.system, {}, work.record.failed);
   } catch (const Error&) {
     return false;
   }
