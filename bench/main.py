@@ -21,13 +21,14 @@ import processor_time
 import repeated
 import scaling
 import speed_accuracy
+import stiffness
 import trial
 from case import Failure
 from options import THREADS
 from store import provenance
 
 QUESTIONS = (scaling.QUESTION, limits.PRODUCTS, limits.LIMITS, repeated.BUSY, repeated.DETERMINISTIC, speed_accuracy.QUESTION, goals.QUESTION,
-             trial.QUESTION, histories.QUESTION, failures.QUESTION, batch.QUESTION, dilute.QUESTION, paper.QUESTION, physics.QUESTION,
+             trial.QUESTION, histories.QUESTION, failures.QUESTION, batch.QUESTION, dilute.QUESTION, stiffness.QUESTION, paper.QUESTION, physics.QUESTION,
              peers.QUESTION, processor_time.QUESTION, documents.QUESTION)
 
 
