@@ -22,8 +22,9 @@ constexpr double single_error = 2e-6;  // of a product in single precision, rela
 constexpr double drift = 0.05;         // share of the tolerance that one such product may add to the residual
 
 constexpr std::int64_t sparse = 8;  // boxes of so many cells for a point of the set or more: trees over the points alone
+constexpr float sharp = 2;          // differences in the finest blocks, over those of haar-cg: no other level counts them
 constexpr double heavy = 4;         // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
-constexpr double turned = 5.0 / 12;  // of the period, by which the second pair of trees begins elsewhere
+constexpr double turned = 0.36;     // of the period, by which the second pair of trees begins elsewhere
 
 double dot(std::span<const double> a, std::span<const double> b) {
   return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
@@ -84,7 +85,7 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
       cells.y.push_back(at[order[k]].first - low);
     }
   }
-  Trees trees{HaarTreePair(std::move(cells), inputs.table), std::move(place), std::move(active), nullptr};
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp), std::move(place), std::move(active), nullptr};
   trees.memory.reset(new std::byte[trees.pair.bytes()]);
   trees.pair.place(trees.memory.get());
   trees.pair.set_up(trees.active.data(), 0, team_);
@@ -164,7 +165,8 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
   const ConjugateGradientsEnd end = conjugate_gradients(x, r, size, sum_of, multiply_by, enough, turn);
   if (end.status != 0) return end.status;
   if (!end.definite())
-    fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", end.curvature, " on a set of ", set_.size(), " points");
+    fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", end.curvature, " on a set of ", set_.size(),
+         " points");
   // 2 b'x - x'A x = b'A^-1 b - e'A e, e the error of x; and e'A e = r'A^-1 r <= r'r / lowest.
   bound.form = dot(b, x) + dot(r, x);
   bound.error = bound.residual * bound.residual / lowest_;

@@ -41,7 +41,8 @@ double stiffness(Workspace& work, const Answer& answer) {
     ContactSetBound bound;
     status = solve(ones, std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol), rate, {&bound, 1});
     sum = bound.form;
-    work.options.context->log(RC_LOG_INFO, join("stiffness: residual ", bound.residual / std::sqrt(static_cast<double>(ones.size()))));
+    work.options.context->log(RC_LOG_INFO,
+                              join("stiffness: residual ", bound.residual / std::sqrt(static_cast<double>(ones.size()))));
   } else {
     status = answer.op->subset(contact, ones.data(), rate.data(), subset_tol);
     for (const double value : rate) sum += value;

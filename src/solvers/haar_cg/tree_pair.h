@@ -9,7 +9,8 @@ namespace rc {
 
 class HaarTreePair {
  public:
-  HaarTreePair(Cells cells, const CouplingTable& table);
+  // finest: factor of the differences inside the finest blocks.
+  HaarTreePair(Cells cells, const CouplingTable& table, float finest = 1);
 
   // The caller's memory, in which all of it lives. set_up() anew where it has moved or was written by others.
   std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }
