@@ -19,7 +19,8 @@ constexpr int patience = 20;     // steps without a smaller residual, after whic
 constexpr double smaller = 0.9;  // of the smallest residual before
 
 constexpr double single_error = 2e-6;  // of a product in single precision, relative, at most
-constexpr double drift = 0.05;         // share of the tolerance that one such product may add to the residual
+constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
+constexpr double rounding = 1e-12;     // what those in double precision add in all, over |b|, at most
 
 constexpr std::int64_t sparse = 8;  // boxes of so many cells for a point of the set or more: trees over the points alone
 constexpr float sharp = 2;          // differences in the finest blocks, over those of haar-cg: no other level counts them
@@ -85,7 +86,9 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
       cells.y.push_back(at[order[k]].first - low);
     }
   }
-  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp), std::move(place), std::move(active), nullptr};
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp), std::move(place), std::move(active), {}, {}, nullptr};
+  trees.g.resize(trees.active.size());
+  trees.p.resize(trees.active.size());
   trees.memory.reset(new std::byte[trees.pair.bytes()]);
   trees.pair.place(trees.memory.get());
   trees.pair.set_up(trees.active.data(), 0, team_);
@@ -94,7 +97,9 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
 
 // q = A t
 template <class Real> rc_status ContactSetSolve::multiply(std::span<const double> t, std::span<double> q) {
-  std::vector<Real> spread(static_cast<std::size_t>(op_.trial().n)), product(spread.size());
+  auto& [spread, product] = std::get<Vectors<Real>>(vectors_);
+  spread.resize(static_cast<std::size_t>(op_.trial().n));
+  product.resize(spread.size());
   for (std::size_t k = 0; k < t.size(); ++k) spread[static_cast<std::size_t>(set_[k])] = static_cast<Real>(t[k]);
   rc_status status = RC_OK;
   if constexpr (std::is_same_v<Real, double>)
@@ -110,10 +115,9 @@ template <class Real> rc_status ContactSetSolve::multiply(std::span<const double
 void ContactSetSolve::precondition(std::span<const double> r, double unit, std::span<double> z) {
   std::fill(z.begin(), z.end(), 0.0);
   for (Trees& trees : trees_) {
-    std::vector<float> g(trees.active.size()), p(g.size());
-    for (std::size_t i = 0; i < r.size(); ++i) g[trees.place[i]] = static_cast<float>(r[i] / unit);
-    trees.pair.apply<float>(g.data(), trees.active.data(), p.data(), nullptr, team_);
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] += static_cast<double>(p[trees.place[i]]);
+    for (std::size_t i = 0; i < r.size(); ++i) trees.g[trees.place[i]] = static_cast<float>(r[i] / unit);
+    trees.pair.apply<float>(trees.g.data(), trees.active.data(), trees.p.data(), nullptr, team_);
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] += static_cast<double>(trees.p[trees.place[i]]);
   }
 }
 
@@ -147,10 +151,10 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
     const double now = std::sqrt(rr);
     if (single) drifted += single_error * (last + now);
     last = now;
-    single = has_single && single_error * now <= drift * tol && drifted <= 0.5 * tol;
-    bound.residual = size * (now + drifted);
-    if (now + drifted <= tol || now == 0) return true;
-    return stalled = stalls(now);
+    single = has_single && single_error * now <= drift * tol && drifted <= 10 * drift * tol;
+    bound.residual = size * (now + drifted + rounding);
+    if (now + drifted + rounding <= tol) return true;
+    return stalled = now < rounding || stalls(now);
   };
   // beta from the product, not from norms: the trees work in single precision, so each step is made conjugate to the last only.
   const auto turn = [&](int step, double, const std::vector<double>& q, std::vector<double>& t) {
@@ -169,7 +173,7 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
          " points");
   // 2 b'x - x'A x = b'A^-1 b - e'A e, e the error of x; and e'A e = r'A^-1 r <= r'r / lowest.
   bound.form = dot(b, x) + dot(r, x);
-  bound.error = bound.residual * bound.residual / lowest_;
+  bound.error = bound.residual * bound.residual / lowest_ + (drifted + rounding) * size * std::sqrt(dot(x, x));
   return stalled ? RC_STOP_STALLED : RC_OK;
 }
 

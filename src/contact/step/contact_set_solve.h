@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "operator/operator.h"
@@ -19,8 +20,8 @@ namespace rc {
 // What is known of a solution x.
 struct ContactSetBound {
   double residual = 0;  // |b - A x| is at most that
-  double form = 0;      // b'A^-1 b, too small by at most `error` but for round-off
-  double error = 0;     // that of x, squared, in the norm of the energy
+  double form = 0;      // b'A^-1 b
+  double error = 0;     // of the form, at most: that of x in the norm of the energy, squared, and round-off
 };
 
 class ContactSetSolve {
@@ -33,9 +34,9 @@ class ContactSetSolve {
   // 0 but where the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
   double mean() const { return mean_; }
 
-  // For as many right-hand sides as there are bounds, one after the other in b: until |b - A x| <= tol |b|. x: starts in, zeros where
-  // none is known; answers out. RC_STOP_STALLED where round-off keeps a residual larger, or a status with which a product ended.
-  // Throws where H is not positive definite (NUMERIC).
+  // For as many right-hand sides as there are bounds, one after the other in b: until |b - A x| <= tol |b|. x: starts in, zeros
+  // where none is known; answers out. RC_STOP_STALLED where round-off may keep a residual larger, or a status with which a
+  // product ended. Throws where H is not positive definite (NUMERIC).
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, std::span<ContactSetBound> bounds);
 
  private:
@@ -44,7 +45,11 @@ class ContactSetSolve {
     HaarTreePair pair;
     std::vector<std::size_t> place;  // of each point of the set
     std::vector<std::uint8_t> active;
+    std::vector<float> g, p;  // what they are given, and what they make of it
     std::unique_ptr<std::byte[]> memory;
+  };
+  template <class Real> struct Vectors {
+    std::vector<Real> t, q;  // on the trial set
   };
 
   Trees trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const;
@@ -57,6 +62,7 @@ class ContactSetSolve {
   std::vector<std::int64_t> set_;
   double mean_ = 0, lowest_ = 0;  // lowest_: bound of the eigenvalues of A
   std::vector<Trees> trees_;
+  std::tuple<Vectors<float>, Vectors<double>> vectors_;
 };
 
 }  // namespace rc
