@@ -25,7 +25,7 @@ constexpr double rounding = 1e-12;     // what those in double precision add in 
 constexpr std::int64_t sparse = 8;  // boxes of so many cells for a point of the set or more: trees over the points alone
 constexpr float sharp = 2;          // differences in the finest blocks, over those of haar-cg: no other level counts them
 constexpr double heavy = 4;         // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
-constexpr double turned = 0.36;     // of the period, by which the second pair of trees begins elsewhere
+constexpr double turned = 0.36;     // of the grid's sides, by which the second pair of trees begins elsewhere
 
 double dot(std::span<const double> a, std::span<const double> b) {
   return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
@@ -36,7 +36,8 @@ std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned *
 
 }  // namespace
 
-// Periodic trees see no neighbours across the grid's sides: a second pair, whose sides lie elsewhere, does.
+// Periodic trees see no neighbours across the grid's sides: a second pair, whose sides lie elsewhere, does. Over few points it
+// costs little.
 ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest,
                                  const rc_team& team, const Coefficients& coefficients)
     : op_(op), team_(team), set_(set.begin(), set.end()), lowest_(lowest) {
@@ -46,25 +47,29 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
     mean_ = heavy * inputs.mean;
     for (double& value : inputs.table.k) value += mean_ - inputs.mean;
     lowest_ = std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny));
-    trees_.push_back(trees_at(inputs, turn_of(inputs.cells.mx), turn_of(inputs.cells.my)));
   }
   trees_.push_back(trees_at(inputs, 0, 0));
+  const bool scattered = trees_.front().place.size() == trees_.front().active.size();
+  if (mean_ > 0 || scattered) trees_.push_back(trees_at(inputs, turn_of(inputs.cells.mx), turn_of(inputs.cells.my)));
 }
 
-// inputs: of the whole grid. x, y: by how much it is turned.
+// inputs: of the whole grid. x, y: where its first cell comes to lie.
 ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
+  const bool around = inputs.mean > 0;
   const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my;
   std::vector<std::pair<std::int32_t, std::int32_t>> at;  // row and column
   std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0, low = left, high = 0;
   for (const std::int64_t position : set_) {
     const std::int64_t point = op_.trial().point(position);
-    const auto row = static_cast<std::int32_t>((point / nx + y) % ny), column = static_cast<std::int32_t>((point % nx + x) % nx);
+    const auto row = static_cast<std::int32_t>(around ? (point / nx + y) % ny : point / nx + y),
+               column = static_cast<std::int32_t>(around ? (point % nx + x) % nx : point % nx + x);
     at.emplace_back(row, column);
     left = std::min(left, column);
     right = std::max(right, column);
     low = std::min(low, row);
     high = std::max(high, row);
   }
+  if (x > 0) left = low = 0;
   const std::int64_t width = right - left + 1, height = high - low + 1;
   Cells cells{width, height, {}, {}};
   std::vector<std::size_t> place(at.size());
