@@ -28,8 +28,8 @@ from options import THREADS
 from store import provenance
 
 QUESTIONS = (scaling.QUESTION, limits.PRODUCTS, limits.LIMITS, repeated.BUSY, repeated.DETERMINISTIC, speed_accuracy.QUESTION, goals.QUESTION,
-             trial.QUESTION, histories.QUESTION, failures.QUESTION, batch.QUESTION, dilute.QUESTION, stiffness.QUESTION, paper.QUESTION, physics.QUESTION,
-             peers.QUESTION, processor_time.QUESTION, documents.QUESTION)
+             trial.QUESTION, histories.QUESTION, failures.QUESTION, batch.QUESTION, dilute.QUESTION, stiffness.QUESTION, paper.QUESTION,
+             physics.QUESTION, peers.QUESTION, processor_time.QUESTION, documents.QUESTION)
 
 
 def main():

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "core/conjugate_gradients.h"
@@ -22,14 +20,17 @@ constexpr double single_error = 2e-6;  // of a product in single precision, rela
 constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
 constexpr double rounding = 1e-12;     // what those in double precision add in all, over |b|, at most
 
-constexpr std::int64_t sparse = 8;  // boxes of so many cells for a point of the set or more: trees over the points alone
-constexpr float sharp = 2;          // differences in the finest blocks, over those of haar-cg: no other level counts them
-constexpr double heavy = 4;         // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
-constexpr double turned = 0.36;     // of the grid's sides, by which the second pair of trees begins elsewhere
+constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, from which on the trees have the points alone
+constexpr float sharp = 2;         // differences in the finest blocks, over those of haar-cg: no other level counts them
+constexpr double heavy = 4;        // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
+constexpr double turned = 0.36;    // of the grid's sides, by which the second pair of trees begins elsewhere
 
 double dot(std::span<const double> a, std::span<const double> b) {
   return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }
+
+rc_status product_of(Operator& op, const double* x, double* y) { return op.apply(x, y); }
+rc_status product_of(Operator& op, const float* x, float* y) { return op.apply_float(x, y); }
 
 // An odd number of cells, so that blocks are cut on every level.
 std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned * static_cast<double>(n)) | 1; }
@@ -53,47 +54,32 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
   if (mean_ > 0 || scattered) trees_.push_back(trees_at(inputs, turn_of(inputs.cells.mx), turn_of(inputs.cells.my)));
 }
 
-// inputs: of the whole grid. x, y: where its first cell comes to lie.
+// inputs: of the whole grid. x, y: where its first cell comes to lie; what is periodic comes back on the other side.
 ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
   const bool around = inputs.mean > 0;
-  const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my;
-  std::vector<std::pair<std::int32_t, std::int32_t>> at;  // row and column
-  std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0, low = left, high = 0;
+  const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my, width = around ? nx : nx + x, height = around ? ny : ny + y;
+  std::vector<std::size_t> place;
   for (const std::int64_t position : set_) {
     const std::int64_t point = op_.trial().point(position);
-    const auto row = static_cast<std::int32_t>(around ? (point / nx + y) % ny : point / nx + y),
-               column = static_cast<std::int32_t>(around ? (point % nx + x) % nx : point % nx + x);
-    at.emplace_back(row, column);
-    left = std::min(left, column);
-    right = std::max(right, column);
-    low = std::min(low, row);
-    high = std::max(high, row);
+    place.push_back(static_cast<std::size_t>((point / nx + y) % height * width + (point % nx + x) % width));
   }
-  if (x > 0) left = low = 0;
-  const std::int64_t width = right - left + 1, height = high - low + 1;
   Cells cells{width, height, {}, {}};
-  std::vector<std::size_t> place(at.size());
-  std::vector<std::uint8_t> active;
-  if (width * height < sparse * static_cast<std::int64_t>(at.size())) {
-    active.resize(static_cast<std::size_t>(width * height));
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      place[i] = static_cast<std::size_t>((at[i].first - low) * width + at[i].second - left);
-      active[place[i]] = 1;
+  const auto all = static_cast<std::size_t>(width * height);
+  std::vector<std::uint8_t> active(all < sparse * place.size() ? all : 0);
+  if (active.empty()) {
+    std::vector<std::size_t> sorted = place;
+    std::sort(sorted.begin(), sorted.end());
+    for (const std::size_t at : sorted) {
+      cells.x.push_back(static_cast<std::int32_t>(at % static_cast<std::size_t>(width)));
+      cells.y.push_back(static_cast<std::int32_t>(at / static_cast<std::size_t>(width)));
     }
-  } else {
-    active.assign(at.size(), 1);
-    std::vector<std::size_t> order(at.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    if (x != 0 || y != 0) std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return at[a] < at[b]; });
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      place[order[k]] = k;
-      cells.x.push_back(at[order[k]].second - left);
-      cells.y.push_back(at[order[k]].first - low);
-    }
+    for (std::size_t& at : place)
+      at = static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), at) - sorted.begin());
+    active.resize(place.size());
   }
-  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp), std::move(place), std::move(active), {}, {}, nullptr};
-  trees.g.resize(trees.active.size());
-  trees.p.resize(trees.active.size());
+  for (const std::size_t at : place) active[at] = 1;
+  const std::vector<float> none(active.size());
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp), std::move(place), std::move(active), none, none, nullptr};
   trees.memory.reset(new std::byte[trees.pair.bytes()]);
   trees.pair.place(trees.memory.get());
   trees.pair.set_up(trees.active.data(), 0, team_);
@@ -106,11 +92,7 @@ template <class Real> rc_status ContactSetSolve::multiply(std::span<const double
   spread.resize(static_cast<std::size_t>(op_.trial().n));
   product.resize(spread.size());
   for (std::size_t k = 0; k < t.size(); ++k) spread[static_cast<std::size_t>(set_[k])] = static_cast<Real>(t[k]);
-  rc_status status = RC_OK;
-  if constexpr (std::is_same_v<Real, double>)
-    status = op_.apply(spread.data(), product.data());
-  else
-    status = op_.apply_float(spread.data(), product.data());
+  const rc_status status = product_of(op_, spread.data(), product.data());
   const double shift = mean_ > 0 ? mean_ * sum_of(t.size(), [&](std::size_t k) { return t[k]; }) : 0;
   for (std::size_t k = 0; k < t.size(); ++k) q[k] = static_cast<double>(product[static_cast<std::size_t>(set_[k])]) + shift;
   return status;

@@ -40,7 +40,7 @@ class ContactSetSolve {
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, std::span<ContactSetBound> bounds);
 
  private:
-  // Two trees over the set, on a grid that begins elsewhere: every cell of a box that the set fills in part, or those of the set.
+  // Two trees over every cell of the grid, or over the points of the set alone.
   struct Trees {
     HaarTreePair pair;
     std::vector<std::size_t> place;  // of each point of the set
