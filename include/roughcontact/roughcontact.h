@@ -373,7 +373,7 @@ typedef struct rc_context_config {
   uint32_t reserved;       /* 0                                                                             */
   const char *plugin_path; /* ':'-separated absolute directories, searched before RC_PLUGIN_PATH and the
                               installed one; relative ones are refused; NULL: none; copied                  */
-  rc_log_fn log;           /* NULL: silent                                                                  */
+  rc_log_fn log;           /* NULL: silent; the threads of a batch call it, too, and at the same time       */
   void *log_user;
 } rc_context_config;
 #define RC_CONTEXT_CONFIG_INIT \

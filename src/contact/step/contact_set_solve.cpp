@@ -42,7 +42,6 @@ std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned *
 ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest,
                                  const rc_team& team, const Coefficients& coefficients)
     : op_(op), team_(team), set_(set.begin(), set.end()), lowest_(lowest) {
-  if (set.empty()) return;
   TreeInputs inputs = tree_inputs(grid, grid.nx * grid.ny, coefficients);
   if (inputs.mean > 0) {
     mean_ = heavy * inputs.mean;
