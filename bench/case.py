@@ -109,9 +109,9 @@ def limit_growth(more):
     resource.setrlimit(resource.RLIMIT_AS, (status_line('/proc/self/status', 'VmSize') + int(more), resource.RLIM_INFINITY))
 
 
-def cpu_seconds():
-    """Processor time of all threads of this process."""
-    usage = resource.getrusage(resource.RUSAGE_SELF)
+def cpu_seconds(of=resource.RUSAGE_SELF):
+    """Processor time of all threads of this process, or of its children."""
+    usage = resource.getrusage(of)
     return usage.ru_utime + usage.ru_stime
 
 
@@ -128,9 +128,11 @@ class Progress:
 
     def __init__(self, total):
         self.total, self.spent, self.begun = total or 1, 0, time.monotonic()
+        self.last = self.begun
 
-    def done(self, name, cost, seconds):
+    def done(self, name, cost=1):
         self.spent += cost
+        seconds, self.last = time.monotonic() - self.last, time.monotonic()
         share = self.spent / self.total
         left = (time.monotonic() - self.begun) * (1 - share) / share if share else 0
         print(f'{100 * share:3.0f} %  {name}  {seconds:.1f} s, {left / 60:.0f} min left', file=sys.stderr, flush=True)

@@ -5,6 +5,7 @@ import subprocess
 # Colour, dash and marker each tell the lines apart; the colours differ in lightness and for the colour-blind (Okabe & Ito).
 STYLES = ['lc rgb "#000000" dt 1 pt 7', 'lc rgb "#D55E00" dt (12,4) pt 9', 'lc rgb "#0072B2" dt (4,3) pt 5',
           'lc rgb "#E69F00" dt (12,4,2,4) pt 13', 'lc rgb "#009E73" dt (2,3) pt 11', 'lc rgb "#CC79A7" dt (8,8) pt 15']
+FILTERS = {'subsample': 'pt 9 lc rgb "#D55E00"', 'mean': 'pt 5 lc rgb "#0072B2"', 'max': 'pt 13 lc rgb "#E69F00"'}  # of cascades
 OPEN_MARKERS = [6, 8, 4, 12, 10, 14]  # the same shapes, hollow
 PROPORTIONAL = 'lw 1.2 lc rgb "#888888" dt (2,4)'
 TARGET = 'lines lw 1 lc rgb "#AA0000" dt 1'
@@ -20,6 +21,19 @@ set border lc rgb "#555555"
 set tics scale 0.6
 set key off
 '''
+LEGEND = '''reset
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set tmargin at screen {top}
+set bmargin at screen 0
+unset border
+unset tics
+set xrange [0:1]
+set yrange [0:1]
+set key at screen 0.5,{below} center top horizontal maxcols {columns} samplen 4 spacing 1.3 Left reverse
+plot {entries}
+unset multiplot
+'''
 
 
 def line(look):
@@ -30,6 +44,17 @@ def style(number):
     return line(STYLES[number % len(STYLES)])
 
 
+def axes(xlabel, ylabel, x, y, more='', offset=1.2):
+    """Ranges and labels of a panel, after other settings."""
+    return (f'{more}\nset xrange [{x[0]}:{x[1]}]\nset yrange [{y[0]}:{y[1]}]\nset xlabel "{xlabel}" offset 0,0.4\n'
+            f'set ylabel "{ylabel}" offset {offset},0')
+
+
+def ticks(axis, places):
+    """Of (text, place)."""
+    return f'set {axis}tics (' + ', '.join(f'"{text}" {place}' for text, place in places) + ')'
+
+
 class Panels:
     """Panels on a grid above one legend, in pixels."""
 
@@ -38,12 +63,16 @@ class Panels:
         self.columns, self.rows, self.legend = columns, rows, legend
         self.script, self.blocks = [], 0
 
-    def block(self, rows):
-        """The name of a block of rows of numbers."""
+    def curve(self, points, look, using=''):
+        """Rows of numbers with a look."""
         name = f'$data{self.blocks}'
         self.blocks += 1
-        self.script.append(f'{name} << EOD\n' + ''.join(' '.join(map(repr, row)) + '\n' for row in rows) + 'EOD\n')
-        return name
+        self.script.append(f'{name} << EOD\n' + ''.join(' '.join(map(repr, row)) + '\n' for row in points) + 'EOD\n')
+        return f'{name} {using} with {look}'
+
+    def bars(self, points, look):
+        """A curve of (x, y, lower, upper) and its intervals."""
+        return [self.curve(points, look), self.curve(points, look.replace('linespoints', 'yerrorbars'), 'using 1:2:3:4')]
 
     def panel(self, column, row, title, settings, curves):
         width, height = self.size
@@ -56,19 +85,8 @@ class Panels:
 
     def draw(self, file, entries, columns):
         width, height = self.size
-        self.script.append(f'''reset
-set lmargin at screen 0.02
-set rmargin at screen 0.98
-set tmargin at screen {self.legend / height}
-set bmargin at screen 0
-unset border
-unset tics
-set xrange [0:1]
-set yrange [0:1]
-set key at screen 0.5,{(self.legend - 6) / height} center top horizontal maxcols {columns} samplen 4 spacing 1.3 Left reverse
-plot {", ".join(f'NaN with {look} title "{name}"' for name, look in entries)}
-unset multiplot
-''')
+        self.script.append(LEGEND.format(top=self.legend / height, below=(self.legend - 6) / height, columns=columns,
+                                         entries=', '.join(f'NaN with {look} title "{name}"' for name, look in entries)))
         os.makedirs(os.path.dirname(file), exist_ok=True)
         script = HEAD.format(width=width, height=height, file=file) + ''.join(self.script)
         subprocess.run(['gnuplot', '-d'], input=script.encode(), check=True)

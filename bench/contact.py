@@ -1,5 +1,7 @@
 """Calls of the library as the benchmarks make them, and what is recorded of them."""
 import ctypes
+import math
+import re
 import time
 from dataclasses import dataclass, replace
 
@@ -66,6 +68,25 @@ def share_in_contact(result):
     return result.contacts / result.points
 
 
+def find_load(system, gap, area, load, most, options):
+    """The last of at most so many loose solves in load control that bring a share `area` of the points into contact, to 3 %. load: a guess."""
+    exponent, last = 1, None  # exponent: d log load / d log area
+    with rc.Contact(system, options={**options, 'tol': 1e-3}) as contact:
+        for k in range(most):
+            result = contact.solve(load=load, gap=None if k else gap, check=False, want_pressure=False)
+            found = share_in_contact(result)
+            if found == 0:
+                load *= 2
+                continue
+            if abs(found / area - 1) <= 0.03:
+                break
+            if last and found != last[0]:
+                exponent = min(max(math.log(load / last[1]) / math.log(found / last[0]), 0.5), 3)
+            last = found, load
+            load *= (area / found)**exponent
+    return result
+
+
 def runs(solver, backend, system, load=False):
     return rc.supported(solver, backend, system, load=load)[0] == rc.Status.OK
 
@@ -113,3 +134,42 @@ def time_solve(system, gap, options, budget, control, target, pressure=None):
     found = repeats(lambda: cold_call(system, gap, options, control, target, pressure), budget)
     result, seconds, cpu = min(found, key=lambda each: each[1])
     return result, {**record_of(result), 'setup_seconds': max(0.0, seconds - result.seconds), 'cpu_seconds': cpu, 'repeats': len(found)}
+
+
+FILTERS = ('subsample', 'mean', 'max')  # what a coarse point takes from its four heights
+
+
+def cascade_options(kind='subsample', radius=2.0, levels=0, *, area='side', backend='fft', inner='polonsky-keer', certified):
+    """radius: h of the area of influence, which counts sides (Algorithm 6) or diagonals (the text) of coarse cells. levels: grids, the given
+    one included; 0: down to 16 points a side. certified 0: as published, without a look at the points that were left out."""
+    return {'solver': 'cmr', 'backend': backend, 'cmr.inner': inner, 'cmr.area': area, 'cmr.radius': radius, 'cmr.levels': levels,
+            'cmr.filter': kind, 'cmr.certified': certified}
+
+
+@dataclass(frozen=True)
+class CascadeNote:
+    """What a certified cascade says of itself: points of the last trial set, candidates, rounds, points that were added."""
+    kept: int = 0
+    all: int = 0
+    rounds: int = 0
+    added: int = 0
+
+    @property
+    def share(self):
+        return self.kept / self.all if self.all else 1
+
+    @property
+    def share_at_first(self):
+        """n_p / n of the paper: before anything was added."""
+        return (self.kept - self.added) / self.all if self.all else 1
+
+
+def cascade_note(text):
+    found = re.search(r'trial set (\d+) of (\d+) after (\d+) rounds(?:, (\d+) points added)?', text)
+    return CascadeNote(*(int(number or 0) for number in found.groups())) if found else CascadeNote()
+
+
+def cascade_verdict(scene, halvings):
+    """How well the library says that a cascade can see the surface."""
+    advice = rc.surface.cmr_advice(-scene.gap, halvings, scene.approach, pitch=scene.pitch)
+    return {'trustworthy': int(advice.trustworthy), 'unresolved': advice.unresolved}

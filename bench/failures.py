@@ -4,12 +4,11 @@ import sys
 import numpy as np
 import roughcontact as rc
 
-import cascade
-from contact import OK, certified, difference, names, press, runs, status_of
-from options import Question, listed, one_of
+from contact import FILTERS, OK, cascade_note, cascade_options, cascade_verdict, certified, difference, names, press, runs, status_of
+from options import listed, one_of, question
 from samples import mean, wilson
 from store import Store
-from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, in_units, influence, measured_scene, rough_scene,
+from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, influence, measured_scene, rough_scene,
                       strained_scenes, tied_scene)
 
 KERNELS = ('eq9', 'punch', 'galerkin', 'love', 'disc')
@@ -39,9 +38,10 @@ def truth_of(scene):
     return certified(press(scene, dense('nnls', 1e-12))[0]).pressure
 
 
-def greedy_on_draws(kernel, side, spacing, draws):
+def greedy_on_draws(kernel, n, spacing, draws):
     """How many of the first draws of example_one greedy solves wrongly, with Wilson's 95 % interval, and how wrong; every answer is
     compared with that of nnls, which must be certified. dishonest: certified, but not the solution, or the reverse."""
+    side = round(n**0.5)
     system = example_one(side, spacing, 0).system
 
     def contact(**options):
@@ -63,7 +63,7 @@ def greedy_on_draws(kernel, side, spacing, draws):
         deepest, pressure_error = max(deepest, found.kkt_dual), max(pressure_error, off)
         load_error = max(load_error, abs(found.load / known.load - 1))
     lower, upper = wilson(failures, draws)
-    return {'kernel': kernel, 'n': side * side, 'spacing': spacing, 'draws': draws, 'failures': failures, 'share': failures / draws,
+    return {'kernel': kernel, 'n': n, 'spacing': spacing, 'draws': draws, 'failures': failures, 'share': failures / draws,
             'lower': lower, 'upper': upper, 'dishonest': dishonest, 'unrepaired': unrepaired, 'deepest_overlap': deepest,
             'load_error': load_error, 'pressure_error': pressure_error}
 
@@ -83,7 +83,7 @@ def greedy(atlas):
     cases = [(kernel, spacing, side) for kernel in KERNELS for spacing in (1, 2) for side in (5, 10, 20)]
     for kernel, spacing, side in cases:
         draws = 1000 if not atlas.quick else 100 if side < 20 else 30
-        atlas.record('greedy', **greedy_on_draws(kernel, side, spacing, draws))
+        atlas.record('greedy', **greedy_on_draws(kernel, side * side, spacing, draws))
     rows = atlas.data['greedy']
     shown = [row for row in rows if row['kernel'] == 'eq9' and row['spacing'] == 1]
     others = [row for row in rows if row not in shown]
@@ -142,7 +142,8 @@ def units(atlas, scene, options, truth, lengths):
     errors, same = [], True
     for length in lengths:
         for pressure in (1e-9, 1e11):
-            found = press(in_units(scene, length, pressure), options)[0]
+            found = press(scene.but(gap=scene.gap * length, approach=scene.approach * length, pitch=tuple(length * h for h in scene.pitch),
+                                    modulus=scene.modulus * pressure), options)[0]
             errors.append(difference(found.pressure / pressure, plain.pressure if truth is None else truth))
             same = same and found.iterations == plain.iterations and status_of(found) == OK
             atlas.record('units', solver=options['solver'], length=length, pressure=pressure, iterations=found.iterations,
@@ -237,10 +238,10 @@ def admm(atlas):
 def cascades(atlas, scene, halvings, seed):
     """One surface by every filter, as published and certified."""
     full = certified(press(scene, {'solver': 'polonsky-keer', 'backend': 'fft'})[0])
-    verdict = cascade.verdict(scene, halvings)
-    for kind in cascade.FILTERS:
-        plain, sound = (press(scene, cascade.options(kind, 1.5, halvings + 1, certified=each))[0] for each in (0, 1))
-        note, wrong = cascade.note(sound.note), difference(plain.pressure, full.pressure) > 1e-4
+    verdict = cascade_verdict(scene, halvings)
+    for kind in FILTERS:
+        plain, sound = (press(scene, cascade_options(kind, 1.5, halvings + 1, certified=each))[0] for each in (0, 1))
+        note, wrong = cascade_note(sound.note), difference(plain.pressure, full.pressure) > 1e-4
         atlas.record('cmr', surface=scene.name, seed=seed, filter=kind, plain_error=plain.load / full.load - 1, plain_status=status_of(plain),
                      plain_wrong=int(wrong), certified_error=sound.load / full.load - 1,
                      certified_difference=difference(sound.pressure, full.pressure), certified_status=status_of(sound), rounds=note.rounds,
@@ -250,7 +251,7 @@ def cascades(atlas, scene, halvings, seed):
 
 def summarise(atlas, name, words):
     rows = [row for row in atlas.data['cmr'] if row['surface'] == name]
-    off = [100 * mean(row['plain_error'] for row in rows if row['filter'] == kind) for kind in cascade.FILTERS]
+    off = [100 * mean(row['plain_error'] for row in rows if row['filter'] == kind) for kind in FILTERS]
     best = [row for row in rows if row['filter'] == 'max']
     atlas.add('cmr', 'as published, ' + words, 'load off by {:.2f} % (subsample), {:.2f} % (mean), {:.2f} % (max)'.format(*off),
               f'wrong answers with status RC_OK: {max(row["dishonest"] for row in rows)}; the surface\'s spectrum warns: '
@@ -321,6 +322,6 @@ def run(request):
     store.save()
 
 
-QUESTION = Question('failures', 'the failure atlas: where methods fail, how that shows, what helps', run, {
+question('failures', 'the failure atlas: where methods fail, how that shows, what helps', run, {
     'row': (listed(one_of(*FAMILIES)), [], 'families of rows; all'), 'surface': (str, '', 'a measured surface for the rows of cmr')},
     {}, 'fewer draws, smaller surfaces')

@@ -1,36 +1,44 @@
 """What is compiled: products and transforms that are timed, the standard method, the readers of surface files. See native/."""
 import ctypes as C
+import functools
 import os
 
 import numpy as np
+import roughcontact
 
 from case import Failure
 
-DOUBLES, INTEGERS = C.POINTER(C.c_double), C.POINTER(C.c_int64)
+DOUBLES = C.POINTER(C.c_double)
 LOOK = C.CFUNCTYPE(C.c_int, C.c_int64, DOUBLES, C.c_double, C.c_double)
-_loaded = []
+TYPES = {bool: C.c_int64, int: C.c_int64, float: C.c_double, np.float64: C.c_double, str: os.fsencode,
+         np.ndarray: lambda array: array.ctypes.data_as(C.c_void_p)}
+
+
+@functools.lru_cache(None)
+def _library():
+    roughcontact.raw.contact_library()  # the module needs it
+    return C.CDLL(os.environ['RC_BENCH_NATIVE'])
 
 
 def _call(name, *arguments):
-    if not _loaded:
-        import roughcontact
-        roughcontact.raw.contact_library()  # the module needs it
-        _loaded.append(C.CDLL(os.environ['RC_BENCH_NATIVE']))
-    function = getattr(_loaded[0], name)
+    """Numbers, texts and arrays as C takes them; others are for ctypes."""
+    function = getattr(_library(), 'bench_' + name)
     function.restype = C.c_char_p
-    failed = function(*arguments)
-    if failed and name != 'bench_build':
+    failed = function(*(TYPES.get(type(each), lambda same: same)(each) for each in arguments))
+    if failed and name != 'build':
         raise Failure(failed.decode())
     return failed
 
 
-def _pointer(array):
-    return array.ctypes.data_as(C.c_void_p)
+def _seconds(name, *arguments):
+    seconds = C.c_double()
+    _call(name, *arguments, C.byref(seconds))
+    return seconds.value
 
 
 def build():
     """(commit, compiler, build type, flags, FFTW)"""
-    return _call('bench_build').decode().split('\n')
+    return _call('build').decode().split('\n')
 
 
 def time_products(system, gap, approach, backend='auto', planning='', threads=1, budget=0.3, single=False, share=1.0, want=0):
@@ -38,8 +46,8 @@ def time_products(system, gap, approach, backend='auto', planning='', threads=1,
     share: of the points that have pressure. want: how many values y has."""
     struct, _ = system.struct()
     times, counts, y = (C.c_double * 3)(), (C.c_int64 * 3)(), np.empty(want)
-    _call('bench_time_products', C.byref(struct), _pointer(gap), C.c_double(approach), backend.encode(), planning.encode(),
-          C.c_int(threads), C.c_double(budget), C.c_int(single), C.c_double(share), times, counts, _pointer(y) if want else None)
+    _call('time_products', C.byref(struct), gap, approach, backend, planning, threads, float(budget), single, float(share), times, counts,
+          y if want else None)
     return dict(zip(('best', 'median', 'first', 'count', 'points', 'contacts', 'y'), (*times, *counts, y)))
 
 
@@ -47,47 +55,39 @@ class PaddedProduct:
     """The product by one transform of the grid padded to 2n x 2n."""
 
     def __init__(self, n, threads, measure, limit, single):
-        self.handle, planning = C.c_void_p(), C.c_double()
-        _call('bench_padded_create', C.c_int64(n), C.c_int(threads), C.c_int(measure), C.c_double(limit), C.c_int(single),
-              C.byref(self.handle), C.byref(planning))
-        self.planning_seconds = planning.value
+        self.handle = C.c_void_p()
+        self.planning_seconds = _seconds('padded_create', n, threads, measure, float(limit), single, C.byref(self.handle))
 
     def time(self, x, budget):
         """({'best', 'median'} [s], y)"""
         times, y = (C.c_double * 2)(), np.empty_like(x)
-        _call('bench_padded_time', self.handle, C.c_int64(x.size), _pointer(x), C.c_double(budget), times, _pointer(y))
+        _call('padded_time', self.handle, x.size, x, float(budget), times, y)
         return dict(zip(('best', 'median'), times)), y
 
 
 def time_triad(n, threads, budget):
-    seconds = C.c_double()
-    _call('bench_time_triad', C.c_int64(n), C.c_int(threads), C.c_double(budget), C.byref(seconds))
-    return seconds.value
+    return _seconds('time_triad', n, threads, float(budget))
 
 
 def time_transform(length, repeats, threads, budget, single):
-    seconds = C.c_double()
-    _call('bench_time_transform', C.c_int64(length), C.c_int64(repeats), C.c_int(threads), C.c_double(budget), C.c_int(single),
-          C.byref(seconds))
-    return seconds.value
+    return _seconds('time_transform', length, repeats, threads, float(budget), single)
 
 
 def polonsky_keer(gap, load_control, target, threads, planning_limit, wisdom, look, most=100000):
     """look(products, pressures, residual, seconds) goes on as long as it returns true. Returns seconds of set-up and of planning."""
-    seconds = (C.c_double * 2)()
+    times = (C.c_double * 2)()
 
     def call(products, p, residual, spent):
         return int(bool(look(products, np.ctypeslib.as_array(p, gap.shape), residual, spent)))
 
-    _call('bench_polonsky_keer', C.c_int64(gap.shape[0]), _pointer(gap), C.c_int(load_control), C.c_double(target), C.c_int(threads),
-          C.c_int64(most), C.c_double(planning_limit), wisdom.encode(), seconds, LOOK(call))
-    return tuple(seconds)
+    _call('polonsky_keer', len(gap), gap, load_control, float(target), threads, most, float(planning_limit), wisdom, times, LOOK(call))
+    return tuple(times)
 
 
 def read_surface(file):
     """(heights, (hx, hy)) in metres, of any format that the command reads."""
     shape, pitch, heights = (C.c_int64 * 2)(), (C.c_double * 2)(), DOUBLES()
-    _call('bench_read_surface', os.fsencode(file), shape, pitch, C.byref(heights))
+    _call('read_surface', file, shape, pitch, C.byref(heights))
     found = np.ctypeslib.as_array(heights, (shape[1], shape[0])).copy()
     C.CDLL(None).free(heights)
     return found, tuple(pitch)

@@ -1,10 +1,10 @@
-"""Options of the sub-commands: what each takes, and what it takes by default and with --quick."""
+"""The sub-commands: what each asks, and what it takes, by default and with --quick."""
 import argparse
 import os
-from dataclasses import dataclass, field
-from typing import Callable
 
 THREADS = os.cpu_count() or 1
+PARSER = argparse.ArgumentParser(prog='roughcontact-bench', description='Benchmarks of the roughcontact library')
+COMMANDS = PARSER.add_subparsers(required=True, metavar='COMMAND')
 
 
 def ranged(kind, low, high):
@@ -38,37 +38,25 @@ threads = ranged(int, 1, 1024)
 side = ranged(int, 16, 16384)
 percent = ranged(float, 0.001, 95)
 CONTROLS = one_of('displacement', 'load')
+NAMED = {'solver': (str, 'auto', 'by name, or auto'), 'backend': (str, 'auto', 'by name, or auto')}
+ALL_THREADS = {'threads': (threads, THREADS, 'threads')}
 
 
-@dataclass(frozen=True)
-class Question:
-    """options: name: (type, default, text); bool: a flag. quick: defaults in the place of those, and the text of --quick.
+def question(name, text, run, options, quick=(), quick_text='', names=()):
+    """A sub-command. options: name: (type, default, text); bool: a flag. quick: defaults in the place of those, and the text of --quick.
     names: what may be named without an option."""
-    name: str
-    text: str
-    run: Callable
-    options: dict
-    quick: dict = field(default_factory=dict)
-    quick_text: str = ''
-    names: tuple = ()
+    parser = COMMANDS.add_parser(name, help=text, description=text)
+    for option, (kind, default, words) in options.items():
+        shown = ','.join(map(str, default)) if isinstance(default, (list, tuple)) else '' if kind is bool else default
+        parser.add_argument('--' + option.replace('_', '-'), default=argparse.SUPPRESS, help=words if shown == '' else f'{words} ({shown})',
+                            **({'action': 'store_true'} if kind is bool else {'type': kind}))
+    if quick_text:
+        parser.add_argument('--quick', action='store_true', default=argparse.SUPPRESS, help=quick_text)
+    if names:
+        parser.add_argument('names', nargs='*', metavar='NAME', choices=[*names, []], help=', '.join(names) + '; all')
+    parser.add_argument('--json', default='', help='results, in JSON')
 
-    def add_to(self, commands):
-        parser = commands.add_parser(self.name, help=self.text, description=self.text)
-        for name, (kind, default, text) in self.options.items():
-            flag = '--' + name.replace('_', '-')
-            if kind is bool:
-                parser.add_argument(flag, action='store_true', default=argparse.SUPPRESS, help=text)
-            else:
-                shown = ','.join(map(str, default)) if isinstance(default, (list, tuple)) else default
-                parser.add_argument(flag, type=kind, default=argparse.SUPPRESS, help=f'{text} ({shown})' if shown != '' else text)
-        if self.quick_text:
-            parser.add_argument('--quick', action='store_true', default=argparse.SUPPRESS, help=self.quick_text)
-        if self.names:
-            parser.add_argument('names', nargs='*', metavar='NAME', choices=[*self.names, []], help=', '.join(self.names) + '; all')
-        parser.add_argument('--json', default='', help='results, in JSON')
-        parser.set_defaults(question=self)
-
-    def answer(self, given):
-        values = {name: default for name, (_, default, _) in self.options.items()}
-        values.update(quick=False, **(self.quick if 'quick' in given else {}))
-        self.run(argparse.Namespace(**{**values, **vars(given)}))
+    def answer(given):
+        values = {option: default for option, (_, default, _) in options.items()}
+        run(argparse.Namespace(**{**values, 'quick': False, **dict(quick if 'quick' in given else ()), **vars(given)}))
+    parser.set_defaults(answer=answer)

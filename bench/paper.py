@@ -1,18 +1,17 @@
 """The figures of Bemporad & Paggi (2015), measured anew: the rows behind docs/paper.md."""
 import os
-import time
+import random
+from functools import partial
+from itertools import product
 
 import numpy as np
 import roughcontact as rc
 
-import cascade
 from case import Progress, cpu_seconds, in_child, repeats
-from contact import OK, certified, press, status_of
-from draws import Draw
+from contact import FILTERS, OK, cascade_note, cascade_options, cascade_verdict, certified, press, status_of
 from failures import greedy_on_draws
 from histories import History
-from options import Question, folder, listed, one_of, threads
-from paper_algorithm_2 import VARIANTS, algorithm_2
+from options import folder, listed, one_of, question, threads
 from store import Store
 from surfaces import Scene, SurfaceClass, example_one, hertz_scene, influence, measured_scene, rough_scene
 
@@ -23,35 +22,36 @@ SIDE, RMS_HEIGHT = 100e-6, 1e-6  # of generated surfaces [m]
 COARSEST_SIDE = 64  # of the cascade, the paper's
 
 
-def greedy(scene):
-    return press(scene, {'solver': 'greedy', 'greedy.inner': 'cholesky', 'backend': 'dense', 'tol': 1e-10})[0]
+def greedy(scene, **more):
+    return press(scene, {'solver': 'greedy', 'backend': 'dense', **more})[0]
 
 
-def first_wrong_draw():
-    """Figure 2: the first draw of 100 points that greedy gets wrong."""
-    seed, found = -1, None
+def first_wrong_draw(kernel, n):
+    """Figure 2: the first draw of n points that greedy gets wrong."""
+    side, seed, found = round(n**0.5), -1, None
     while found is None or status_of(found) == OK:
         seed += 1
-        scene = example_one(10, 1, seed, 'eq9')
-        found = press(scene, {'solver': 'greedy', 'backend': 'dense', 'tol': 1e-10})[0]
+        scene = example_one(side, 1, seed, kernel)
+        found = greedy(scene, tol=1e-10)
     truth = certified(press(scene, {'solver': 'nnls', 'backend': 'dense', 'tol': 1e-10})[0])
     u = (scene.approach - scene.gap).ravel()
-    return {'seed': seed, 'status': status_of(found), 'u': u, 'w': influence('eq9', 10) @ found.pressure.ravel() - u,
+    return {'seed': seed, 'status': status_of(found), 'u': u, 'w': influence(kernel, side) @ found.pressure.ravel() - u,
             'greedy': found.pressure.ravel(), 'exact': truth.pressure.ravel()}
 
 
-def smooth(shape, kernel, draws):
+def smooth(draws, shape, kernel):
     """Shapes on which greedy elimination is said never to fail."""
     if shape == 'spheres between the points':
-        failures, deepest, random, n, radius = 0, 0.0, Draw(1), 24, 100
+        failures, deepest, draw, n, radius = 0, 0.0, random.Random(1).random, 24, 100
         for _ in range(draws):  # paraboloids whose tip lies anywhere between the points, contact radii of 3 to 9 cells
-            x, y = np.arange(n)[None, :] - (n / 2 - random.uniform()), np.arange(n)[:, None] - (n / 2 - random.uniform())
-            contact = 3 + 6 * random.uniform()
-            found = greedy(Scene(shape, (x * x + y * y) / (2 * radius), contact**2 / radius, kernel=kernel))
+            x, y = np.arange(n)[None, :] - (n / 2 - draw()), np.arange(n)[:, None] - (n / 2 - draw())
+            contact = 3 + 6 * draw()
+            scene = Scene(shape, (x * x + y * y) / (2 * radius), contact**2 / radius, kernel=kernel)
+            found = greedy(scene, tol=1e-10, **{'greedy.inner': 'cholesky'})
             failures, deepest = failures + int(status_of(found) != OK), max(deepest, found.kkt_dual)
         return {'draws': draws, 'failures': failures, 'deepest_overlap': deepest}
     scene = hertz_scene(96) if shape == 'sphere' else Scene(shape, np.zeros((20, 20)), 1.0)
-    found = press(scene.but(kernel=kernel), {'solver': 'greedy', 'backend': 'dense'})[0]
+    found = greedy(scene.but(kernel=kernel))
     row = {'draws': 1, 'failures': int(status_of(found) != OK), 'status': status_of(found), 'load': found.load}
     if shape == 'sphere':  # Hertz: load 4/3 E* sqrt(R d^3), for a radius of curvature of n cells
         row['load_error'] = found.load / (4 / 3 * (96 * scene.approach**3)**0.5) - 1
@@ -65,13 +65,11 @@ def example_1(request):
     for kernel, side, spacing, full, quick, cost in draws:
         count = quick if request.quick else full
         if count:
-            yield ('example_1', {'kernel': kernel, 'n': side * side, 'spacing': spacing, 'draws': count}, cost * count,
-                   lambda kernel=kernel, side=side, spacing=spacing, count=count: greedy_on_draws(kernel, side, spacing, count))
+            yield 'example_1', {'kernel': kernel, 'n': side * side, 'spacing': spacing, 'draws': count}, cost * count, greedy_on_draws
     yield 'figure_2', {'kernel': 'eq9', 'n': 100}, 0.1, first_wrong_draw
     count = 60 if request.quick else 2000
-    for kernel in ('eq9', 'love'):
-        for shape, cost in (('sphere', 0.5), ('flat punch', 0.1), ('spheres between the points', 5e-3 * count)):
-            yield ('smooth', {'shape': shape, 'kernel': kernel}, cost, lambda shape=shape, kernel=kernel: smooth(shape, kernel, count))
+    for kernel, (shape, cost) in product(('eq9', 'love'), (('sphere', 0.5), ('flat punch', 0.1), ('spheres between the points', 5e-3 * count))):
+        yield 'smooth', {'shape': shape, 'kernel': kernel}, cost, partial(smooth, count)
 
 
 SINGLE = {'solver': 'nnls', 'nnls.pivoting': 'single'}
@@ -93,19 +91,18 @@ def worst_status(steps):
     return next((status_of(result) for result, _ in reversed(steps) if status_of(result) != OK), OK)
 
 
-def loading(levels, backend, kernel, most, method, seed, count):
+def loading(levels, backend, kernel, most, threads, setting, method, seed):
     """Figure 4: steps with up to `most` candidates of one loading history."""
     options, warm, _ = METHODS[method]
     history = History(levels, 0.7, seed, 10)
-    last, squares = history.approaches[-1], history.gap - history.gap.mean()
-    fitting = [approach for approach in history.approaches if np.count_nonzero(history.gap < approach) <= most]
-    history.approaches = fitting
-    found = history.run({'backend': backend, 'kernel': kernel, 'tol': 1e-8, 'max_iter': 100000, 'bounds': 0, 'threads': count, 'time_limit': 60,
+    last = history.approaches[-1]
+    history.approaches = fitting = [approach for approach in history.approaches if np.count_nonzero(history.gap < approach) <= most]
+    found = history.run({'backend': backend, 'kernel': kernel, 'tol': 1e-8, 'max_iter': 100000, 'bounds': 0, 'threads': threads, 'time_limit': 60,
                          **options}, warm)
     steps = [{'approach': result.displacement / (fitting or [last])[-1], **step_of(result, cpu, 'iterations', 'products'),
               'status': status_of(result)} for result, cpu in found]
-    return {'points_a_side': history.n, 'backend': backend, 'kernel': kernel, 'rms_height': np.sqrt(np.mean(squares**2)),
-            'steps_of_ten': len(fitting), **{key: sum(step[key] for step in steps) for key in ('cpu_seconds', 'products', 'iterations')},
+    return {'points_a_side': history.n, 'backend': backend, 'kernel': kernel, 'rms_height': history.gap.std(), 'steps_of_ten': len(fitting),
+            **{key: sum(step[key] for step in steps) for key in ('cpu_seconds', 'products', 'iterations')},
             'status': worst_status(found), 'steps': steps}
 
 
@@ -117,19 +114,80 @@ def figure_4(request):
         settings = [('small', 6, 'dense', 'eq9', 2, 1e12, 0.1), ('small, love', 6, 'dense', 'love', 2, 1e12, 0.1),
                     ('dense', 7, 'dense', 'eq9', 1, 600, 0.3), ('fft', 7, 'fft', 'eq9', 1, 1e12, 1)]
     for setting, levels, backend, kernel, seeds, most, cost in settings:
-        for seed in range(1, seeds + 1):
-            for method, (_, _, dense_only) in METHODS.items():
-                if backend == 'dense' or not dense_only:
-                    given = levels, backend, kernel, most, method, seed, request.threads
-                    yield 'figure_4', {'setting': setting, 'method': method, 'seed': seed}, cost, lambda given=given: loading(*given)
+        for seed, (method, (_, _, dense_only)) in product(range(1, seeds + 1), METHODS.items()):
+            if backend == 'dense' or not dense_only:
+                yield ('figure_4', {'setting': setting, 'method': method, 'seed': seed}, cost,
+                       partial(loading, levels, backend, kernel, most, request.threads))
+
+
+ALGORITHM_2_TOL = 1e-8
+# Algorithm 2 as printed, and with its errata put right one after the other: how far each gets. The library's polonsky-keer has them all.
+# Whether every point is clipped at zero and may come back, not those of the active set alone; whether directions and norms are restricted to
+# the contact set; whether norms are squared in the ratio that makes directions conjugate.
+VARIANTS = {'as printed': (False, False, False), 'every point clipped and admitted': (True, False, False),
+            'and norms on the contact set': (True, True, False), 'and squared norms: Polonsky & Keer (1999)': (True, True, True)}
+
+
+def problem_of(scene):
+    """(matrix, compenetrations) of the candidates of a scene with square cells."""
+    gap = scene.gap.ravel()
+    points = np.flatnonzero(gap < scene.approach)
+    matrix = influence(scene.kernel, len(scene.gap))[np.ix_(points, points)]
+    return matrix, (scene.approach - gap[points]) / scene.approach
+
+
+def residual_of(p, w, height):
+    """Largest violation of p >= 0, w >= 0, p w = 0, relative to the largest pressure and compenetration."""
+    worst = np.max(np.where(p > 0, np.abs(w), -w)) / height
+    return max(0.0, worst, -p.min() / np.abs(p).max())
+
+
+def algorithm_2(scene, most, kernel, variant):
+    every_point, on_contact, squared = VARIANTS[variant]
+    matrix, u = problem_of(scene.but(kernel=kernel))
+    p, t, w, active = np.zeros_like(u), np.zeros_like(u), -u, np.full(u.size, True)
+    height, direction, least, iterations, stopped = u.max(), 0, 1.0, 0, {}
+
+    def norm_of():
+        counted = np.where(active, w, 0) if on_contact else w
+        return counted @ counted if squared else np.linalg.norm(counted)
+
+    if on_contact:
+        active = w < 0
+    norm, last_norm, all_points = norm_of(), 1.0, np.linalg.norm(w)
+    with np.errstate(all='ignore'):
+        while least > ALGORITHM_2_TOL and iterations < most:
+            t = w + direction * norm / last_norm * t
+            if on_contact:
+                t = np.where(active, t, 0)
+            step = (w @ t) / (t @ (matrix @ t))
+            if not np.isfinite(step):
+                break
+            p -= step * t
+            seen = np.full(u.size, True) if every_point else active
+            p = np.where(seen, np.maximum(p, 0), p)
+            back = seen & (p == 0) & (w < 0)
+            p[back] -= step * w[back]
+            active = back | (p > 0)
+            direction, last_norm = int(not back.any()), norm
+            w = matrix @ p - u
+            norm, iterations = norm_of(), iterations + 1
+            residual, now = residual_of(p, w, height), np.linalg.norm(w)
+            if not np.isfinite(residual):
+                break
+            least = min(least, residual)
+            # The printed test: the norm over all points changes little.
+            if not stopped and abs(now - all_points) <= ALGORITHM_2_TOL * all_points:
+                stopped = {'stopped': iterations, 'residual_at_stop': residual}
+            all_points = now
+        lowest = p.min() / np.abs(p).max()
+    return {'candidates': u.size, 'iterations': iterations, 'most': most, 'residual': least, 'lowest_pressure': lowest, **stopped}
 
 
 def algorithm_2_plan(request):
-    levels, most = (5, 500) if request.quick else (7, 5000)
-    for kernel in ('eq9', 'love'):
-        for variant in VARIANTS:
-            yield ('algorithm_2', {'kernel': kernel, 'variant': variant}, 0.1 if request.quick else 10,
-                   lambda kernel=kernel, variant=variant: algorithm_2(rough_scene(levels, 1).but(kernel=kernel), variant, most))
+    levels, most, cost = (5, 500, 0.1) if request.quick else (7, 5000, 10)
+    for kernel, variant in product(('eq9', 'love'), VARIANTS):
+        yield 'algorithm_2', {'kernel': kernel, 'variant': variant}, cost, partial(algorithm_2, rough_scene(levels, 1), most)
 
 
 def inner_solver(levels, n, inner, seed):
@@ -153,12 +211,10 @@ def inner_solver(levels, n, inner, seed):
 
 def figure_5(request):
     levels, seeds, sizes = (7, 2, (100, 300)) if request.quick else (9, 6, (250, 500, 1000, 2000, 4000))
-    for seed in range(1, seeds + 1):
-        for n in sizes:
-            for inner in ('cg', 'cholesky', 'gauss-seidel'):
-                if n <= 2000 or inner != 'gauss-seidel':  # the matrix is stored by n products
-                    yield ('figure_5', {'n': n, 'inner': inner, 'seed': seed}, 0.4 + (1 if inner == 'gauss-seidel' else 0.1) * (n / 1000)**3,
-                           lambda given=(levels, n, inner, seed): inner_solver(*given))
+    for seed, n, inner in product(range(1, seeds + 1), sizes, ('cg', 'cholesky', 'gauss-seidel')):
+        if n <= 2000 or inner != 'gauss-seidel':  # the matrix is stored by n products
+            yield ('figure_5', {'n': n, 'inner': inner, 'seed': seed}, 0.4 + (1 if inner == 'gauss-seidel' else 0.1) * (n / 1000)**3,
+                   partial(inner_solver, levels))
 
 
 def projected(levels, pivoting, projections, seed):
@@ -176,12 +232,9 @@ def projected(levels, pivoting, projections, seed):
 
 def figure_6(request):
     levels, seeds, cost = (6, 2, 0.02) if request.quick else (7, 8, 1)
-    for seed in range(1, seeds + 1):
-        for pivoting in ('single', 'block'):
-            for projections in (0, 10, 50, 100, 200):
-                yield ('figure_6', {'pivoting': pivoting, 'projections': projections, 'seed': seed},
-                       cost * (0.5 if pivoting == 'block' else 8 if projections == 10 else 2),
-                       lambda given=(levels, pivoting, projections, seed): projected(*given))
+    for seed, pivoting, projections in product(range(1, seeds + 1), ('single', 'block'), (0, 10, 50, 100, 200)):
+        yield ('figure_6', {'pivoting': pivoting, 'projections': projections, 'seed': seed},
+               cost * (0.5 if pivoting == 'block' else 8 if projections == 10 else 2), partial(projected, levels))
 
 
 INNER = {'fft': 'polonsky-keer', 'dense': 'nnls'}  # the solver of the cascade and of the whole problem, by the products
@@ -200,21 +253,21 @@ def whole_of(scene, backend, count):
 
 def compared(scene, whole, count, *given, **more):
     """Algorithm 6 against the whole problem."""
-    (plain, plain_cpu), (sound, sound_cpu) = (timed(scene, cascade.options(*given, **more, certified=each), count) for each in (0, 1))
-    note = cascade.note(sound.note)
+    (plain, plain_cpu), (sound, sound_cpu) = (timed(scene, cascade_options(*given, **more, certified=each), count) for each in (0, 1))
+    note = cascade_note(sound.note)
     return {'load_error': plain.load / whole.load - 1, 'status': status_of(plain), 'kept': note.share_at_first, 'rounds': note.rounds,
             'cpu_seconds': plain_cpu, 'products': plain.applications, 'certified_error': sound.load / whole.load - 1,
             'certified_status': status_of(sound), 'certified_cpu_seconds': sound_cpu, 'certified_products': sound.applications}
 
 
-def by_exponent(levels, hurst, seed, kernel, backend, count):
+def by_exponent(levels, count, hurst, kernel, backend, seed):
     scene = rough_scene(levels, seed, hurst).but(kernel=kernel)
     whole, row = whole_of(scene, backend, count)
     products = {'backend': backend, 'inner': INNER[backend]}
     return {**row, **compared(scene, whole, count, **products), 'diagonal': compared(scene, whole, count, area='diagonal', **products)}
 
 
-def by_radius(levels, seed, radii, backend, count):
+def by_radius(levels, radii, count, backend, seed):
     scene = rough_scene(levels, seed).but(kernel='eq9')
     whole, row = whole_of(scene, backend, count)
     entries = [{'h': h, **compared(scene, whole, count, 'subsample', h, backend=backend, inner=INNER[backend])} for h in radii]
@@ -229,10 +282,9 @@ def figure_8(request):
         runs = [('eq9', 'fft', 8, 0.03), ('love', 'fft', 8, 0.03), ('eq9', 'dense', 2, 0.1)]
         levels, exponents = 6, (0.3, 0.6, 0.9)
     for kernel, backend, seeds, cost in runs:
-        for seed in range(1, seeds + 1):
-            for hurst in exponents:
-                yield ('figure_8', {'hurst': hurst, 'kernel': kernel, 'backend': backend, 'seed': seed}, cost,
-                       lambda given=(levels, hurst, seed, kernel, backend, request.threads): by_exponent(*given))
+        for seed, hurst in product(range(1, seeds + 1), exponents):
+            yield ('figure_8', {'hurst': hurst, 'kernel': kernel, 'backend': backend, 'seed': seed}, cost,
+                   partial(by_exponent, levels, request.threads))
 
 
 def figure_9(request):
@@ -240,8 +292,7 @@ def figure_9(request):
     levels, radii = (6, (1.25, 2, 3)) if request.quick else (8, (1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3))
     for backend, seeds, cost in (('fft', 6, 0.2), ('dense', 2, 0.2)) if request.quick else (('fft', 30, 2), ('dense', 6, 30)):
         for seed in range(1, seeds + 1):
-            yield ('figure_9', {'backend': backend, 'seed': seed}, cost,
-                   lambda given=(levels, seed, radii, backend, request.threads): by_radius(*given))
+            yield 'figure_9', {'backend': backend, 'seed': seed}, cost, partial(by_radius, levels, radii, request.threads)
 
 
 def spectrum_of(heights, pitch, periodic):
@@ -255,36 +306,40 @@ def spectrum_of(heights, pitch, periodic):
             'profile': profile - profile.mean()}
 
 
-def classified(scene, periodic, count):
+def classified(make, periodic, count, surface, origin):
     """A surface with or without a power-law spectrum, and what the cascade makes of it, at approaches of the highest point's height over a
     part: the paper's, and that of its section 4."""
+    scene = make()
     row, halvings = spectrum_of(-scene.gap, scene.pitch, periodic), 0
     while min(scene.gap.shape) >> (halvings + 1) >= COARSEST_SIDE:
         halvings += 1
     cases = []
     for part in (5.0, 2.0):
         pressed = scene.but(approach=scene.gap.mean() / part)
-        verdict, (whole, same) = cascade.verdict(pressed, halvings), whole_of(pressed, 'fft', count)
+        verdict, (whole, same) = cascade_verdict(pressed, halvings), whole_of(pressed, 'fft', count)
         same.pop('whole_products')
-        for kind in cascade.FILTERS:
+        for kind in FILTERS:
             found = compared(pressed, whole, count, kind, 1.5, halvings + 1)
             cases.append({'part': part, 'filter': kind, 'halvings': halvings, **found, **same, **verdict})
     return {**row, 'cases': cases}
+
+
+def generated(surface, n):
+    heights = RMS_HEIGHT * surface.heights(n, 1)
+    return Scene(surface.name, heights.max() - heights, pitch=(SIDE / n, SIDE / n))
 
 
 def figure_10(request):
     """Figures 10 and 11: surfaces with and without a power-law spectrum, measured and generated."""
     n = 128 if request.quick else 512
     for surface in (SurfaceClass('generated, power law', 0.6), SurfaceClass('generated, roll-off', 0.6, roll_off=n / 10)):
-        def generated(surface=surface):
-            heights = RMS_HEIGHT * surface.heights(n, 1)
-            return classified(Scene(surface.name, heights.max() - heights, pitch=(SIDE / n, SIDE / n)), True, request.threads)
-        yield 'figure_10', {'surface': surface.name, 'origin': 'generated'}, 1 if request.quick else 10, generated
+        yield ('figure_10', {'surface': surface.name, 'origin': 'generated'}, 1 if request.quick else 10,
+               partial(classified, partial(generated, surface, n), True, request.threads))
     files = [os.path.join(request.surfaces, file) for file in MEASURED if request.surfaces]
     files = [file for file in files if os.path.exists(file)]
     for file in files:
         yield ('figure_10', {'surface': os.path.splitext(os.path.basename(file))[0], 'origin': 'measured'}, 8 if request.quick else 20,
-               lambda file=file: classified(measured_scene(file), False, request.threads))
+               partial(classified, partial(measured_scene, file), False, request.threads))
     if not files:
         print(f'no measured surfaces in "{request.surfaces}" (--surfaces): figures 10 and 11 show generated ones alone')
 
@@ -302,15 +357,13 @@ def run(request):
     left = [entry for entry in plan if not store.known(*entry[:2])]
     progress, failed = Progress(sum(cost for _, _, cost, _ in left)), 0
     for name, key, cost, work in left:
-        begun = time.monotonic()
-        row = store.put(name, key, in_child(work))
+        row = store.put(name, key, in_child(lambda: work(**key)))
         failed += 'error' in row
-        progress.done(f'{name}, {", ".join(f"{what} {value}" for what, value in key.items())}: {row.get("error", "measured")}', cost,
-                      time.monotonic() - begun)
+        progress.done(f'{name}, {", ".join(f"{what} {value}" for what, value in key.items())}: {row.get("error", "measured")}', cost)
     print(f'{len(left)} measured, {failed} of them failed; {len(plan) - len(left)} measured before')
 
 
-QUESTION = Question('paper', 'the figures of Bemporad & Paggi (2015)', run, {
+question('paper', 'the figures of Bemporad & Paggi (2015)', run, {
     'figure': (listed(one_of(*map(str, FIGURES))), [], '2 (with Example 1), 4, 5, 6, 8, 9, 10 (with 11); all'),
     'surfaces': (folder, '', 'folder with measured surfaces for figure 10'), 'threads': (threads, 1, 'threads of FFT products')},
     {}, 'small grids, few seeds')

@@ -1,16 +1,181 @@
-"""Tables of docs/paper.md. What has not been measured is named with the command that does."""
+"""Rows of paper.json, the claims of Bemporad & Paggi (2015) beside what they say, and the tables of docs/paper.md. What has not been measured is
+named with the command that does."""
 import math
 
-from paper_claims import claims_table
-from paper_rows import BEST_OF_PAPER, METHODS, rows
-from samples import groups, median_interval, ratios, values_of
-from store import load_known
-from tables import error, missing, provenance, table
+from samples import chosen, groups, median, median_interval, ratios, values_of
+from store import load
+from tables import error, missing, provenance, records, table
+
+METHODS = ['greedy CG', 'P&K 1999', 'P&K 1999, warm', 'ADMM, warm', 'NNLS', 'NNLS, warm', 'NNLS + 100 GP', 'NNLS by blocks, warm',
+           'haar-cg, warm']
+BEST_OF_PAPER = 'NNLS + 100 GP'
+
+
+def measured(document, name, **values):
+    """Rows of a list with these values, and without an error."""
+    return [row for row in chosen(document.get(name, []), **values) if 'error' not in row]
+
+
+def some(parts, between='; '):
+    if not parts:
+        raise LookupError
+    return between.join(parts)
+
+
+def figure(value):
+    return f'{value:.2g}' if value < 10 else f'{value:.0f}'
+
+
+def spread(values, unit=''):
+    middle, low, high = median_interval(values)
+    return f'{figure(middle)}{unit} ({figure(low)} to {figure(high)})' if len(values) > 1 else f'{figure(middle)}{unit}'
+
+
+class Claims:
+    def __init__(self, document):
+        self.document = document
+
+    def rows(self, name, **values):
+        return measured(self.document, name, **values)
+
+    def fails_often(self):
+        shares = [f'n = {row["n"]}: {100 * row["share"]:.0f} %' for n in (25, 100, 400, 900)
+                  for row in self.rows('example_1', kernel='eq9', spacing=1, n=n)[:1]]
+        return f'yes, with kernel `eq9`: {some(shares, ", ")}'
+
+    def never_elsewhere(self):
+        found = [r for r in self.rows('example_1') if r['kernel'] != 'eq9' or r['spacing'] == 2]
+        spaced, others = chosen(found, spacing=2), chosen(found, spacing=1)
+
+        def wrong(rows):
+            return f'{sum(r["failures"] for r in rows)} of {sum(r["draws"] for r in rows)}'
+        return f'yes: {wrong(spaced)} draws; at a spacing of 1 with {some([f"`{r}`" for r in values_of(others, "kernel")], ", ")} {wrong(others)}'
+
+    def smooth_never(self):
+        found = self.rows('smooth', shape='spheres between the points')
+        counts = some(['{failures} of {draws} spheres with `{kernel}`'.format(**r) for r in found], ', ')
+        return ('not always: ' if any(r['failures'] for r in found) else 'yes: ') + counts
+
+    def speed(self, slower, factor):
+        """How much longer than NNLS with gradient steps, by setting."""
+        parts, reached = [], False
+        for setting, words in (('small', 'dense products'), ('dense', 'dense products, larger'), ('fft', 'FFT products')):
+            mine, best = (self.rows('figure_4', setting=setting, method=method) for method in (slower, BEST_OF_PAPER))
+            values = ratios(mine, best)
+            if values:
+                stopped = ' (stopped for time)' if chosen(best, status='RC_STOP_TIME') else ''
+                parts.append(f'{spread(values)} times on {mine[0]["points_a_side"]}², {words}{stopped}')
+                reached = reached or median(values) >= factor / 2
+        return ('' if reached else 'no: ') + some(parts)
+
+    def cause(self):
+        found = {r['variant']: r for r in self.rows('algorithm_2', kernel='eq9')}
+        right = next(r for name, r in found.items() if name.startswith('and squared'))
+        others = [r for r in found.values() if r is not right]
+        if any(r['residual'] <= 1e-8 for r in others):
+            return 'some printed variants converge, see figure 4'
+        most = max(r['iterations'] for r in others)
+        return (f'Algorithm 2 as printed, or with some of its errata put right, is not there after {most} iterations; with all of them '
+                f'{right["iterations"]}, {figure(most / right["iterations"])} times fewer')
+
+    def warm(self, method):
+        parts = []
+        for setting in ('small', 'dense', 'fft'):
+            cold, warm = (self.rows('figure_4', setting=setting, method=method + words) for words in ('', ', warm'))
+            if cold and warm:
+                parts.append(f'{spread(ratios(warm, cold, "products"))} of the products on {cold[0]["points_a_side"]}²'
+                             f'{", FFT" if setting == "fft" else ", dense"}')
+        return some(parts)
+
+    def inner(self, name, storing=True):
+        parts = []
+        for n in values_of(self.rows('figure_5'), 'n'):
+            mine, cg = (self.rows('figure_5', n=n, inner=inner) for inner in (name, 'cg'))
+            mine = [{**r, 'cpu_seconds': r['cpu_seconds'] - (0 if storing else r['storing_seconds'])} for r in mine]
+            parts += [f'n = {n}: {figure(median(values))}' for values in [ratios(mine, cg)] if values]
+        return f'time over that of conjugate gradients: {some(parts, ", ")}' + ('' if storing else ', the time to store the matrix not counted')
+
+    def projections(self):
+        found = self.rows('figure_6', pivoting='single')
+        times = {count: median([r['cpu_seconds'] for r in chosen(found, projections=count)]) for count in values_of(found, 'projections')}
+        words = ', '.join(f'K = {count}: {figure(value / times[0])}' for count, value in times.items() if count)
+        return f'time over that without: {words}; least at K = {min(times, key=times.get)}'
+
+    def by_exponent(self, value):
+        found = self.rows('figure_8', backend='fft', kernel='eq9')
+        return found, {h: [value(r['load_error']) for r in chosen(found, hurst=h)] for h in values_of(found, 'hurst')}
+
+    def losses(self):
+        found, lost = self.by_exponent(lambda error: 100 * error)
+        parts = [f'H = {h:g}: {median(values):.2g} % ({min(values):.2g} % at worst)' for h, values in lost.items()]
+        return f'in the median of {len(values_of(found, "seed"))} surfaces: ' + some(parts, ', ')
+
+    def falls(self):
+        medians = [median(values) for values in self.by_exponent(abs)[1].values()]
+        steady = ', at every step' if all(a > b for a, b in zip(medians, medians[1:])) else ''
+        return f'yes: from {100 * medians[0]:.2g} % to {100 * medians[-1]:.2g} %{steady}' if medians[-1] < medians[0] else 'no'
+
+    def half_saved(self):
+        parts = []
+        for backend, words in (('dense', 'dense products'), ('fft', 'FFT products')):
+            found = self.rows('figure_8', backend=backend, kernel='eq9')
+            if found:
+                plain, sound = (spread([r[key] / r['whole_cpu_seconds'] for r in found]) for key in ('cpu_seconds', 'certified_cpu_seconds'))
+                parts.append(f'{words}: {plain} of the time of the whole problem, certified {sound}')
+        return some(parts)
+
+    def radius(self):
+        parts = []
+        for i in (0, -1):
+            found = [r['radii'][i] for r in self.rows('figure_9', backend='fft')]
+            lost, kept = median([100 * abs(r['load_error']) for r in found]), median([r['kept'] for r in found])
+            parts.append(f'h = {found[0]["h"]:g}: {lost:.2g} % lost, n_p/n {kept:.2f}')
+        return some(parts)
+
+    def spectra(self):
+        parts = [f'{row["surface"]}: {", ".join(format(100 * case["load_error"], ".2g") for case in chosen(row["cases"], part=5))} %'
+                 for row in self.rows('figure_10')]
+        return 'load error with coarse grids by sub-sampling, means, maxima: ' + some(parts)
+
+    def said(self, claim, *given):
+        """What the results say, or that they have nothing to say it from."""
+        try:
+            return claim(self, *given)
+        except (LookupError, ValueError, StopIteration, ZeroDivisionError):
+            return 'not measured yet'
+
+
+CLAIMS = (
+    ('greedy fails in about 40 % of Example 1, n = 100, and at any n', 'Example 1', Claims.fails_often),
+    ('never at a spacing of 2 cells', 'Example 1', Claims.never_elsewhere),
+    ('never on smooth shapes', 'Example 1', Claims.smooth_never),
+    ('when greedy works is an open question', '`ctest -R failures.greedy`',
+     lambda _: 'answered: for every surface if and only if H^-1 has no positive entry off its diagonal, see [failures](failures.md#greedy-elimination)'),
+    ('NNLS with 100 projections is 26 times faster than conjugate gradients', 'figure 4', Claims.speed, 'P&K 1999', 26),
+    ('where a factor like that may come from', 'figure 4', Claims.cause),
+    ('NNLS with 100 projections is two orders of magnitude faster than greedy CG', 'figure 4', Claims.speed, 'greedy CG', 100),
+    ('and than ADMM', 'figure 4', Claims.speed, 'ADMM, warm', 100),
+    ('the loading history helps NNLS', 'figure 4', Claims.warm, 'NNLS'),
+    ('and conjugate gradients', 'figure 4', Claims.warm, 'P&K 1999'),
+    ('Cholesky makes greedy 30 to 40 % faster at any n', 'figure 5', Claims.inner, 'cholesky'),
+    ('Gauss-Seidel takes three times as long as CG', 'figure 5', Claims.inner, 'gauss-seidel', False),
+    ('projections before NNLS pay up to K = 100, not beyond', 'figure 6', Claims.projections),
+    ('CMR loses less as H grows', 'figure 8', Claims.falls),
+    ('less than 2 % for H > 0.5', 'figure 8', Claims.losses),
+    ('CMR saves half of the time, whatever H', 'figure 8', Claims.half_saved),
+    ('less than 1 % and n_p/n of 0.4 to 0.8 for h = 1.25 to 3, 0.01 % at h = 3', 'figure 9', Claims.radius),
+    ('CMR: -0.4 % with a power law, -98 % with a cut-off to it', 'figure 10', Claims.spectra))
+
 
 # Shares of wrong answers by an independent program, with half of their 95 % intervals [%].
 INDEPENDENT = {25: (17.1, 2.3), 100: (35.9, 3.0), 400: (63.1, 3.0), 900: (85.0, 3.5)}
-
 SETTINGS = {'small': 'dense, eq9', 'small, love': 'dense, love', 'dense': 'dense, eq9', 'fft': 'FFT, eq9'}
+EXAMPLE_1 = ('kernel; spacing; n; draws; wrong [%]={share:%.1f} ({lower:%.1f} to {upper:%.1f}); independent program [%]={independent}; '
+             'the paper={paper}; largest error of p [% of max p]={worst:%.0f}; largest error of the load={load:err}')
+ALGORITHM_2 = ('kernel; Algorithm 2={variant}; iterations to 1e-8={reached}; least residual={residual:err}; stops by its own test after={stop}; '
+               'tension left [of max p]={tension}')
+SPECTRA = ('surface; origin; points={nx} x {ny}; pixel={hx:.3g} nm; rms height={rms_height:.3g} nm; Hurst exponent={law}; power law from={within}; '
+           'roll-off={roll_off}; cut-off={cut_off}; textures')
 
 
 def unmeasured(figure):
@@ -21,9 +186,15 @@ def number(value):
     return '0' if value == 0 else f'{value:.2g}' if abs(value) < 10 else f'{value:.0f}'
 
 
-def interval(values, scale=1, form=number):
+def interval(values, scale=1, form='{:.0f}'.format):
+    if not values:
+        return ''
     middle, low, high = (scale * value for value in median_interval(values))
     return f'{form(middle)} ({form(low)} to {form(high)})' if len(values) > 1 else form(middle)
+
+
+def intervals(rows, key, form=number):
+    return interval([row[key] for row in rows], form=form)
 
 
 def provenance_text(document):
@@ -31,51 +202,33 @@ def provenance_text(document):
         return unmeasured('2,4,5,6,8,9,10')
     newest = document['provenance']['library']
     older = sorted(name for name, found in document.items() if isinstance(found, list) and any(r.get('library') != newest for r in found))
-    text = provenance(document)
-    if document.get('quick'):
-        text += ' **Small grids and few seeds: `--quick`.**'
-    return text + (f' With an earlier build: {", ".join(older)}.' if older else '')
+    return (provenance(document) + (' **Small grids and few seeds: `--quick`.**' if document.get('quick') else '') +
+            (f' With an earlier build: {", ".join(older)}.' if older else ''))
 
 
-def example_1_table(document):
+def example_1_table(found):
     lines = []
-    for row in rows(document, 'example_1'):
+    for row in found:
         known = row['kernel'] == 'eq9' and row['spacing'] == 1 and row['n'] in INDEPENDENT
-        share, half = INDEPENDENT.get(row['n'], (0, 0))
         paper = 'about 40 of 100' if known and row['n'] == 100 else 'at any n' if known else 'none' if row['spacing'] == 2 else ''
-        lines.append([row['kernel'], str(row['spacing']), str(row['n']), str(row['draws']),
-                      f'{100 * row["share"]:.1f} ({100 * row["lower"]:.1f} to {100 * row["upper"]:.1f})',
-                      f'{share} ± {half}' if known else '', paper, f'{100 * row["pressure_error"]:.0f}' if row['failures'] else '',
-                      error(row['load_error']) if row['failures'] else ''])
-    return table(['kernel', 'spacing', 'n', 'draws', 'wrong [%]', 'independent program [%]', 'the paper', 'largest error of p [% of max p]',
-                  'largest error of the load'], lines)
+        wrong = {'worst': row['pressure_error'], 'load': row['load_error']} if row['failures'] else {}
+        lines.append({**row, 'independent': '{} ± {}'.format(*INDEPENDENT[row['n']]) if known else '', 'paper': paper, **wrong})
+    return records(EXAMPLE_1, lines)
 
 
-def figure_2_text(document):
-    row = rows(document, 'figure_2')[0]
-    largest = max(row['exact'])
-    overlapping = [i + 1 for i, value in enumerate(row['w']) if value < -1e-9]
+def figure_2_text(found):
+    row = found[0]
     pairs = list(zip(row['greedy'], row['exact']))
-    false = [i + 1 for i, (p, truth) in enumerate(pairs) if p > 0 and truth == 0]
-    missed = [i + 1 for i, (p, truth) in enumerate(pairs) if p == 0 and truth > 0]
     off = sum(p > 0 and truth > 0 and abs(p - truth) > 0.05 * truth for p, truth in pairs)
 
-    def named(elements):
-        return 'none' if not elements else ', '.join(map(str, elements))
+    def elements(wrong):
+        return ', '.join(str(i) for i, each in enumerate(wrong, 1) if each) or 'none'
 
-    return (f'The first wrong draw here (number {row["seed"] + 1}): w < 0 in element {named(overlapping)}, deepest {min(row["w"]):.2g}; '
-            f'contacts that are none: {named(false)}; contacts that are not found: {named(missed)}; {off} of '
-            f'{sum(truth > 0 for _, truth in pairs)} forces off by more than 5 %, the worst by '
-            f'{100 * max(abs(p - truth) for p, truth in pairs) / largest:.0f} % of the largest. The total is off by '
+    return (f'The first wrong draw here (number {row["seed"] + 1}): w < 0 in element {elements(w < -1e-9 for w in row["w"])}, deepest '
+            f'{min(row["w"]):.2g}; contacts that are none: {elements(p > 0 and truth == 0 for p, truth in pairs)}; contacts that are not found: '
+            f'{elements(p == 0 and truth > 0 for p, truth in pairs)}; {off} of {sum(truth > 0 for _, truth in pairs)} forces off by more than 5 %, '
+            f'the worst by {100 * max(abs(p - truth) for p, truth in pairs) / max(row["exact"]):.0f} % of the largest. The total is off by '
             f'{100 * (sum(row["greedy"]) / sum(row["exact"]) - 1):+.2g} %.')
-
-
-def smooth_table(document):
-    lines = []
-    for row in rows(document, 'smooth'):
-        lines.append([row['shape'], row['kernel'], str(row['draws']), str(row['failures']),
-                      f'{100 * row["load_error"]:+.2g} %' if 'load_error' in row else ''])
-    return table(['shape', 'kernel', 'draws', 'wrong', 'load against Hertz'], lines)
 
 
 def marked(found):
@@ -84,112 +237,86 @@ def marked(found):
     return ('†' if 'RC_STOP_TIME' in statuses else '') + ('*' if statuses - {'RC_OK', 'RC_STOP_TIME'} else '')
 
 
-def figure_4_tables(document):
-    found = rows(document, 'figure_4')
-    names = [name for name in SETTINGS if any(r['setting'] == name for r in found)]
+def figure_4_tables(found):
+    settings = {name: same for name in SETTINGS if (same := chosen(found, setting=name))}
     titles, steps = ['method'], []
-    for name in names:
-        some = [r for r in found if r['setting'] == name]
-        titles.append(f'{some[0]["points_a_side"]}² {SETTINGS[name]}')
-        fitting = sorted({r['steps_of_ten'] for r in some})
-        largest = max(step['candidates'] for r in some for step in r['steps'])
-        steps.append(f'{titles[-1]}: {len(values_of(some, "seed"))} surface{"s" if len(values_of(some, "seed")) > 1 else ""}, '
+    for name, same in settings.items():
+        titles.append(f'{same[0]["points_a_side"]}² {SETTINGS[name]}')
+        fitting, surfaces = values_of(same, 'steps_of_ten'), len(values_of(same, 'seed'))
+        largest = max(step['candidates'] for r in same for step in r['steps'])
+        steps.append(f'{titles[-1]}: {surfaces} surface{"s" if surfaces > 1 else ""}, '
                      f'{fitting[0]}{" to " + str(fitting[-1]) if len(fitting) > 1 else ""} steps, n up to {largest}')
 
-    def cells(method, cell):
-        line = [method]
-        for name in names:
-            mine = [r for r in found if r['setting'] == name and r['method'] == method]
-            line.append(cell(name, mine) + marked(mine) if mine else '')
-        return line
+    def by_method(cell):
+        """A line a method, cell(its rows, those of the paper's best) in each setting."""
+        lines = []
+        for method in METHODS:
+            both = [(chosen(same, method=method), chosen(same, method=BEST_OF_PAPER)) for same in settings.values()]
+            lines.append([method, *(cell(*each) + marked(each[0]) if each[0] else '' for each in both)])
+        return table(titles, lines)
 
-    def relative(name, mine):
-        best = [r for r in found if r['setting'] == name and r['method'] == BEST_OF_PAPER]
-        values = ratios(mine, best)
-        return interval(values) if values else ''
-
-    def products(_, mine):
-        return interval([r['products'] for r in mine], form=lambda value: f'{value:.0f}')
-
-    times = table(titles, [cells(m, lambda _, mine: interval([r['cpu_seconds'] for r in mine])) for m in METHODS])
-    shares = table(titles, [cells(m, relative) for m in METHODS])
-    counts = table(titles, [cells(m, products) for m in METHODS])
-    return (f'{"; ".join(steps)}.\n\nCPU time of the history [s]:\n\n{times}\n\nCPU time over that of {BEST_OF_PAPER}:\n\n{shares}\n\n'
-            f'Products with H:\n\n{counts}\n\n`*`: not every step is certified (greedy elimination with kernel `eq9`: its answers overlap). '
+    return (f'{"; ".join(steps)}.\n\nCPU time of the history [s]:\n\n{by_method(lambda mine, _: intervals(mine, "cpu_seconds"))}\n\n'
+            f'CPU time over that of {BEST_OF_PAPER}:\n\n{by_method(lambda mine, best: interval(ratios(mine, best), form=number))}\n\n'
+            f'Products with H:\n\n{by_method(lambda mine, _: interval([r["products"] for r in mine]))}\n\n'
+            '`*`: not every step is certified (greedy elimination with kernel `eq9`: its answers overlap). '
             '`†`: a step took more than 60 s, and the history ended there.')
 
 
-def algorithm_2_table(document):
-    lines = []
-    for row in rows(document, 'algorithm_2'):
-        reached = row['residual'] <= 1e-8
-        stop = f'{row["stopped"]}, residual {error(row["residual_at_stop"])}' if 'stopped' in row else 'never'
-        lines.append([row['kernel'], row['variant'], str(row['iterations']) if reached else f'not in {row["iterations"]}',
-                      error(row['residual']), stop, f'{-row["lowest_pressure"]:.0%}' if row['lowest_pressure'] < 0 else 'none'])
-    return table(['kernel', 'Algorithm 2', 'iterations to 1e-8', 'least residual', 'stops by its own test after', 'tension left [of max p]'], lines)
+def algorithm_2_table(found):
+    return records(ALGORITHM_2, [{
+        **row, 'reached': ('{iterations}' if row['residual'] <= 1e-8 else 'not in {iterations}').format(**row),
+        'stop': f'{row["stopped"]}, residual {error(row["residual_at_stop"])}' if 'stopped' in row else 'never',
+        'tension': f'{-row["lowest_pressure"]:.0%}' if row['lowest_pressure'] < 0 else 'none'} for row in found])
 
 
-def figure_5_table(document):
-    found = rows(document, 'figure_5')
+def figure_5_table(found):
     lines = []
     for n in values_of(found, 'n'):
-        mine = {inner: [r for r in found if r['n'] == n and r['inner'] == inner] for inner in ('cg', 'cholesky', 'gauss-seidel')}
-        sweeps = mine['gauss-seidel']
-        cg = mine['cg']
-        bare = [dict(r, cpu_seconds=r['cpu_seconds'] - r['storing_seconds']) for r in sweeps]
-        lines.append([str(n), *(interval([r['cpu_seconds'] for r in some]) if some else '' for some in mine.values()),
-                      interval(ratios(mine['cholesky'], cg)) if mine['cholesky'] else '', interval(ratios(bare, cg)) if bare else '',
-                      interval([r['iterations'] for r in cg], form=lambda value: f'{value:.0f}'),
-                      interval(ratios(sweeps, cg, 'iterations')) if sweeps else ''])
+        mine = {inner: chosen(found, n=n, inner=inner) for inner in ('cg', 'cholesky', 'gauss-seidel')}
+        cg, cholesky, sweeps = mine.values()
+        bare = [{**r, 'cpu_seconds': r['cpu_seconds'] - r['storing_seconds']} for r in sweeps]
+        lines.append([str(n), *(intervals(same, 'cpu_seconds') for same in mine.values()), interval(ratios(cholesky, cg), form=number),
+                      interval(ratios(bare, cg), form=number), interval([r['iterations'] for r in cg]),
+                      interval(ratios(sweeps, cg, 'iterations'), form=number)])
     return table(['n', 'conjugate gradients [s]', 'Cholesky [s]', 'Gauss-Seidel [s]', 'Cholesky / CG', 'Gauss-Seidel / CG, storing not counted',
                   'CG iterations', 'sweeps / CG iterations'], lines)
 
 
-def figure_6_table(document):
-    found = rows(document, 'figure_6')
+def figure_6_table(found):
     lines = []
     for count in values_of(found, 'projections'):
-        line = [str(count)]
-        for pivoting in ('single', 'block'):
-            some = [r for r in found if r['projections'] == count and r['pivoting'] == pivoting]
-            line += [interval([r['solves'] for r in some], form=lambda value: f'{value:.0f}'), interval([r['cpu_seconds'] for r in some])]
-        lines.append(line)
+        both = [chosen(found, projections=count, pivoting=pivoting) for pivoting in ('single', 'block')]
+        lines.append([str(count), *(cell for same in both for cell in (interval([r['solves'] for r in same]), intervals(same, 'cpu_seconds')))])
     return table(['K', 'linear solves, one exchange each', 'CPU [s]', 'linear solves, blocks', 'CPU [s]'], lines)
 
 
 def loss(values):
-    return interval(values, 100, form=lambda value: f'{value:.2g}') + f', {100 * min(values):.2g}'
+    return interval(values, 100, form='{:.2g}'.format) + f', {100 * min(values):.2g}'
 
 
-def figure_8_table(document):
-    found = rows(document, 'figure_8')
+def share(rows, key):
+    return interval([r[key] / r['whole_cpu_seconds'] for r in rows], form=number)
+
+
+def figure_8_table(found):
     lines = []
     for h in values_of(found, 'hurst'):
-        fft = [r for r in found if r['hurst'] == h and r['backend'] == 'fft' and r['kernel'] == 'eq9']
-        love = [r for r in found if r['hurst'] == h and r['kernel'] == 'love']
-        dense = [r for r in found if r['hurst'] == h and r['backend'] == 'dense']
-
-        def share(some, key):
-            return interval([r[key] / r['whole_cpu_seconds'] for r in some]) if some else ''
-
-        lines.append([f'{h:g}', loss([r['load_error'] for r in fft]), loss([r['load_error'] for r in love]),
-                      loss([r['diagonal']['load_error'] for r in fft]), interval([r['kept'] for r in fft]), share(dense, 'cpu_seconds'),
-                      share(fft, 'cpu_seconds'), share(dense, 'certified_cpu_seconds'), share(fft, 'certified_cpu_seconds'),
+        same = chosen(found, hurst=h)
+        fft, love, dense = chosen(same, backend='fft', kernel='eq9'), chosen(same, kernel='love'), chosen(same, backend='dense')
+        losses = [r['load_error'] for r in fft], [r['load_error'] for r in love], [r['diagonal']['load_error'] for r in fft]
+        lines.append([f'{h:g}', *map(loss, losses), intervals(fft, 'kept'), share(dense, 'cpu_seconds'), share(fft, 'cpu_seconds'),
+                      share(dense, 'certified_cpu_seconds'), share(fft, 'certified_cpu_seconds'),
                       error(max(abs(r['certified_error']) for r in fft + love + dense))])
     return table(['H', 'load error [%], worst', '`love` [%], worst', 'radius h √2 δ [%], worst', 'n_p / n', 'time, dense', 'time, FFT',
                   'certified, dense', 'certified, FFT', 'certified: largest error'], lines)
 
 
-def figure_9_table(document):
-    found = rows(document, 'figure_9')
-    fft, dense = ([r for r in found if r['backend'] == name] for name in ('fft', 'dense'))
+def figure_9_table(found):
     lines = []
     for i, first in enumerate(found[0]['radii']):
-        def share(some, key):
-            return interval([r['radii'][i][key] / r['whole_cpu_seconds'] for r in some]) if some else ''
-
-        lines.append([f'{first["h"]:g}', loss([r['radii'][i]['load_error'] for r in fft]), interval([r['radii'][i]['kept'] for r in fft]),
-                      share(dense, 'cpu_seconds'), share(fft, 'cpu_seconds'), share(dense, 'certified_cpu_seconds')])
+        fft, dense = ([{**r, **r['radii'][i]} for r in chosen(found, backend=name)] for name in ('fft', 'dense'))
+        lines.append([f'{first["h"]:g}', loss([r['load_error'] for r in fft]), intervals(fft, 'kept'), share(dense, 'cpu_seconds'),
+                      share(fft, 'cpu_seconds'), share(dense, 'certified_cpu_seconds')])
     return table(['h', 'load error [%], worst', 'n_p / n', 'time, dense', 'time, FFT', 'certified, dense'], lines)
 
 
@@ -200,12 +327,11 @@ def wavelength(q):
     return f'{1e9 * metres:.3g} nm' if metres < 1e-6 else f'{1e6 * metres:.3g} µm'
 
 
-def figure_10_tables(document):
-    found = rows(document, 'figure_10')
-    spectra = [[row['surface'], row['origin'], f'{row["nx"]} x {row["ny"]}', f'{1e9 * row["hx"]:.3g} nm', f'{1e9 * row["rms_height"]:.3g} nm',
-                f'{row["hurst"]:.2f} ± {row["hurst_error"]:.2f}' if row['hurst'] is not None else 'no power law',
-                f'{wavelength(row["q_max"])} to {wavelength(row["q_min"])}' if row['q_min'] else '', wavelength(row['q_rolloff']),
-                wavelength(row['q_cutoff']), str(row['textures'])] for row in found]
+def figure_10_tables(found):
+    spectra = [{**row, 'hx': 1e9 * row['hx'], 'rms_height': 1e9 * row['rms_height'],
+                'law': '{hurst:.2f} ± {hurst_error:.2f}'.format(**row) if row['hurst'] is not None else 'no power law',
+                'within': f'{wavelength(row["q_max"])} to {wavelength(row["q_min"])}' if row['q_min'] else '',
+                'roll_off': wavelength(row['q_rolloff']), 'cut_off': wavelength(row['q_cutoff'])} for row in found]
     losses = []
     for row in found:
         for (part,), cases in groups(row['cases'], 'part').items():
@@ -216,22 +342,22 @@ def figure_10_tables(document):
                            f'{first["unresolved"]:.2f}, {"yes" if first["trustworthy"] else "no"}',
                            error(max(abs(case['certified_error']) for case in cases))])
     kinds = [case['filter'] for case in found[0]['cases'][:3]]
-    text = table(['surface', 'origin', 'points', 'pixel', 'rms height', 'Hurst exponent', 'power law from', 'roll-off', 'cut-off', 'textures'], spectra)
-    text += '\n\n' + table(['surface', 'approach', 'contacts of candidates', 'grids', *(f'load error, {kind} [%]' for kind in kinds), 'n_p / n',
-                            'CPU time / whole', 'unresolved, trusted', 'certified: largest error'], losses)
-    if not any(row['origin'] == 'measured' for row in found):
-        text += '\n\nMeasured surfaces were not at hand: generated ones alone.'
-    return text
+    cascades = table(['surface', 'approach', 'contacts of candidates', 'grids', *(f'load error, {kind} [%]' for kind in kinds), 'n_p / n',
+                      'CPU time / whole', 'unresolved, trusted', 'certified: largest error'], losses)
+    alone = '' if chosen(found, origin='measured') else '\n\nMeasured surfaces were not at hand: generated ones alone.'
+    return f'{records(SPECTRA, spectra)}\n\n{cascades}{alone}'
 
 
-SECTIONS = {'example-1': ('example_1', 2, example_1_table), 'figure-2': ('figure_2', 2, figure_2_text), 'smooth': ('smooth', 2, smooth_table),
-            'figure-4': ('figure_4', 4, figure_4_tables), 'algorithm-2': ('algorithm_2', 4, algorithm_2_table),
-            'figure-5': ('figure_5', 5, figure_5_table),
-            'figure-6': ('figure_6', 6, figure_6_table), 'figure-8': ('figure_8', 8, figure_8_table),
-            'figure-9': ('figure_9', 9, figure_9_table), 'figure-10': ('figure_10', 10, figure_10_tables)}
+SECTIONS = {  # rows, figure, text
+    'example-1': ('example_1', 2, example_1_table), 'figure-2': ('figure_2', 2, figure_2_text),
+    'smooth': ('smooth', 2, lambda found: records('shape; kernel; draws; wrong={failures}; load against Hertz={load_error:%+.2g} %', found)),
+    'figure-4': ('figure_4', 4, figure_4_tables), 'algorithm-2': ('algorithm_2', 4, algorithm_2_table),
+    'figure-5': ('figure_5', 5, figure_5_table), 'figure-6': ('figure_6', 6, figure_6_table), 'figure-8': ('figure_8', 8, figure_8_table),
+    'figure-9': ('figure_9', 9, figure_9_table), 'figure-10': ('figure_10', 10, figure_10_tables)}
 
 
 def sections(results):
-    document = load_known(results, 'paper') or {}
-    filled = {name: make(document) if rows(document, of) else unmeasured(figure) for name, (of, figure, make) in SECTIONS.items()}
-    return {'provenance': provenance_text(document), 'claims': claims_table(document), **filled}
+    document = load(results, 'paper')
+    filled = {name: make(rows) if (rows := measured(document, of)) else unmeasured(figure) for name, (of, figure, make) in SECTIONS.items()}
+    claims = [[text, Claims(document).said(*claim), where] for text, where, *claim in CLAIMS]
+    return {'provenance': provenance_text(document), 'claims': table(['the paper', 'here', 'where'], claims), **filled}

@@ -13,13 +13,13 @@ import numpy as np
 import roughcontact as rc
 
 import peers_codes
-import peers_surfaces
 from case import plain
-from contact import unit_square
-from options import Question, listed
-from peers_plan import CODES, LARGEST_MATRIX, LEVELS, cases
+from contact import find_load, unit_square
+from options import listed, question
+from peers_codes import CODES, LARGEST_MATRIX, LEVELS, cases, write_surface
 from peers_report import best, print_case, total
-from store import Store
+from samples import chosen
+from store import Store, load
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 REPEATED = 10  # seconds: longer solves are not repeated
@@ -53,10 +53,8 @@ class Bench:
         self.request, self.threads, self.begun, self.usable, self.files = request, request.threads, time.monotonic(), {}, {}
         self.store = Store(request.json, 'peers', self.threads)
         document = self.store.document
-        if request.fresh:  # the loads found for the surfaces are no measurement
-            document.update(codes={}, calibration={}, groups=[])
         for key, empty in (('codes', {}), ('calibration', {}), ('cases', {}), ('groups', [])):
-            document.setdefault(key, empty)
+            document[key] = empty if request.fresh and key != 'cases' else document.get(key, empty)  # the loads in cases are no measurement
         document['provenance'].update(python=sys.version.split()[0], numpy=np.__version__, quick=request.quick, limit_seconds=request.limit,
                                       repeats=request.repeats)
 
@@ -85,12 +83,10 @@ class Bench:
             load, exact, control = 4 * radius**3 / 3, 2 * radius / math.pi, code.controls[0]
             file = self.surface('sphere', n)['file']
             target, tol = load if control == 'load' else radius**2, 1e-4 if 'float' in name else 1e-6
-            request = {'gap': file, 'n': n, 'boundary': boundary, 'control': control, 'target': target, 'tol': tol if code.tols[0] else 0.0,
-                       'threads': self.threads, 'out': os.path.join(self.request.work, 'hertz.npy')}
-            answer = peers_codes.solve(code, request, 60)[-1]
+            answer = self.ask(name, file, n, boundary, control, target, tol if code.tols[0] else 0.0, 60)[-1]
             place = f'{name}, {boundary}'
             if answer.get('error'):
-                missing = f'not installed: {self.installer_said(code) or answer["error"]}' if answer.get('missing') else None
+                missing = f'not installed: {installer_said(code.package) or answer["error"]}' if answer.get('missing') else None
                 self.store.document['calibration'][place] = {'error': answer['error']}
                 return version, missing or f'Hertz, {boundary}: {answer["error"]}'
             pressure, version = np.load(answer['file']), answer.get('version')
@@ -103,19 +99,16 @@ class Bench:
                 return version, f'Hertz, {boundary}: largest pressure {100 * off:+.2f} % off'
         return version, None
 
-    def installer_said(self, code):
-        """Why a package could not be installed."""
-        file = os.path.join(environment(), 'not-installed.json')
-        if not os.path.exists(file):
-            return None
-        with open(file) as text:
-            return json.load(text).get(code.package)
+    def ask(self, name, gap, n, boundary, control, target, tol, limit):
+        """Answers of one process."""
+        return peers_codes.solve(CODES[name], {'gap': gap, 'n': n, 'boundary': boundary, 'control': control, 'target': target, 'tol': tol,
+                                               'threads': self.threads, 'out': os.path.join(self.request.work, 'pressure.npy')}, limit)
 
     # Problems
 
     def surface(self, kind, n):
         if (kind, n) not in self.files:
-            self.files[kind, n] = peers_surfaces.write(kind, n, self.request.work)
+            self.files[kind, n] = write_surface(kind, n, self.request.work)
         return self.files[kind, n]
 
     def problem(self, case):
@@ -124,24 +117,12 @@ class Bench:
         known = document['cases'].get(case.key, {})
         if known.get('digest') == surface['digest']:
             return {**known, 'file': surface['file']}
-        gap, share, exponent, last = np.load(surface['file']), case.percent / 100, 1.0, None
-        near = [entry['load'] for entry in document['cases'].values()
-                if (entry['surface'], entry['boundary'], entry['percent']) == (case.surface, case.boundary, case.percent)]
-        load = near[-1] if near else 0.2 * share
-        with rc.Contact(unit_square(case.n, case.boundary), options={'threads': self.threads, 'tol': 1e-3}) as contact:
-            for _ in range(8):
-                result = contact.solve(load=load, gap=gap, check=False, warm_start=False)
-                area = max(result.contacts, 1) / gap.size
-                if abs(area / share - 1) < 0.05:
-                    break
-                if last and area != last[1]:
-                    exponent = min(max(math.log(load / last[0]) / math.log(area / last[1]), 0.5), 3)
-                last = load, area
-                load *= (share / area)**exponent
-            result = contact.solve(load=load, gap=gap, check=False, warm_start=False)
+        gap, share = np.load(surface['file']), case.percent / 100
+        near = chosen(document['cases'].values(), surface=case.surface, boundary=case.boundary, percent=case.percent)
+        found = find_load(unit_square(case.n, case.boundary), gap, share, near[-1]['load'] if near else 0.2 * share, 8, {'threads': self.threads})
         entry = {'title': case.title, 'surface': case.surface, 'maker': surface['maker'], 'digest': surface['digest'], 'n': case.n,
-                 'boundary': case.boundary, 'control': case.control, 'percent': case.percent, 'load': load,
-                 'area': result.contacts / gap.size, 'target': load if case.control == 'load' else result.displacement}
+                 'boundary': case.boundary, 'control': case.control, 'percent': case.percent, 'load': found.load,
+                 'area': found.contacts / gap.size, 'target': found.load if case.control == 'load' else found.displacement}
         document['cases'][case.key] = entry
         document['groups'] = [group for group in document['groups'] if group['case'] != case.key or group['digest'] == surface['digest']]
         return {**entry, 'file': surface['file']}
@@ -151,9 +132,7 @@ class Bench:
     def solve(self, name, case, problem, tol, judge, gap):
         """One process; its answers judged."""
         self.wait_until_idle()
-        request = {'gap': problem['file'], 'n': case.n, 'boundary': case.boundary, 'control': case.control, 'target': problem['target'], 'tol': tol,
-                   'threads': self.threads, 'out': os.path.join(self.request.work, 'pressure.npy')}
-        answers = peers_codes.solve(CODES[name], request, self.request.limit)
+        answers = self.ask(name, problem['file'], case.n, case.boundary, case.control, problem['target'], tol, self.request.limit)
         for answer in answers:
             if not answer.get('error'):
                 answer.update(judge.judge(case.control, problem['target'], gap, np.load(answer['file'])))
@@ -243,16 +222,14 @@ class Bench:
                 print('not run, budget spent:', case.title)
             else:
                 self.run_case(case)
-        self.store.document['left_out'] = left
-        self.store.save()
+        self.store.save(left_out=left)
 
 
 def solve_scenes(request):
     """Solves the scenes that `pareto --export FOLDER` wrote with other codes, each at its own tolerances, from loose to tight, and under the load
     of the certified solution, and adds a list "peers" to its results. What is there already is not solved again."""
     store = Store(request.json, 'pareto', request.threads)
-    with open(os.path.join(request.scenes, 'scenes.json')) as file:
-        scenes = [scene for scene in json.load(file) if scene['scene'] in SCENES and scene['n'] >= 64]  # ASPHER's least grid
+    scenes = [scene for scene in load(request.scenes, 'scenes') if scene['scene'] in SCENES and scene['n'] >= 64]  # ASPHER's least grid
     for code in SCENE_CODES:
         for scene in scenes:
             name, out = f'{CODES[code].title}, {scene["scene"]}', os.path.join(request.work, 'pressure.npy')
@@ -285,13 +262,18 @@ def environment():
     return os.path.join(cache, 'roughcontact-peers') if cache else os.path.join(os.environ['RC_BENCH_BUILD'], 'peers')
 
 
+def installer_said(package):
+    """Why a package could not be installed."""
+    return load(environment(), 'not-installed').get(package)
+
+
 def install():
     """A package that cannot be installed leaves its reason; the others run without it."""
     folder, refused = environment(), {}
     with open(os.path.join(HERE, 'peers_requirements.txt')) as file:
         wanted = file.read().split()
-    python, done = os.path.join(folder, 'bin', 'python3'), os.path.join(folder, 'installed.json')
-    if not os.path.exists(done) or json.load(open(done)) != wanted:
+    python = os.path.join(folder, 'bin', 'python3')
+    if load(folder, 'installed') != wanted:
         subprocess.run([sys.executable, '-m', 'venv', folder], check=True)
         for requirement in wanted:
             print('installing', requirement)
@@ -331,7 +313,7 @@ def code_names(text):
     return names
 
 
-QUESTION = Question('peers', 'side by side with the standard method and other codes', run, {
+question('peers', 'side by side with the standard method and other codes', run, {
     'only': (code_names, [],
              'codes; a first word takes its variants: ' + ', '.join(CODES)),
     'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),

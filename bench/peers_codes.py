@@ -1,8 +1,10 @@
-"""The codes that are compared, and one run of one of them in a process of its own, so that its peak memory is this code's. Each takes
-E* = 1 on the unit square; `request` has gap (a file), n, boundary, control, target, tol, threads, options, limit and out (a file)."""
+"""What is compared: the codes, their tolerances, and the problems. One run of a code is in a process of its own, so that its peak memory is this
+code's. Each takes E* = 1 on the unit square; `request` has gap (a file), n, boundary, control, target, tol, threads, options, limit and out (a file)."""
+import hashlib
 import os
 import resource
 import time
+from dataclasses import dataclass, field
 from importlib.metadata import version as installed
 
 import numpy as np
@@ -10,14 +12,144 @@ import numpy as np
 import native
 from case import cpu_seconds, in_child, status_line
 from contact import status_of, unit_square
-from surfaces import influence
+from surfaces import asperity_band, influence, paraboloid_gap
+
+LEVELS = (1e-4, 1e-6, 1e-8)  # of the certificate
+SWEEP = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)
+
+
+@dataclass(frozen=True)
+class Code:
+    title: str
+    family: str     # a key of RUNNERS
+    package: str    # on the package index; '' for what this project builds
+    look: str       # in pictures: a colour a code, a dash and a marker a variant
+    boundaries: tuple = ('free',)
+    controls: tuple = ('load',)
+    tols: tuple = SWEEP  # its own tolerances, from loose to tight: the first whose answer is certified at the tightest level ends it
+    options: dict = field(default_factory=dict)
+    small: bool = False  # dense matrices only
+
+
+def of_aspher(words, look, backend, precision='double', boundaries=('free',), **more):
+    """In single precision its floor is 2e-6."""
+    single = {'allow_tolerance_relaxation': True} if precision == 'float' else {}
+    return Code(f'ASPHER, {words}', 'aspher', 'aspher', look, boundaries, ('load',), (1e-3, 1e-4, 1e-5, 2e-6) if single else SWEEP,
+                {'backend': backend, 'precision': precision, **single, **more})
+
+
+BOTH, EITHER = ('free', 'periodic'), ('load', 'displacement')
+CODES = {
+    'ours': Code('roughcontact', 'ours', '', 'lc rgb "#000000" dt 1 pt 7', BOTH, EITHER, (1e-4, 1e-6, 1e-8)),
+    'ours-float': Code('roughcontact, single', 'ours', '', 'lc rgb "#000000" dt 2 pt 6', tols=(1e-4,), options={'fft.precision': 'single'}),
+    'baseline': Code('standard Polonsky-Keer, padded FFTW', 'baseline', '', 'lc rgb "#777777" dt 1 pt 5', controls=EITHER, tols=(1e-8,)),
+    'aspher-fft': of_aspher('fft, double', 'lc rgb "#D55E00" dt 1 pt 9', 'fft'),
+    'aspher-h2': of_aspher('h2, double', 'lc rgb "#D55E00" dt (8,4) pt 11', 'h2', active_set=True),
+    'aspher-fft-float': of_aspher('fft, float', 'lc rgb "#E69F00" dt 1 pt 8', 'fft', 'float'),
+    'aspher-h2-float': of_aspher('h2, float', 'lc rgb "#E69F00" dt (8,4) pt 10', 'h2', 'float', active_set=True),
+    'aspher-periodic': of_aspher('periodic, double', 'lc rgb "#D55E00" dt (2,3) pt 9', 'periodic', boundaries=('periodic',)),
+    'tamaas': Code('Tamaas', 'tamaas', 'tamaas', 'lc rgb "#0072B2" dt 1 pt 13', ('periodic',)),
+    'tamaas-free': Code('Tamaas, non-periodic operator', 'tamaas', 'tamaas', 'lc rgb "#0072B2" dt (8,4) pt 12'),
+    'contactmechanics': Code('ContactMechanics', 'contactmechanics', 'ContactMechanics', 'lc rgb "#009E73" dt 1 pt 15', BOTH),
+    'nnls': Code('scipy nnls, dense', 'nnls', 'scipy', 'lc rgb "#CC79A7" dt 1 pt 4', controls=EITHER[1:], tols=(0.0,), small=True),
+    'osqp': Code('OSQP, dense', 'osqp', 'osqp', 'lc rgb "#56B4E9" dt 1 pt 6', controls=EITHER[1:], tols=(1e-4, 1e-6, 1e-8, 1e-10), small=True)}
+LARGEST_MATRIX = 1500  # points: a dense matrix of the small problems
+
+
+@dataclass(frozen=True)
+class Case:
+    surface: str    # a key of MAKERS
+    n: int
+    boundary: str
+    control: str
+    percent: float  # contact area wanted
+
+    @property
+    def key(self):
+        return f'{self.surface}-{self.n}-{self.boundary}-{self.control}-{self.percent:g}'
+
+    @property
+    def title(self):
+        names = {'rough': 'rough-H0.8', 'wavy': 'power law', 'sphere': 'Hertz'}
+        return f'{names[self.surface]}, {self.n}², {self.percent:g} %, {self.boundary}, {self.control} control'
+
+    def codes(self):
+        """Codes that can solve it. Dense ones solve the smallest; ASPHER's grids are 64 times a power of two."""
+        small = self.n * self.n <= LARGEST_MATRIX
+        fits = self.n >= 64 and self.n & (self.n - 1) == 0
+        return [name for name, code in CODES.items()
+                if self.boundary in code.boundaries and self.control in code.controls and (small or not code.small) and
+                (fits or code.family != 'aspher') and (self.n < 8192 or name == 'ours' or name.endswith('-float'))]
+
+
+SMALL_SIZES = (16, 24, 32, 38)
+
+
+def cases(sizes, percents, quick):
+    """From cheap to expensive, so that what a budget cuts off is what costs most."""
+    found = []
+    for n in sorted(sizes or [*(SMALL_SIZES[2:3] if quick else SMALL_SIZES), *((256, 512) if quick else (512, 1024, 2048, 4096, 8192))]):
+        if n * n <= LARGEST_MATRIX:
+            found.append(Case('wavy', n, 'free', 'displacement', 30))
+            continue
+        free = (1, 10) if quick else (0.1, 1, 10, 30, 50) if n <= 1024 else (0.1, 10, 50) if n <= 2048 else (0.1, 10) if n <= 4096 else (0.1,)
+        found += [Case('rough', n, 'free', 'load', percent) for percent in percents or free]
+        if n < 8192:
+            found.append(Case('rough', n, 'free', 'displacement', 10))
+            periodic = (10,) if quick or n > 1024 else (1, 10, 50)
+            found += [Case('wavy', n, 'periodic', 'load', percent) for percent in percents or periodic]
+    return found
+
+
+HURST, SEED, WAVES, SHORTEST, RMS = 0.8, 42, 12, 0.33, 0.02
+
+
+def rough(n):
+    """The workload rough-H0.8 of ASPHER: 12 waves a side up to a third of a wave per cell, at every n. Free boundaries."""
+    try:
+        import rfgen
+    except ImportError:
+        return asperity_band(n, SEED), 'own'
+    heights = rfgen.selfaffine_field(dim=2, N=n, Hurst=HURST, k_low=WAVES / n, k_high=SHORTEST, plateau=False, noise=True,
+                                     rng=np.random.default_rng(SEED), verbose=False)
+    return -RMS / np.std(heights) * heights, 'rfgen'
+
+
+def wavy(n):
+    """Tamaas' generator: 4 waves a side, power law of exponent 0.8 up to 8 cells a wave. Periodic."""
+    try:
+        import tamaas
+    except ImportError:
+        return asperity_band(n, SEED), 'own'
+    generator = tamaas.SurfaceGeneratorFilter2D([n, n])
+    generator.spectrum = tamaas.Isopowerlaw2D()
+    generator.spectrum.q0, generator.spectrum.q1, generator.spectrum.q2 = 4, 4, max(n // 8, 8)
+    generator.spectrum.hurst, generator.random_seed = HURST, SEED
+    heights = np.array(generator.buildSurface())
+    return -RMS / np.std(heights) * heights, 'tamaas'
+
+
+MAKERS = {'rough': rough, 'wavy': wavy, 'sphere': lambda n: (paraboloid_gap(n), 'exact')}  # radius 1, its top between the four middle cells
+
+
+def write_surface(kind, n, folder):
+    """The file of a gap, how it was made and what it holds."""
+    gap, maker = MAKERS[kind](n)
+    gap = np.ascontiguousarray(gap - gap.min(), dtype=np.float64)
+    file = os.path.join(folder, f'{kind}-{n}-{maker}.npy')
+    np.save(file + '.part.npy', gap)
+    os.replace(file + '.part.npy', file)
+    with open(file, 'rb') as source:
+        digest = hashlib.blake2b(source.read(), digest_size=8).hexdigest()
+    return {'file': file, 'maker': maker, 'digest': digest}
+
 
 TWICE = 5  # seconds: faster solves are done again in the same process
 PLANNING = 120  # seconds that FFTW_MEASURE may take for the padded transform, once a grid
 START = 20  # seconds for imports and warm-up, beside the limit
 
 
-class Code:
+class Runner:
     """Made before the clock of the solve starts. inside: set-up that the code does within its solving call [s]."""
     inside = 0.0
 
@@ -25,7 +157,7 @@ class Code:
         self.request, self.gap, self.n = request, gap, request['n']
 
 
-class Ours(Code):
+class Ours(Runner):
     """roughcontact: solver and backend auto, everything else as by default."""
 
     def __init__(self, request, gap):
@@ -44,7 +176,7 @@ class Ours(Code):
         return result.pressure
 
 
-class Aspher(Code):
+class Aspher(Runner):
     """ASPHER: its nested solver, one call that builds the operators too. Load control, E* = 1, domain 1: pressures are ours."""
 
     def solve(self):
@@ -59,7 +191,7 @@ class Aspher(Code):
         return result.pressure
 
 
-class Tamaas(Code):
+class Tamaas(Runner):
     """Tamaas: Polonsky-Keer-Rey. Heights are -gap, the target is the mean pressure, E = 1 with nu = 0 is E* = 1."""
 
     def __init__(self, request, gap):
@@ -85,7 +217,7 @@ class Tamaas(Code):
         return self.model.traction
 
 
-class ContactMechanics(Code):
+class ContactMechanics(Runner):
     """ContactMechanics: its Polonsky-Keer solver. Works with forces per cell and heights -gap; `young` is E* for a half-space."""
 
     def __init__(self, request, gap):
@@ -110,7 +242,7 @@ def love_matrix(n):
     return influence('love', n) / n
 
 
-class Nnls(Code):
+class Nnls(Runner):
     """scipy.optimize.nnls (Lawson-Hanson): with H = L L', min |L'p - inv(L) u| over p >= 0 is the contact problem."""
 
     def __init__(self, request, gap):
@@ -127,7 +259,7 @@ class Nnls(Code):
         return scipy.optimize.nnls(self.factor, self.right, maxiter=100 * self.right.size)[0]
 
 
-class Osqp(Code):
+class Osqp(Runner):
     """OSQP (ADMM for quadratic programs) with polishing: min 1/2 p'Hp - u'p over p >= 0, H as a full sparse matrix. Its tolerances are
     absolute too, so it gets cells of side 1 and compenetrations of at most 1."""
 
@@ -192,7 +324,7 @@ def run_code(family, request):
              **code.details, 'tol': request['tol']}]
 
 
-def run_baseline(request, levels=(1e-4, 1e-6, 1e-8)):
+def run_baseline(request, levels=LEVELS):
     """The standard method gives the pressures at which each level of the residual was first met."""
     gap, reached = np.load(request['gap']), []
     forget_peak()
@@ -226,21 +358,16 @@ def busy_seconds():
     return (sum(ticks[:3]) + sum(ticks[5:8])) / os.sysconf('SC_CLK_TCK')
 
 
-def children_seconds():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 def solve(code, request, limit):
     """The answers of a run as a list, and the cores that others had busy meanwhile."""
     request = {**request, 'options': code.options, 'limit': limit}
-    busy, own, begun = busy_seconds(), children_seconds(), time.monotonic()
+    busy, own, begun = busy_seconds(), cpu_seconds(resource.RUSAGE_CHILDREN), time.monotonic()
     if code.family == 'baseline':
         found = in_child(lambda: run_baseline(request), limit + PLANNING + START, request['threads'])
     else:
         found = in_child(lambda: run_code(code.family, request), limit + START, request['threads'])
     wall = time.monotonic() - begun
-    others = None if busy is None else max(0.0, (busy_seconds() - busy - (children_seconds() - own)) / wall)
+    others = None if busy is None else max(0.0, (busy_seconds() - busy - (cpu_seconds(resource.RUSAGE_CHILDREN) - own)) / wall)
     if isinstance(found, dict):
         error = f'over the limit of {limit:g} s' if found['error'] == 'over the limit' else found['error']
         found = [{**found, 'error': error, 'tol': request['tol']}]

@@ -1,18 +1,20 @@
-"""Area, mean gap, stiffness, patches and pressures of rough surfaces against load, beside the theories of rough contact."""
+"""Area, mean gap, stiffness, patches and pressures of rough surfaces against load, beside the theories of rough contact: the rows, tables and
+pictures of docs/physics.md."""
 import math
+import os
 import sys
 
 import numpy as np
 import roughcontact as rc
 
 from case import Failure
+from charts import OPEN_MARKERS, STYLES, Panels, axes, style
 from contact import OK, record_of, unit_square
-from options import THREADS, Question, listed, ranged, side, threads
-from physics_tables import curve_table, mesh_table
-from samples import line, mean
-from store import Store
+from options import ALL_THREADS, listed, question, ranged, side
+from samples import groups, line, mean, solved
+from store import Store, load
 from surfaces import self_affine_gap
-from tables import show_table
+from tables import provenance, records, show, table
 
 RMS_SLOPE = 0.1
 BINS, HIGHEST = 50, 2  # of the histograms, whose end is HIGHEST E* rms slope
@@ -22,6 +24,16 @@ SHOWN = (0.01, 0.04, 0.16)  # those with distributions of patches and pressures
 MESH_PRESSURES, MESH_SEEDS = (0.02, 0.16), 2  # on all grids, the first surfaces
 LIGHT = 0.04  # area and load are proportional up to this pressure
 FITTED = (0.01, 0.2)  # pressure falls exponentially with the mean gap
+PERSSON, BUSH = math.sqrt(8 / math.pi), math.sqrt(2 * math.pi)
+PRESSURE, PLAIN = 'mean pressure / (E* rms slope)', 'set format "%g"\n'
+LINEAR = 'unset logscale\nset format "%g"\nset xtics autofreq\nset ytics autofreq\n'
+FREE, PRESSED = ('*', '*'), (0.003, 3)
+GREY, DASHED = ('lines lw 2 lc rgb "#888888" dt ' + dash for dash in ('1', '(8,5)'))
+CURVE = ('p / (E* slope)={pressure:g}; A/A0 [%]={area:%.2f}; corrected [%]={corrected_area:%.2f}; Persson [%]={persson:%.2f}; '
+         'κ, corrected={corrected_ratio[mean]:.2f}; mean gap / rms={mean_gap:.3f}; p / (K rms)={decay:.3f}; patches={patches:.0f}; '
+         'largest [% of the contact]={largest_patch:%.0f}')
+MESHES = ('p / (E* slope)={pressure:g}; grid={n}²; cells in the shortest wave={cells_a_wave:g}; A/A0 [%]={area:%.3f}; '
+          'corrected [%]={corrected_area:%.3f}; error [%]={raw_error:%+.2f}; corrected, error [%]={corrected_error:%+.2f}')
 
 
 class Pressed:
@@ -118,7 +130,7 @@ def solve(request, store, settings, n, seed, pressures):
     for pressure in pressures:
         key = {'n': n, 'seed': seed, 'pressure': pressure, **settings}
         name = f'{n}^2, surface {seed}, p/(E* slope) = {pressure:g}'
-        if store.find('rows', {**key, 'library': store.library}):
+        if store.measured('rows', key):
             print(f'{name}: measured before', file=sys.stderr)
             continue
         pressed = pressed or Pressed(request, n, seed, n == request.points)
@@ -140,23 +152,139 @@ def run(request):
             solve(request, store, settings, n, seed, MESH_PRESSURES)
     found = Summary(store.rows('rows', **settings), request)
     curve, fits, meshes = list(found.curve()), found.fits(), list(found.meshes())
-    store.document.update(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes)
-    store.save()
+    store.save(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes)
     print(f'Periodic self-affine surfaces on {request.points}^2 points, mean of the surfaces')
-    show_table(curve_table(store.document))
+    show(CURVE, curve)
     for name, words in (('kappa', 'kappa, raw'), ('corrected_kappa', 'kappa, corrected'), ('decay', 'u0/rms height by the gap'),
                         ('stiffness_decay', 'u0/rms height by the stiffness')):
         if fits:
             print('{}: {mean:.3f} ({lowest:.3f} to {highest:.3f})'.format(words, **fits[name]))
     print('The same surfaces on several grids; errors against the raw areas of the two finest, extrapolated')
-    show_table(mesh_table(store.document))
+    show(MESHES, meshes)
 
 
-QUESTION = Question('physics', 'area, gap, stiffness, patches and pressures of rough surfaces against load', run, {
+
+def colour(number):
+    return STYLES[number].split(' dt ')[0]
+
+
+def hollow(number):
+    return f'points ps 1.3 lw 1.4 {colour(number)} pt {OPEN_MARKERS[number]}'
+
+
+def curve(document, key):
+    return [(row['pressure'], row[key]) for row in document['curve'] if row.get(key) is not None]
+
+
+def area_picture(document, file):
+    drawing = Panels(800, 430, 2, 1, 90)
+    raw, corrected = curve(document, 'area'), curve(document, 'corrected_area')
+    drawing.panel(0, 0, 'contact area', axes(PRESSURE, 'contact area / nominal area', PRESSED, (0.005, 2), PLAIN, 1),
+                  [f'erf(sqrt(2)*x) with {GREY}', f'(x < {1 / BUSH!r} ? {BUSH!r}*x : 1/0) with {DASHED}', drawing.curve(raw, hollow(1)),
+                   drawing.curve(corrected, style(2))])
+    spread = [(row['pressure'], *(row['corrected_ratio'][key] for key in ('mean', 'lowest', 'highest'))) for row in document['curve']]
+    drawing.panel(1, 0, 'area per pressure', axes(PRESSURE, 'A E* slope / F', PRESSED, (0, 3), LINEAR + 'set logscale x', 1),
+                  [f'erf(sqrt(2)*x)/x with {GREY}', f'{BUSH!r} with {DASHED}', drawing.curve([(p, a / p) for p, a in raw], hollow(1)),
+                   *drawing.bars(spread, style(2))])
+    drawing.draw(file, [('cells in contact', hollow(1)), ('corrected; bars: all surfaces', style(2)), ('Persson, erf(√2 p)', GREY),
+                        ('Bush, Gibson, Thomas, √(2π) p', DASHED)], 2)
+
+
+def gap_picture(document, file):
+    drawing, fits = Panels(800, 400, 2, 1, 60), document['fits']
+    gaps = [(row['mean_gap'], row['pressure']) for row in document['curve']]
+    u0 = fits['decay']['mean']
+    inside = [(u, p) for u, p in gaps if fits['from'] <= p <= fits['to']]
+    beta = math.exp(sum(math.log(p) + u / u0 for u, p in inside) / len(inside))
+    drawing.panel(0, 0, 'pressure against mean gap',
+                  axes('mean gap / rms height', PRESSURE, (0, '*'), (0.002, 3), LINEAR + 'set logscale y', 1),
+                  [f'{beta!r}*exp(-x/{u0!r}) with {GREY}', drawing.curve(gaps, style(2))])
+    drawing.panel(1, 0, 'contact stiffness', axes(PRESSURE, 'K rms height / (E* rms slope A0)', PRESSED, FREE, 'set logscale xy\n' + PLAIN, 1.5),
+                  [f'x/{fits["stiffness_decay"]["mean"]!r} with {DASHED}', drawing.curve(curve(document, 'stiffness'), style(1))])
+    drawing.draw(file, [('mean gap', style(2)), ('exponential fit', GREY), ('stiffness of the last step', style(1)),
+                        ('proportional to the load', DASHED)], 2)
+
+
+def patch_density(document, rows):
+    """(area, patches per area and nominal area), in squares of the shortest wave, by octaves of cells."""
+    wave = document['surface']['points'] / document['surface']['cut_off']
+    points = []
+    for k in range(max(len(row['patch_octaves']) for row in rows)):
+        count = sum(row['patch_octaves'][k] for row in rows if k < len(row['patch_octaves'])) / len(rows)
+        # Sizes 2^k .. 2^(k+1) - 1: their number and their geometric mean.
+        sizes, middle = 2**k, math.sqrt(2**k * max(2**(k + 1) - 1, 1))
+        if count > 0:
+            points.append((middle / wave**2, count / sizes * wave**2 / document['surface']['cut_off']**2))
+    return points
+
+
+def distribution_picture(document, file):
+    drawing, hurst = Panels(800, 450, 2, 1, 90), document['surface']['hurst']
+    patches, pressures, entries = [], [], []
+    shown = [row for row in solved(document['rows']) if row['n'] == document['surface']['points'] and 'patch_octaves' in row]
+    for number, ((pressure,), rows) in enumerate(sorted(groups(shown, 'pressure').items())):
+        points = patch_density(document, rows)
+        if number == 1:
+            x, y = points[len(points) // 2]
+            patches.append(f'{3 * y!r}*(x/{x!r})**(-{2 - hurst / 2!r}) with {DASHED}')
+        patches.append(drawing.curve(points, style(number)))
+        # Persson's: the variance of the pressure in full contact is a quarter of (E* slope)^2.
+        densities = zip(*(row['histogram']['density'] for row in rows))
+        points = [((k + 0.5) * rows[0]['histogram']['width'], sum(values) / len(rows)) for k, values in enumerate(densities)]
+        pressures += [drawing.curve(points, hollow(number)),
+                      f'sqrt(2/pi)*(exp(-2*(x-{pressure!r})**2)-exp(-2*(x+{pressure!r})**2)) with lines lw 1.4 {colour(number)} dt 1']
+        entries.append((f'p = {pressure:g} E* slope', style(number)))
+    drawing.panel(0, 0, 'patch sizes',
+                  axes('area of a patch / λ_s²', 'patches per area / (A0 / λ_s⁴)', FREE, FREE, 'set format "10^{%T}"'), patches)
+    drawing.panel(1, 0, 'pressures (hollow), Persson (lines)',
+                  axes('pressure / (E* rms slope)', 'density over all points', (0, 2), (0, '*'), LINEAR, 1), pressures)
+    drawing.draw(file, entries + [(f'area^{{-(2-H/2)}}, H = {hurst:g}', DASHED)], 2)
+
+
+def mesh_picture(document, file):
+    drawing = Panels(800, 420, 2, 1, 80)
+    areas, errors, entries = [f'1 with {GREY}'], [], []
+    for number, ((pressure,), rows) in enumerate(groups(document['meshes'], 'pressure').items(), 1):
+        limit = rows[-1]['area'] / (1 + rows[-1]['raw_error'])
+        for key, error, look in (('area', 'raw_error', hollow(number)), ('corrected_area', 'corrected_error', style(number))):
+            areas.append(drawing.curve([(1 / row['cells_a_wave'], row[key] / limit) for row in rows], look))
+            errors.append(drawing.curve([(row['cells_a_wave'], 100 * max(abs(row[error]), 1e-6)) for row in rows], look))
+            entries.append((f'{"cells" if key == "area" else "corrected"}, p = {pressure:g} E* slope', look))
+    drawing.panel(0, 0, 'area against cell size',
+                  axes('cell size / shortest wave', 'area / area for cells of no size', (0, '*'), FREE, LINEAR, 1), areas)
+    drawing.panel(1, 0, 'error of the area', axes('cells in the shortest wave', 'error [%]', (3, 90), FREE,
+                                                  'set logscale xy\nset format "%g"\nset xtics (4,8,16,32,64)', 1), errors)
+    drawing.draw(file, entries, 2)
+
+
+def fit_table(document):
+    def spread_of(key, digits):
+        return '{mean:.{0}f} ({lowest:.{0}f} to {highest:.{0}f})'.format(digits, **document['fits'][key])
+
+    return table(['', 'mean (lowest to highest surface)'], [
+        ['κ, cells in contact', spread_of('kappa', 2)], ['κ, corrected area', spread_of('corrected_kappa', 2)],
+        ['κ, Persson: √(8/π)', f'{PERSSON:.2f}'], ['κ, Bush, Gibson & Thomas: √(2π)', f'{BUSH:.2f}'],
+        ['u0 / rms height, by the mean gap', spread_of('decay', 3)], ['u0 / rms height, by the stiffness', spread_of('stiffness_decay', 3)]])
+
+
+def sections(results):
+    document = load(results, 'physics')
+    return {'fits': fit_table(document), 'curve': records(CURVE, document['curve']), 'meshes': records(MESHES, document['meshes']),
+            'provenance': provenance(document)}
+
+
+def pictures(results, images):
+    document = load(results, 'physics')
+    for name, draw in (('area', area_picture), ('gap', gap_picture), ('patches', distribution_picture), ('mesh', mesh_picture)):
+        draw(document, os.path.join(images, f'physics-{name}.png'))
+
+
+
+question('physics', 'area, gap, stiffness, patches and pressures of rough surfaces against load', run, {
     'seeds': (listed(int), [1, 2, 3, 4], 'of the surfaces'), 'hurst': (ranged(float, 0.05, 1), 0.8, 'exponent'),
     'roll_off': (ranged(float, 1, 1024), 4.0, 'waves a side below which the spectrum is flat'),
     'cut_off': (ranged(float, 1, 4096), 64.0, 'waves a side above which it is zero'),
     'points': (side, 1024, 'points per side, over all loads'),
     'sizes': (listed(side), [256, 512, 1024, 2048, 4096], 'points per side, at two loads'), 'tol': (float, 1e-8, 'certified tolerance'),
-    'threads': (threads, THREADS, 'threads')},
+    **ALL_THREADS},
     {'seeds': [1, 2], 'roll_off': 2.0, 'cut_off': 16.0, 'points': 128, 'sizes': [64, 128, 256]}, 'two surfaces of 16 waves a side on up to 256^2')

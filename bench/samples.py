@@ -1,5 +1,15 @@
-"""Statistics of samples: medians with their intervals, shares, ratios, slopes; rows by the values of keys."""
+"""Rows by the values of keys, and statistics of samples: medians with their intervals, shares, ratios, slopes."""
 import math
+from statistics import median
+
+
+def fits(row, values):
+    return all(key in row and row[key] == value for key, value in values.items())
+
+
+def chosen(rows, **values):
+    """Rows with these values."""
+    return [row for row in rows if fits(row, values)]
 
 
 def groups(rows, *keys):
@@ -10,8 +20,16 @@ def groups(rows, *keys):
     return found
 
 
-def values_of(found, key):
-    return sorted({row[key] for row in found})
+def values_of(rows, key):
+    return sorted({row[key] for row in rows})
+
+
+def solved(rows):
+    return chosen(rows, status='RC_OK')
+
+
+def total_seconds(row):
+    return row['setup_seconds'] + row['solve_seconds']
 
 
 def mean(values):
@@ -19,21 +37,20 @@ def mean(values):
     return sum(values) / len(values)
 
 
+def mean_of(rows, key):
+    return mean(row[key] for row in rows)
+
+
 def median_interval(values, confidence=0.95):
     """Median and the distribution-free interval that holds the true one with at least this confidence, from order statistics
     (Conover 1999, 3.2); least and greatest value where there are too few."""
     ordered = sorted(values)
     count = len(ordered)
-    middle = (ordered[(count - 1) // 2] + ordered[count // 2]) / 2
     below, tail = 0, 0.5**count
     while tail + math.comb(count, below + 1) * 0.5**count <= (1 - confidence) / 2:
         below += 1
         tail += math.comb(count, below) * 0.5**count
-    return middle, ordered[below], ordered[count - 1 - below]
-
-
-def median(values):
-    return median_interval(values)[0]
+    return median(ordered), ordered[below], ordered[count - 1 - below]
 
 
 def wilson(hits, trials, z=1.959963984540054):
@@ -60,18 +77,3 @@ def line(points):
 def slope(points):
     """Least squares of log y over log x."""
     return line([(math.log(x), math.log(y)) for x, y in points])[0]
-
-
-def solved(rows):
-    return [row for row in rows if row.get('status') == 'RC_OK']
-
-
-def total_seconds(row):
-    return row['setup_seconds'] + row['solve_seconds']
-
-
-def scaling_rows(document, **values):
-    """Certified cold solves by everything that `auto` chooses, or with other values of their keys, by growing size."""
-    wanted = {'tol': 1e-8, 'precision': 'mixed', 'solver_option': 'auto', 'backend_option': 'auto', **values}
-    rows = [row for row in solved(document['solves']) if all(row.get(key) == value for key, value in wanted.items())]
-    return sorted(rows, key=lambda row: row['n'])

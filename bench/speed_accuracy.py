@@ -8,12 +8,11 @@ import numpy as np
 import roughcontact as rc
 
 from case import Progress, in_child, peak_memory, resident_memory
-from contact import names, runs, time_solve
-from options import THREADS, Question, folder, listed, one_of, percent, ranged, threads
+from contact import names, runs, status_of, time_solve
+from options import ALL_THREADS, folder, listed, one_of, percent, question, ranged
 from samples import total_seconds
-from scenes import NAMES, make_scene
+from surfaces import NAMES, best_truth, make_scene, search_approach, solve_certified
 from store import Store
-from truth import GridTruth, search_approach, solve_certified
 
 MOST_FACTORED = 4000  # candidates up to which factoring backends run
 GRID_DIGITS = [1, 2, 3, 4, 6, 8]  # tolerances 10^-digits of the coarser and finer grids
@@ -37,13 +36,12 @@ def methods_for(system, load, candidates):
             sense = (backend == 'fft' or (conjugate or solver == 'nnls' if backend == 'split' else solver not in ('cmr', 'gp')))
             if not sense or (stored and candidates > MOST_FACTORED) or not runs(solver, backend, system, load):
                 continue
-            pair = {'solver': solver, 'backend': backend}
             variants = [('', {}, 0)]
             if backend == 'fft' and solver + '.products' in known:
                 variants.append(('double', {solver + '.products': 'double'}, 0))
             if backend == 'fft' and conjugate and 'fft.precision' in known:
                 variants.append(('single', {'fft.precision': 'single'}, LEAST_SINGLE_TOL))
-            found += [((solver, backend, name), {**pair, **more}, least) for name, more, least in variants]
+            found += [((solver, backend, name), {'solver': solver, 'backend': backend, **more}, least) for name, more, least in variants]
     return found
 
 
@@ -54,7 +52,7 @@ class SpeedAccuracy:
         self.measured = self.failed = self.before = self.left = 0
 
     def known(self, name, key):
-        found = self.store.find(name, {**key, 'library': self.store.library}) is not None
+        found = self.store.measured(name, key) is not None
         self.before += found
         return found
 
@@ -82,8 +80,13 @@ class SpeedAccuracy:
                     'chosen': f'{result.solver}, {result.backend}', **errors}
         return in_child(work)
 
-    def sweep(self, scene, target, gap, digits, least_tol, settings, truths):
-        """One method from loose tolerances to tight ones."""
+    def sweep(self, name, key, scene, target, gap, digits, least_tol, settings, truths):
+        """One method from loose tolerances to tight ones, unless it is measured. False where the time is up."""
+        key = {**key, 'threads': self.request.threads, 'digits': digits}
+        if self.known(name, key):
+            return True
+        if self.time_is_up():
+            return False
         points, spent = [], 0
         for tol in (float(f'1e-{digit}') for digit in digits):
             if tol < least_tol or spent > self.request.method_limit:
@@ -98,21 +101,17 @@ class SpeedAccuracy:
             spent += total_seconds(point)
             if point['status'] == 'RC_STOP_TIME':
                 break
-        return points
+        self.store.put(name, key, {'points': points})
+        return True
 
-    def compare_methods(self, scene, contact, target, exact, result, truth):
-        gap, n = scene.gap(scene.n), scene.n
-        truths = {'': exact, 'true_': truth.on(n)}
-        for (solver, backend, variant), options, least_tol in methods_for(scene.system(n), scene.control == 'load', result.candidates):
-            key = {'scene': scene.name, 'contact': contact, 'n': n, 'solver': solver, 'backend': backend, 'variant': variant,
-                   'threads': self.request.threads, 'digits': self.request.digits}
-            if self.known('methods', key):
-                continue
-            if self.time_is_up():
+    def compare_methods(self, same, scene, target, exact, result, truth):
+        gap, truths = scene.gap(scene.n), {'': exact, 'true_': truth.on(scene.n)}
+        for (solver, backend, variant), options, least_tol in methods_for(scene.system(scene.n), scene.control == 'load', result.candidates):
+            key = {**same, 'solver': solver, 'backend': backend, 'variant': variant}
+            if not self.sweep('methods', key, scene, target, gap, self.request.digits, least_tol, options, truths):
                 return
-            self.store.put('methods', key, {'points': self.sweep(scene, target, gap, self.request.digits, least_tol, options, truths)})
 
-    def compare_grids(self, scene, contact, target, truth):
+    def compare_grids(self, same, scene, target, truth):
         """Every kernel on coarser and finer grids; tolerances with the kernel that the library takes by itself."""
         usual = 'spectral' if scene.boundary == 'periodic' else 'love'
         for points in (scene.n // 2, scene.n, 2 * scene.n):
@@ -121,41 +120,37 @@ class SpeedAccuracy:
                 if (kernel == 'spectral') != (usual == 'spectral'):
                     continue
                 digits = GRID_DIGITS if kernel == usual else GRID_DIGITS[-1:]
-                key = {'scene': scene.name, 'contact': contact, 'n': scene.n, 'grid': points, 'kernel': kernel,
-                       'threads': self.request.threads, 'digits': digits}
-                if self.known('grids', key):
-                    continue
-                if self.time_is_up():
+                if not self.sweep('grids', {**same, 'grid': points, 'kernel': kernel}, scene, target, gap, digits, 0, {'kernel': kernel}, truths):
                     return
-                self.store.put('grids', key, {'points': self.sweep(scene, target, gap, digits, 0, {'kernel': kernel}, truths)})
 
-    def export(self, scene, contact, truth):
+    def export(self, same, scene, truth):
         """Gap and certified pressures, for other codes."""
         os.makedirs(self.request.export, exist_ok=True)
-        files = {what: os.path.join(self.request.export, f'{scene.name}-{100 * contact:g}-{what}.npy') for what in ('gap', 'pressure')}
-        np.save(files['gap'], scene.gap(scene.n))
-        np.save(files['pressure'], truth.pressure)
-        self.exports.append({'scene': scene.name, 'contact': contact, 'n': scene.n, 'load': truth.load, 'area': truth.area, **files})
+        files = {}
+        for what, values in (('gap', scene.gap(scene.n)), ('pressure', truth.pressure)):
+            files[what] = os.path.join(self.request.export, f'{scene.name}-{100 * same["contact"]:g}-{what}.npy')
+            np.save(files[what], values)
+        self.exports.append({**same, 'load': truth.load, 'area': truth.area, **files})
 
     def one_case(self, scene, contact, exported):
-        key = {'scene': scene.name, 'contact': contact, 'n': scene.n, 'threads': self.request.threads, 'digits': self.request.digits,
-               'grid_digits': GRID_DIGITS}
+        same = {'scene': scene.name, 'contact': contact, 'n': scene.n}
+        key = {**same, 'threads': self.request.threads, 'digits': self.request.digits, 'grid_digits': GRID_DIGITS}
         known = self.known('cases', key)
         if (known and not exported) or (not known and self.time_is_up()):
             return
         target = self.target_of(scene, contact)
         exact, result = solve_certified(scene, target, scene.n, 1e-13, self.request.threads)
         if exported:
-            self.export(scene, contact, exact)
+            self.export(same, scene, exact)
         if known:
             return
-        truth, left = GridTruth(scene, contact, target, self.request.threads), self.left
-        self.compare_methods(scene, contact, target, exact, result, truth)
-        self.compare_grids(scene, contact, target, truth)
+        (truth, source), left = best_truth(scene, contact, target, self.request.threads), self.left
+        self.compare_methods(same, scene, target, exact, result, truth)
+        self.compare_grids(same, scene, target, truth)
         if self.left == left:  # else it is to be gone on with
             self.store.put('cases', key, {
                 'boundary': scene.boundary, 'control': scene.control, 'target': target, 'points': result.points, 'candidates': result.candidates,
-                'contacts': result.contacts, 'load': exact.load, 'truth': truth.source, 'certified_status': 'RC_' + result.status.name,
+                'contacts': result.contacts, 'load': exact.load, 'truth': source, 'certified_status': status_of(result),
                 'certified_residual': rounded(result.residual)})
 
     def run(self):
@@ -174,9 +169,8 @@ class SpeedAccuracy:
                     cases.append((scene, contact, bool(self.request.export) and scene.boundary == 'free' and place == 0))
         progress = Progress(len(cases))
         for scene, contact, exported in cases:
-            begun = time.monotonic()
             self.one_case(scene, contact, exported)
-            progress.done(f'{scene.name}, {100 * contact:g} % in contact', 1, time.monotonic() - begun)
+            progress.done(f'{scene.name}, {100 * contact:g} % in contact')
         if self.request.export:
             os.makedirs(self.request.export, exist_ok=True)
             with open(os.path.join(self.request.export, 'scenes.json'), 'w') as out:
@@ -185,16 +179,12 @@ class SpeedAccuracy:
               (f'; {self.left} not begun, the time is up' if self.left else ''))
 
 
-def run(request):
-    SpeedAccuracy(request).run()
-
-
-QUESTION = Question('pareto', 'speed against accuracy of every method, kernel and grid', run, {
+question('pareto', 'speed against accuracy of every method, kernel and grid', lambda request: SpeedAccuracy(request).run(), {
     'scenes': (listed(one_of(*NAMES)), NAMES, 'what is pressed'),
     'contacts': (listed(percent), [10, 1, 40, 90], 'contact areas in percent of the grid, in the order of measuring'),
     'points': (int, 256, 'points per side of surfaces that are not measured, a power of two'),
     'digits': (listed(ranged(int, 1, 15)), [2, 3, 4, 5, 6, 8, 10, 12], 'tolerances 10^-digits'),
-    'surfaces': (folder, '', 'folder with measured surfaces'), 'threads': (threads, THREADS, 'threads'),
+    'surfaces': (folder, '', 'folder with measured surfaces'), **ALL_THREADS,
     'budget': (float, 0.1, 'seconds for repeats of each solve'), 'solve_limit': (float, 2, 'seconds for one solve; 0: none'),
     'method_limit': (float, 4, 'seconds after which a method goes on to no tighter tolerance'),
     'time_limit': (float, 0, 'seconds after which nothing begins; 0: none'),

@@ -1,10 +1,15 @@
-"""Tables of docs/speed-accuracy.md, from pareto.json and goal.json."""
-from goals_tables import goal_section
-from samples import median, total_seconds
-from speed_accuracy_rows import FAST, TITLES, cases, enough, grid_error, grids, lines, time_to
+"""Rows of pareto.json, what they say about methods and grids, and the tables and pictures of docs/speed-accuracy.md."""
+import os
+
+from charts import Panels, axes, decades, line, style, ticks
+from goals import goal_section
+from samples import chosen, groups, median, solved, total_seconds
+from surfaces import MEASURED, TITLES
 from store import load
 from tables import error, provenance, table
 
+USUAL_KERNELS = ('love', 'spectral')
+FAST = 'haar-cg, fft'
 LEVELS = (1e-6, 1e-10)  # pressure errors, beside the grid's own
 SHOWN = ('auto', FAST, 'haar-cg, fft, double', 'haar-cg, fft, single', 'haar-cg, split', 'polonsky-keer, fft',
          'polonsky-keer, fft, single', 'nnls, fft', 'nnls, split', 'nnls, dense', 'nnls, cholmod', 'cmr, fft', 'gp, fft', 'admm, fft',
@@ -12,6 +17,70 @@ SHOWN = ('auto', FAST, 'haar-cg, fft, double', 'haar-cg, fft, single', 'haar-cg,
 KEYS = ('load_error', 'pressure_error')
 CONTACTS = (0.01, 0.1, 0.4, 0.9)
 FLOOR = 1e-12  # of errors that a grid can be said to make
+
+
+def name_of(row):
+    """solver, backend and what is set beside them."""
+    return 'auto' if row['solver'] == 'auto' else ', '.join(part for part in (row['solver'], row['backend'], row['variant']) if part)
+
+
+def title_of(case):
+    return f'{TITLES[case["scene"]]}, {case["n"]}², {100 * case["contact"]:g} %'
+
+
+def cases(document, **values):
+    """Cases that are measured to the end, as scenes appear in TITLES and by contact."""
+    return sorted(chosen(document.get('cases', []), **values), key=lambda case: (list(TITLES).index(case['scene']), case['contact']))
+
+
+def of_case(document, part, case):
+    return chosen(document.get(part, []), **{key: case[key] for key in ('scene', 'contact', 'n')})
+
+
+def lines(document, case):
+    """Certified points of every method by its name, from loose to tight."""
+    found = {name_of(row): solved(row['points']) for row in of_case(document, 'methods', case)}
+    return {name: points for name, points in found.items() if points}
+
+
+def grids(document, case, usual=True):
+    """{(grid, kernel): certified points}; errors in keys that begin with true_."""
+    return {(row['grid'], row['kernel']): solved(row['points']) for row in of_case(document, 'grids', case)
+            if solved(row['points']) and (row['kernel'] in USUAL_KERNELS or not usual)}
+
+
+def grid_error(document, case, key):
+    """What the grid costs: the error of its own solution, None where that is not measured."""
+    for (grid, _), points in grids(document, case).items():
+        if grid == case['n']:
+            return points[-1]['true_' + key]
+    return None
+
+
+def front(points):
+    """Of (time, error) pairs those that no other beats in both, by growing time."""
+    found = []
+    for time, error in sorted(points):
+        if not found or error < found[-1][1]:
+            found.append((time, error))
+    return found
+
+
+def time_to(points, level, key='pressure_error'):
+    """Seconds of the fastest point with an error of at most level, or None."""
+    times = [total_seconds(point) for point in points if point[key] <= level]
+    return min(times) if times else None
+
+
+def enough(points, levels):
+    """The loosest tolerance from which on every error of {key: level} is at most its level, or None."""
+    best = None
+    for point in sorted(points, key=lambda each: each['tol']):
+        if any(point[key] > level for key, level in levels.items()):
+            break
+        best = point['tol']
+    return best
+
 
 
 def times(value):
@@ -39,12 +108,12 @@ def slower(document, name, level):
     return ratios, ran
 
 
-def against(document, name, other, level, chosen=lambda case: True):
+def against(document, name, other, level, wanted=lambda case: True):
     """Times of one method over those of another, case by case, to a pressure error."""
     ratios = []
     for case in cases(document):
         known = lines(document, case)
-        if chosen(case) and name in known and other in known:
+        if wanted(case) and name in known and other in known:
             both = time_to(known[name], level), time_to(known[other], level)
             if all(both):
                 ratios.append(both[0] / both[1])
@@ -192,3 +261,119 @@ def sections(results):
     document = load(results, 'pareto')
     return {'provenance': provenance(document), 'picks': pick_list(document), 'methods': method_table(document),
             'tolerances': tolerance_table(document), 'grids': grid_table(document), 'goals': goal_section(load(results, 'goal'))}
+
+
+LEAST = 1e-14  # errors against a solution of tolerance 1e-13 say nothing below
+BAND = '#D9D9D9'
+FRONT = 'lines lw 7 lc rgb "#C4C4C4" dt 1'
+LOOKS = {name: line(look) for name, look in {  # methods that are drawn: colour, dash and marker each tell them apart
+    FAST: 'lc rgb "#000000" dt 1 pt 7',
+    'haar-cg, fft, double': 'lc rgb "#000000" dt (4,3) pt 6',
+    'haar-cg, fft, single': 'lc rgb "#D55E00" dt 1 pt 9',
+    'haar-cg, split': 'lc rgb "#0072B2" dt (12,4) pt 5',
+    'polonsky-keer, fft': 'lc rgb "#E69F00" dt (12,4,2,4) pt 13',
+    'polonsky-keer, fft, single': 'lc rgb "#E69F00" dt (2,3) pt 12',
+    'nnls, fft': 'lc rgb "#009E73" dt (2,3) pt 11',
+    'nnls, dense': 'lc rgb "#CC79A7" dt (8,8) pt 15',
+    'gp, fft': 'lc rgb "#56B4E9" dt (8,3) pt 4',
+    'admm, fft': 'lc rgb "#777777" dt (2,3) pt 10',
+    'cmr, fft': 'lc rgb "#777777" dt (8,3) pt 14',
+    'greedy, fft': 'lc rgb "#777777" dt 1 pt 8'}.items()}
+FEW = [FAST, 'haar-cg, fft, single', 'haar-cg, split', 'polonsky-keer, fft', 'nnls, fft', 'nnls, dense', 'gp, fft']
+PEERS = {code: (title, f'points lw 1.8 ps 1.2 lc rgb "#AA0000" {mark}') for code, title, mark in (
+    ('aspher-fft', 'ASPHER, fft', 'pt 2'), ('aspher-h2', 'ASPHER, h2', 'pt 1'), ('tamaas-free', 'Tamaas', 'pt 3'),
+    ('contactmechanics', 'ContactMechanics', 'pt 8'))}
+AXES = {'load_error': 'load', 'pressure_error': 'pressure', 'true_load_error': 'load', 'true_pressure_error': 'pressure'}
+
+
+def clipped(points, key):
+    """(time, error)"""
+    return [(total_seconds(point), max(point[key], LEAST)) for point in points]
+
+
+def errors_panel(drawing, document, place, case, key, names):
+    """Time against the error of the solver, above the band of errors that the grid makes anyway. Other codes hold the load: its error says
+    nothing about them."""
+    known = lines(document, case)
+    drawn = {name: known[name] for name in names if name in known}
+    others = [row for row in of_case(document, 'peers', case) if row['code'] in PEERS and 'error' not in row]
+    peers = {code: rows for (code,), rows in groups(others, 'code').items()} if key == 'pressure_error' else {}
+    curves = [drawing.curve(front(clipped(sum(known.values(), []), key)), FRONT)]
+    curves += [drawing.curve(clipped(points, key), LOOKS[name]) for name, points in drawn.items()]
+    curves += [drawing.curve(clipped(points, key), PEERS[code][1]) for code, points in peers.items()]
+    times = decades([total_seconds(point) for points in [*drawn.values(), *peers.values()] for point in points])
+    band = (f'set ytics 1e-14,100,1\nset object 1 rectangle from graph 0,0 to graph 1,first {max(grid_error(document, case, key) or 0, LEAST)!r} '
+            f'fc rgb "{BAND}" fs solid 0.6 noborder behind')
+    drawing.panel(*place, f'{title_of(case)}: {AXES[key]}', axes('set-up and solve [s]', 'relative error', times, (LEAST, 1), band), curves)
+    return drawn.keys() | peers.keys()
+
+
+def errors_picture(document, file, panels, names):
+    """Panels of (case, error), two in a row."""
+    rows = (len(panels) + 1) // 2
+    legend = 30 + 22 * ((len(names) + len(PEERS) + 3) // 2)
+    drawing, drawn = Panels(800, legend + 265 * rows, 2, rows, legend), set()
+    for i, (case, key) in enumerate(panels):
+        drawn |= errors_panel(drawing, document, (i % 2, i // 2), case, key, names)
+    entries = [entry for name, entry in {**{name: (name, look) for name, look in LOOKS.items()}, **PEERS}.items() if name in drawn]
+    drawing.draw(file, entries + [('Pareto front of all methods', FRONT), ("below the grid's own error", f'lines lw 12 lc rgb "{BAND}"')], 2)
+
+
+def middle(document, scenes):
+    """Of each scene the case next to 10 % in contact."""
+    known = [cases(document, scene=scene) for scene in scenes]
+    return [min(found, key=lambda case: abs(case['contact'] - 0.1)) for found in known if found]
+
+
+def best_known(document, *wanted):
+    """The cases wanted, and others in the place of those that are not there."""
+    known = cases(document)
+    found = [case for scene, contact in wanted for case in known if (case['scene'], case['contact']) == (scene, contact)]
+    return (found + [case for case in known if case not in found])[:len(wanted)]
+
+
+def grid_picture(document, file):
+    """Error against the truth by tolerance, one line a grid: where a line turns down no more, the grid is the limit."""
+    chosen = middle(document, ['hertz', 'self-affine', 'rmd-0.5', 'afm_film'])
+    drawing = Panels(800, 60 + 265 * len(chosen), 2, len(chosen), 60)
+    for row, case in enumerate(chosen):
+        for column, key in enumerate(['true_load_error', 'true_pressure_error']):
+            found = [clipped(points, key) for _, points in sorted(grids(document, case).items())]
+            times, errors = (decades(values) for values in zip(*sum(found, [])))
+            drawing.panel(column, row, f'{title_of(case)}: {AXES[key]}',
+                          axes('set-up and solve [s]', 'error against the truth', times, errors, 'set ytics autofreq'),
+                          [drawing.curve(points, style(number)) for number, points in enumerate(found)])
+    names = ['half as many points a side', 'the grid of the other pictures', 'twice as many']
+    drawing.draw(file, [(name, style(number)) for number, name in enumerate(names)], 3)
+
+
+def kernel_picture(document, file):
+    drawing, looks = Panels(800, 380, 2, 1, 60), {kernel: style(number) for number, kernel in enumerate(['love', 'galerkin', 'disc', 'punch', 'eq9'])}
+    for column, case in enumerate(middle(document, ['hertz', 'self-affine'])):
+        known = grids(document, case, usual=False)
+        found = {kernel: sorted((grid, max(points[-1]['true_load_error'], LEAST)) for (grid, name), points in known.items() if name == kernel)
+                 for kernel in looks}
+        sides = sorted({grid for grid, _ in known})
+        drawing.panel(column, 0, f'{TITLES[case["scene"]]}, {100 * case["contact"]:g} %: load',
+                      axes('points a side', 'error against the truth', (sides[0] / 1.3, sides[-1] * 1.3),
+                           decades([error for points in found.values() for _, error in points]), ticks('x', [(side, side) for side in sides])),
+                      [drawing.curve(points, looks[kernel]) for kernel, points in found.items() if points])
+    drawing.draw(file, list(looks.items()), 5)
+
+
+def pictures(results, images):
+    document = load(results, 'pareto')
+    both, pressure = ('load_error', 'pressure_error'), ('pressure_error',)
+    known = {'speed-accuracy': (best_known(document, ('hertz', 0.1), ('self-affine', 0.1), ('rmd-0.7', 0.4), ('afm_film', 0.1)), pressure, FEW),
+             'pareto-generated': (middle(document, [scene for scene in TITLES if scene not in MEASURED]), both, list(LOOKS)),
+             'pareto-measured': (middle(document, MEASURED), both, list(LOOKS)),
+             'pareto-contacts': ([case for scene in ('self-affine', 'afm_film') for case in cases(document, scene=scene)], pressure, FEW)}
+    if not cases(document):
+        return
+    for name, (chosen, keys, methods) in known.items():
+        if chosen:
+            errors_picture(document, os.path.join(images, name + '.png'), [(case, key) for case in chosen for key in keys], methods)
+        else:
+            print(f'no surface for it: {name}.png stays as it is')
+    grid_picture(document, os.path.join(images, 'pareto-grids.png'))
+    kernel_picture(document, os.path.join(images, 'pareto-kernels.png'))

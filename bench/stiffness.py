@@ -5,7 +5,7 @@ import roughcontact as rc
 
 from case import in_child
 from contact import certified, share_in_contact, unit_square
-from options import CONTROLS, THREADS, Question, listed, one_of, percent, side, threads
+from options import ALL_THREADS, CONTROLS, listed, one_of, percent, question, side
 from scaling import light_load
 from store import Store
 from surfaces import self_affine_gap
@@ -42,15 +42,14 @@ def run(request):
             row = in_child(lambda n=n, case=case: measure(n, case[0], case[1], case[2] / 100, request))
             rows.append({'n': n, 'step': 'warm' if n == PATCH else 'cold', **dict(zip(('boundary', 'control', 'percent'), case)), **row})
             print(n, *case, file=sys.stderr)
-    store.document['stiffness'] = rows
-    store.save()
+    store.save(stiffness=rows)
     print(f'Products of a step certified to {request.tol:g}, and of its stiffness to the residual that is told')
-    show('n; step; %=percent; found %=found:.2f; boundary; control; backend; contact; stiffness; ratio:.2f; residual:.0e', rows)
+    show('n; step; %={percent}; found %={found:.2f}; boundary; control; backend; contact; stiffness; ratio={ratio:.2f}; residual={residual:.0e}', rows)
 
 
-QUESTION = Question('stiffness', 'products of the stiffness beside those of the contact', run, {
+question('stiffness', 'products of the stiffness beside those of the contact', run, {
     'sizes': (listed(side), [512, 1024, 2048], 'points per side of cold solves'),
     'percents': (listed(percent), [1, 10, 40], 'contact areas in percent of the grid, about'),
     'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),
     'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'), 'seed': (int, 1, 'of the surfaces'),
-    'tol': (float, 1e-8, 'certified tolerance'), 'threads': (threads, THREADS, 'threads')}, {'sizes': [128], 'percents': [10]}, '128^2, 10 %')
+    'tol': (float, 1e-8, 'certified tolerance'), **ALL_THREADS}, {'sizes': [128], 'percents': [10]}, '128^2, 10 %')

@@ -5,13 +5,16 @@ import json
 import os
 import time
 
+import roughcontact
+
 import native
 from case import Failure, plain
+from options import THREADS, question
+from samples import chosen, fits
 
 
 def library_hash():
     """Of the library and its plugins: what the same bytes have measured need not be measured again."""
-    import roughcontact
     library = os.path.realpath(roughcontact.library_file())
     files = [os.path.join(folder, name) for folder, _, names in os.walk(os.path.join(os.path.dirname(library), 'roughcontact'))
              for name in names]
@@ -23,7 +26,6 @@ def library_hash():
 
 
 def provenance(threads):
-    import roughcontact
     commit, compiler, kind, flags, fftw = native.build()
     with open('/proc/cpuinfo') as info:
         cpu = next((line.split(':', 1)[1].strip() for line in info if line.startswith('model name')), 'unknown')
@@ -32,12 +34,8 @@ def provenance(threads):
             'cpu': cpu, 'cpu_threads': os.cpu_count(), 'threads': threads, 'load_average_at_start': os.getloadavg()[0]}
 
 
-def fits(row, values):
-    return all(row.get(key) == value and key in row for key, value in values.items())
-
-
 class Store:
-    """file: of the results, '': none. quick: whether small cases are measured, which the file says."""
+    """file: of the results, '': none."""
 
     def __init__(self, file, benchmark, threads):
         self.file, self.document = file, {}
@@ -50,16 +48,19 @@ class Store:
         self.library = self.document['provenance']['library']
 
     def rows(self, name, **values):
-        return [row for row in self.document.get(name, []) if fits(row, values)]
+        return chosen(self.document.get(name, []), **values)
 
     def find(self, name, values):
         """The record with these values, or None."""
-        return next((row for row in self.document.get(name, []) if fits(row, values)), None)
+        return next(iter(self.rows(name, **values)), None)
+
+    def measured(self, name, key):
+        """The record of the key by this library, or None."""
+        return self.find(name, {**key, 'library': self.library})
 
     def known(self, name, key):
         """Whether this library has measured the record, without an error."""
-        row = self.find(name, {**key, 'library': self.library})
-        return row is not None and 'error' not in row
+        return 'error' not in (self.measured(name, key) or {'error': ''})
 
     def put(self, name, key, values):
         """The record of the key and these values, in the place of the one with this key."""
@@ -70,7 +71,9 @@ class Store:
         self.save()
         return row
 
-    def save(self):
+    def save(self, **values):
+        """Writes the file, with these values."""
+        self.document.update(values)
         if not self.file:
             return
         os.makedirs(os.path.dirname(os.path.abspath(self.file)), exist_ok=True)
@@ -81,10 +84,12 @@ class Store:
 
 
 def load(folder, name):
-    with open(os.path.join(folder, name + '.json'), encoding='utf-8') as file:
-        return json.load(file)
+    """The results of a benchmark; {} where it has not run."""
+    file = os.path.join(folder, name + '.json')
+    if not os.path.exists(file):
+        return {}
+    with open(file, encoding='utf-8') as text:
+        return json.load(text)
 
 
-def load_known(folder, name):
-    """The results of a benchmark that may not have run yet: then None."""
-    return load(folder, name) if os.path.exists(os.path.join(folder, name + '.json')) else None
+question('provenance', 'what is measured here: library, compiler, machine, as JSON', lambda _: print(json.dumps(provenance(THREADS), indent=1)), {})

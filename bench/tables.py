@@ -1,39 +1,9 @@
-"""Tables: of records, for a terminal, and for documents between the markers that name them."""
+"""Tables of records: for a terminal, and in Markdown for documents, between the markers that name them."""
 import re
+import string
 import sys
 
-
-def cell(row, key, form):
-    value = row.get(key)
-    if value is None:
-        return ''
-    return value if isinstance(value, str) else str(value) if isinstance(value, int) and not form else f'{value:{form or "g"}}'
-
-
-def aligned(rows):
-    """Text of rows of cells, columns of one width."""
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return '\n'.join('  '.join(text.rjust(width) for text, width in zip(row, widths)) for row in rows)
-
-
-def show(columns, rows):
-    """Prints records. columns: "title=key:format; ..."; the title alone where it is the key."""
-    titles, keys, forms = zip(*(re.fullmatch('(?:(.*)=)?([^:=]*)(?::(.*))?', each).groups() for each in columns.split('; ')))
-    lines = [[title or key for title, key in zip(titles, keys)]]
-    for row in rows:
-        lines.append([cell(row, key, form) for key, form in zip(keys, forms)])
-        lines[-1][-1] += row.get('error', '')
-    print(aligned(lines), flush=True)
-
-
-def table(titles, rows):
-    lines = ['| ' + ' | '.join(titles) + ' |', '|' + '---|' * len(titles)]
-    return '\n'.join(lines + ['| ' + ' | '.join(row) + ' |' for row in rows])
-
-
-def show_table(text):
-    """Prints the table of a document."""
-    print(aligned([line[2:-2].split(' | ') for line in text.splitlines() if line.startswith('| ')]), flush=True)
+SCALES = {'%': 100, 'm': 1000}
 
 
 def seconds(value):
@@ -42,6 +12,54 @@ def seconds(value):
 
 def error(value):
     return '0' if value == 0 else f'{value:.0e}'
+
+
+class Words(string.Formatter):
+    """str.format with more formats: "s" for seconds, "err" for errors, "%" or "m" before others for 100 or 1000 times the value."""
+
+    def format_field(self, value, form):
+        if form in ('s', 'err'):
+            return (seconds if form == 's' else error)(value)
+        return format(SCALES[form[0]] * value, form[1:]) if form[:1] in SCALES else format(value, form)
+
+
+def cell(row, template):
+    """Empty where the record lacks a value."""
+    known = {key: value for key, value in row.items() if value is not None}
+    try:
+        return Words().vformat(template, (), known)
+    except KeyError:
+        return ''
+
+
+def cells(columns, rows):
+    """Titles and lines of records. columns: "title={key:format} and text; ...", or the key alone where that is the title."""
+    pairs = [(title, template or f'{{{title}}}') for title, _, template in (each.partition('=') for each in columns.split('; '))]
+    return [[title for title, _ in pairs]] + [[cell(row, template) for _, template in pairs] for row in rows]
+
+
+def aligned(lines):
+    """Text of lines of cells, columns of one width."""
+    widths = [max(map(len, column)) for column in zip(*lines)]
+    return '\n'.join('  '.join(text.rjust(width) for text, width in zip(line, widths)) for line in lines)
+
+
+def show(columns, rows):
+    """Prints records, each with its error if it has one."""
+    lines = cells(columns, rows)
+    for line, row in zip(lines[1:], rows):
+        line[-1] += row.get('error', '')
+    print(aligned(lines), flush=True)
+
+
+def table(titles, lines):
+    return '\n'.join(['| ' + ' | '.join(titles) + ' |', '|' + '---|' * len(titles)] + ['| ' + ' | '.join(line) + ' |' for line in lines])
+
+
+def records(columns, rows):
+    """A document's table of records."""
+    titles, *lines = cells(columns, rows)
+    return table(titles, lines)
 
 
 def missing(command):

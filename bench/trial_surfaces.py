@@ -1,32 +1,35 @@
 """Surfaces that mislead whoever looks at coarser grids alone: for the trial of option accuracy."""
 import math
-from dataclasses import dataclass
 
 import numpy as np
 import roughcontact as rc
 
-from draws import Draw
 from surfaces import self_affine_gap
+
+
+class Draw(np.random.RandomState):
+    def power_of_ten(self, low, high):
+        return 10**self.uniform(low, high)
+
+    def integer(self, low, high):
+        """low and high included."""
+        return self.randint(low, high + 1)
+
+    def chance(self, share, shape=None):
+        return self.random_sample(shape) < share
 
 
 class Heights:
     """On n x n cells of the unit square; x and y from the middle, columns and rows. approach 0: a part of the mean gap."""
 
     def __init__(self, n):
-        self.n, self.cell, self.approach = n, 1 / n, 0.0
+        self.n, self.cell, self.approach, self.shape = n, 1 / n, 0.0, (n, n)
         self.column, self.row = np.arange(n)[None, :], np.arange(n)[:, None]
         self.x, self.y = (self.column + 0.5) * self.cell - 0.5, (self.row + 0.5) * self.cell - 0.5
         self.r2, self.z = self.x * self.x + self.y * self.y, np.zeros((n, n))
 
     def along(self, angle):
         return self.x * math.cos(angle) + self.y * math.sin(angle)
-
-    def each(self, value):
-        """value(flat index) in the order of points, which is the order of what it draws."""
-        return np.array([value(i) for i in range(self.n**2)]).reshape(self.n, self.n)
-
-    def chosen(self, draw, share):
-        return self.each(lambda _: draw.chance(share))
 
 
 def roughen(h, draw, rms, hurst, roll_off, cut_off):
@@ -43,8 +46,8 @@ def sphere(h, draw, least=-3, most=-1.5):
 def outer_pins(h, draw):
     """Single points outside the contact, which block means hide."""
     share, height = draw.power_of_ten(-4, -2.3), draw.uniform(0, 0.6)
-    r2 = h.r2.ravel()
-    h.z = h.each(lambda i: draw.uniform(-height, 0) * h.cell if r2[i] > 0.02 and draw.chance(share) else -8 * r2[i] * h.cell)
+    pins = (h.r2 > 0.02) & draw.chance(share, h.shape)
+    h.z = np.where(pins, draw.uniform(-height, 0, h.shape), -8 * h.r2) * h.cell
     h.approach = draw.uniform(0.3, 4) * h.cell
 
 
@@ -74,15 +77,13 @@ def pillars(h, draw):
 
 def dimples(h, draw):
     bend, depth, apart = draw.uniform(0, 0.05), draw.power_of_ten(-4, -1.5), draw.integer(3, 20)
-    radius = draw.uniform(0.2, 0.45) * apart
     r = np.hypot(h.column % apart - apart / 2, h.row % apart - apart / 2)
-    h.z = -bend * h.r2 - np.where(r < radius, depth, 0)
+    h.z = -bend * h.r2 - np.where(r < draw.uniform(0.2, 0.45) * apart, depth, 0)
 
 
 def needles(h, draw):
     roughen(h, draw, 0.003, 0.8, 4, 8)
-    share = draw.power_of_ten(-4, -2)
-    h.z += h.each(lambda _: draw.uniform(0, 0.03) if draw.chance(share) else 0.0)
+    h.z += np.where(draw.chance(draw.power_of_ten(-4, -2), h.shape), draw.uniform(0, 0.03, h.shape), 0)
 
 
 def steps(h, draw):
@@ -97,29 +98,12 @@ def grating(h, draw):
 
 def pits(h, draw):
     bend, share, depth = draw.power_of_ten(-1, 0) / 2, draw.power_of_ten(-3, -0.5), draw.power_of_ten(-4, -2)
-    h.z = -bend * h.r2 - depth * h.chosen(draw, share)
-
-
-def self_affine(h, draw):
-    cut_off, roll_off, hurst = draw.uniform(6, h.n / 2), draw.uniform(1, 6), draw.uniform(0.3, 1)
-    roughen(h, draw, 0.01, hurst, roll_off, cut_off)
-
-
-def long_waves(h, draw):
-    roughen(h, draw, 0.01, 1, 1, 3)
-
-
-def to_single_cells(h, draw):
-    roughen(h, draw, 0.01, draw.uniform(0.3, 0.9), 1, h.n / 2)
+    h.z = -bend * h.r2 - depth * draw.chance(share, h.shape)
 
 
 def rough_sphere(h, draw):
     sphere(h, draw)
     roughen(h, draw, draw.power_of_ten(-4.5, -2.5), 0.8, 8, h.n / 2)
-
-
-def smooth_sphere(h, draw):
-    sphere(h, draw, -3, -1.3)
 
 
 def checkerboard(h, draw):
@@ -131,16 +115,14 @@ def checkerboard(h, draw):
 def rim(h, draw):
     """One cell wide around a sphere, hidden in the means of what lies lower beside it."""
     sphere(h, draw, -3, -1.7)
-    radius, below = draw.uniform(0.2, 0.45), draw.power_of_ten(-4, -2)
-    h.z[np.abs(np.hypot(h.x, h.y) - radius) < 0.7 * h.cell] = -below
+    h.z[np.abs(np.hypot(h.x, h.y) - draw.uniform(0.2, 0.45)) < 0.7 * h.cell] = -draw.power_of_ten(-4, -2)
 
 
 def wires(h, draw):
     """One cell wide beside a ridge."""
     h.z = -0.05 * np.abs(h.x) + 0 * h.y
     for _ in range(draw.integer(1, 10)):
-        at = draw.integer(0, h.n - 1)
-        h.z[:, at] = -draw.power_of_ten(-4, -2)
+        h.z[:, draw.integer(0, h.n - 1)] = -draw.power_of_ten(-4, -2)
     h.approach = draw.power_of_ten(-3, -1.7)
 
 
@@ -154,8 +136,8 @@ def raised_edge(h, draw):
 
 def dust(h, draw):
     """Grains of one cell on a plane, a few of them high."""
-    share = draw.power_of_ten(-4, -2.5)
-    h.z = h.each(lambda _: min(0.05, 0.0005 + 0.001 * ((draw.uniform() or 1e-300)**(-1 / 1.5) - 1)) if draw.chance(share) else 0.0)
+    grains = 0.0005 + 0.001 * ((1 - draw.random_sample(h.shape))**(-1 / 1.5) - 1)
+    h.z = np.where(draw.chance(draw.power_of_ten(-4, -2.5), h.shape), np.minimum(0.05, grains), 0)
     h.approach = draw.power_of_ten(-3, -2)
 
 
@@ -181,8 +163,7 @@ def terraces(h, draw):
 def noisy_sphere(h, draw):
     """Noise of single cells, from even to a few deep ones."""
     sphere(h, draw)
-    depth, skew = draw.power_of_ten(-4, -2), draw.uniform(0.3, 6)
-    h.z -= depth * h.each(lambda _: draw.uniform())**skew
+    h.z -= draw.power_of_ten(-4, -2) * draw.random_sample(h.shape)**draw.uniform(0.3, 6)
 
 
 def cylinder(h, draw):
@@ -194,10 +175,9 @@ def dipoles(h, draw):
     """Needles in pairs with pits beside them, so that the means of blocks show neither."""
     sphere(h, draw, -3, -1.7)
     share, size = draw.power_of_ten(-4, -2), draw.uniform(0.2, 3) * h.approach
-    for i in range(0, h.z.size - 1, 2):
-        if draw.chance(share):
-            h.z.flat[i] += size
-            h.z.flat[i + 1] -= size
+    needles = 2 * np.flatnonzero(draw.chance(share, h.z.size // 2))
+    h.z.flat[needles] += size
+    h.z.flat[needles + 1] -= size
 
 
 def shortest_waves(h, draw):
@@ -207,38 +187,31 @@ def shortest_waves(h, draw):
     h.z += size * np.cos(kx * h.column + ky * h.row)
 
 
-KINDS = {'sphere-outer-pins': outer_pins, 'two-spheres': two_spheres, 'scratched-sphere': scratched_sphere, 'cone': cone, 'pillars': pillars,
-         'dimples': dimples, 'needles': needles, 'steps': steps, 'grating': grating, 'pits': pits, 'waves-self-affine': self_affine,
-         'long-waves': long_waves, 'to-single-cells': to_single_cells, 'rough-sphere': rough_sphere, 'smooth-sphere': smooth_sphere,
-         'checkerboard': checkerboard, 'rim': rim, 'wires': wires, 'raised-edge': raised_edge, 'dust': dust, 'bed-of-pins': bed_of_pins,
-         'rough-saddle': rough_saddle, 'terraces': terraces, 'noisy-sphere': noisy_sphere, 'cylinder': cylinder, 'dipoles': dipoles,
-         'shortest-waves': shortest_waves}
-
-
-@dataclass(frozen=True)
-class TrialSurface:
-    system: rc.HalfSpace
-    gap: np.ndarray
-    mask: np.ndarray
-    approach: float
+KINDS = {
+    'sphere-outer-pins': outer_pins, 'two-spheres': two_spheres, 'scratched-sphere': scratched_sphere, 'cone': cone, 'pillars': pillars,
+    'dimples': dimples, 'needles': needles, 'steps': steps, 'grating': grating, 'pits': pits,
+    'waves-self-affine': lambda h, draw: roughen(h, draw, 0.01, draw.uniform(0.3, 1), draw.uniform(1, 6), draw.uniform(6, h.n / 2)),
+    'long-waves': lambda h, draw: roughen(h, draw, 0.01, 1, 1, 3),
+    'to-single-cells': lambda h, draw: roughen(h, draw, 0.01, draw.uniform(0.3, 0.9), 1, h.n / 2),
+    'rough-sphere': rough_sphere, 'smooth-sphere': lambda h, draw: sphere(h, draw, -3, -1.3), 'checkerboard': checkerboard, 'rim': rim,
+    'wires': wires, 'raised-edge': raised_edge, 'dust': dust, 'bed-of-pins': bed_of_pins, 'rough-saddle': rough_saddle, 'terraces': terraces,
+    'noisy-sphere': noisy_sphere, 'cylinder': cylinder, 'dipoles': dipoles, 'shortest-waves': shortest_waves}
 
 
 def left_out(shape, draw, parts):
     """A mask without a tenth of the points, or without whole parts."""
-    ny, nx = shape
-    mask = np.ones(shape, np.uint8)
     if not parts:
-        return np.array([not draw.chance(0.1) for _ in range(mask.size)], np.uint8).reshape(shape)
+        return 1 - draw.chance(0.1, shape).astype(np.uint8)
+    mask = np.ones(shape, np.uint8)
     for _ in range(6):
-        left, low = draw.integer(0, nx - 5), draw.integer(0, ny - 5)
-        right, high = min(nx, left + draw.integer(2, 30)), min(ny, low + draw.integer(2, 30))
-        mask[low:high, left:right] = 0
+        low, left = (draw.integer(0, side - 5) for side in shape)
+        mask[low:low + draw.integer(2, 30), left:left + draw.integer(2, 30)] = 0
     return mask
 
 
 def make_surface(name, n, seed):
-    """About n points a side, of unit width and modulus. The seed draws the shape and the approach, and for some seeds an odd size, a
-    rectangle, elongated cells, single points or whole parts that do not count, a period."""
+    """(system, gap, approach, mask) of about n points a side, of unit width and modulus. The seed draws the shape and the approach, and for
+    some seeds an odd size, a rectangle, elongated cells, single points or whole parts that do not count, a period."""
     draw = Draw(seed * 1009 + list(KINDS).index(name))
     h = Heights(draw.integer(4 * n // 5, 6 * n // 5) if seed % 2 == 0 else n)
     KINDS[name](h, draw)
@@ -251,4 +224,4 @@ def make_surface(name, n, seed):
     if seed % 5 == 4 and boundary == 'free':
         gap = gap[:h.n // draw.integer(2, 4)]
     mask = left_out(gap.shape, draw, seed % 7 == 6) if seed % 7 >= 5 else None
-    return TrialSurface(rc.HalfSpace(gap.shape, pitch=(hx, hy), modulus=1, boundary=boundary), np.ascontiguousarray(gap), mask, approach)
+    return rc.HalfSpace(gap.shape, pitch=(hx, hy), modulus=1, boundary=boundary), np.ascontiguousarray(gap), approach, mask

@@ -1,8 +1,9 @@
 # rc_add_backend(<name> [COMMON] [COMPONENT component] SOURCES ... [LIBRARIES ...] [INCLUDES ...] [LINK ...])
 # SOURCES: backend.cpp, which has the entry, and others.
-# COMMON: it uses backends/common. COMPONENT: what it is installed with, backend-<name> if not said. LINK: libraries that must be linked wherever the backend is (not those that are headers only).
-# One source, two forms: linked into the library when <name> is in RC_BUILTIN_BACKENDS (object library rcb_<name>, used by src/),
-# else a plugin rcb_<name>.so beside the library, in roughcontact/abi-<n>, found there in the build tree and after installation.
+# COMMON: the backend uses backends/common. COMPONENT: its install component, backend-<name> by default. LINK: libraries that must
+# be linked wherever the backend is (not those that are headers only).
+# The sources are linked into the library if <name> is in RC_BUILTIN_BACKENDS (object library rcb_<name>, used by src/). Otherwise
+# they become a plugin rcb_<name>.so beside the library, in roughcontact/abi-<n>, both in the build tree and after installation.
 function(rc_add_backend name)
   cmake_parse_arguments(ARG "COMMON" "COMPONENT" "SOURCES;LIBRARIES;INCLUDES;LINK" ${ARGN})
   if(NOT ARG_COMPONENT)
@@ -13,7 +14,7 @@ function(rc_add_backend name)
     target_compile_definitions(rcb_${name} PRIVATE RC_PLUGIN_BUILTIN)
     set_target_properties(rcb_${name} PROPERTIES RC_LINK_LIBRARIES "${ARG_LINK}" RC_COMMON "${ARG_COMMON}")
   else()
-    # All but the entry, which tests link, too.
+    # All sources but the entry; tests link them, too.
     list(REMOVE_ITEM ARG_SOURCES backend.cpp)
     add_library(rcb_${name}_objects OBJECT ${ARG_SOURCES})
     target_include_directories(rcb_${name}_objects PUBLIC ${PROJECT_SOURCE_DIR}/include ${ARG_INCLUDES} ${CMAKE_CURRENT_SOURCE_DIR})

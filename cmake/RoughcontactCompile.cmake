@@ -2,6 +2,7 @@
 add_library(rc_compile INTERFACE)
 target_compile_options(rc_compile INTERFACE -Wall -Wextra -Wpedantic -Wshadow
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>  # by a neighbour file's constant
   $<$<BOOL:${RC_WERROR}>:-Werror>)
 if(RC_SANITIZE)
   target_compile_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -12,7 +13,7 @@ endif()
 if(RC_BUILD_FUZZERS)
   set(RC_FUZZING_ENGINE -fsanitize=fuzzer CACHE STRING "What links a fuzz target to its engine")
   if(RC_FUZZING_ENGINE STREQUAL -fsanitize=fuzzer)
-    # What libFuzzer steers by; other engines bring their own through the flags.
+    # Instrumentation that libFuzzer needs; other engines set theirs by the flags.
     target_compile_options(rc_compile INTERFACE -fsanitize=fuzzer-no-link)
   endif()
 endif()

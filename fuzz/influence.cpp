@@ -26,7 +26,7 @@ std::vector<Real> periodic_table(std::int64_t nx, std::int64_t ny, Real hx, Real
     for (std::int64_t kx = 0; kx < nx; ++kx) {
       if (kx == 0 && ky == 0) continue;
       const Real value = 2 / std::hypot(frequency(kx, nx, hx), frequency(ky, ny, hy)) / static_cast<Real>(nx * ny);
-      // Waves of one sign of kx and of the other together have the product of cosines.
+      // A wave with kx and one with -kx add up to a product of cosines.
       for (std::int64_t iy = 0; iy < ny; ++iy)
         for (std::int64_t ix = 0; ix < nx; ++ix)
           table[static_cast<std::size_t>(iy * nx + ix)] +=

@@ -1,5 +1,5 @@
-// Options as text, "key=value" a line: each is set by every function that sets, read back, and given to a contact. What is
-// refused leaves the value as it was, and what was taken reads the same when it is set again.
+// Options as text, "key=value" a line. Each is set by every setter, read back, and given to a contact. A refused value changes
+// nothing, and an accepted value reads the same when it is set again.
 #include <roughcontact/roughcontact.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (!bytes.empty()) {
     const std::string line{bytes.until('\n')};
     const auto equals = line.find('=');
-    // As C sees them, up to the first zero.
+    // C strings: they end at the first zero byte.
     if (equals != std::string::npos) set(options, line.substr(0, equals).c_str(), line.substr(equals + 1).c_str());
   }
   std::int64_t threads = 0;

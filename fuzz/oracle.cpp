@@ -38,7 +38,7 @@ bool documented(rc_status status) {
     case RC_ERR_EXTERNAL:
       return true;
     default:
-      return false;  // of plugins, other threads and defects: none has a place here
+      return false;  // statuses of plugins, other threads and defects must not occur here
   }
 }
 
@@ -143,8 +143,8 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
   parts.noise = round_off * parts.largest_row * parts.largest_p + 8 * epsilon * (highest + std::abs(approach)) +
                 64 * least_double * (1 + parts.largest_row);
 
-  // Residuals are relative to the compenetration. With periodic boundaries, where it may vanish beside the pressures, to a
-  // deflection by them; by those of the exact solution, so that a wrong answer cannot make room for itself.
+  // Residuals are relative to the compenetration. With periodic boundaries, where it may vanish beside the deflections, they are
+  // relative to a deflection under the exact pressures, so that a wrong answer cannot loosen its own test.
   parts.scale = deepest;
   const rc_system& s = scene_.system;
   if (s.op == RC_OPERATOR_HALFSPACE && s.boundary == RC_BOUNDARY_PERIODIC) {
@@ -183,7 +183,7 @@ void Oracle::check_intervals(const Answer& answer, const Parts& parts) const {
   const Real area = static_cast<Real>(scene_.system.hx) * static_cast<Real>(scene_.system.hy);
   const Real largest = std::max(parts.largest_p, *std::ranges::max_element(exact));
 
-  // Points at which both pressure and gap vanish to rounding may be either.
+  // Points at which both pressure and gap vanish to rounding may count as in contact or not.
   Real load = 0, energy = 0, returned = 0;
   std::int64_t contacts = 0, surely = 0, open = 0;
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,4 +1,4 @@
-// Whether an answer of the library is right, by other means than the library's.
+// Checks whether an answer of the library is right, without the library.
 #pragma once
 
 #include "influence.h"

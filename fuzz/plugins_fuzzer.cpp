@@ -1,6 +1,6 @@
 // Damaged plugins: the bytes become rcb_x.so in a folder of their own, and a context looks for it there by name and by listing.
-// Whatever has the header of a loadable object is cut down before: the system's own loader trusts what it maps, and is not
-// what is looked at here. So every file must be refused, with its name in the message, and the context must stay usable.
+// Files with the header of a loadable object are cut first, because the system's loader, which trusts what it maps, is not under
+// test. So every file must be refused, with its name in the message, and the context must stay usable.
 #include <elf.h>
 #include <roughcontact/roughcontact.h>
 #include <unistd.h>

@@ -28,7 +28,7 @@ void require_one_line(const std::string& message) {
   require(!message.empty() && message.find_first_of(std::string_view("\n\r\0", 3)) == std::string::npos, "an error is one line");
 }
 
-// As the command does after it has read a file.
+// The steps of the command after it has read a file.
 void process(cli::Surface surface) {
   double highest = 0;
   for (double& z : surface.heights) {

@@ -1,4 +1,4 @@
-// What must hold of every reader, whatever the bytes.
+// Checks that must hold for every reader and any bytes.
 #pragma once
 
 #include <cstdint>

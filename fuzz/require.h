@@ -1,4 +1,4 @@
-// What must hold in a fuzz target.
+// A check in a fuzz target.
 #pragma once
 
 #include <cstdio>

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_points = 64, most_options = 8;
 constexpr int most_threads = 3;
 
-// mantissa 10^exponent: most are near 1, and every number in between that double has is there.
+// mantissa 10^exponent: most numbers are near 1, some come from the whole range of double.
 double magnitude(Bytes& bytes) {
   const int mantissa = bytes.byte();
   if (mantissa == 0) return 1;
@@ -96,7 +96,7 @@ std::string Scene::option(const std::string& key, const std::string& otherwise) 
 void read_scene(Bytes& bytes, Scene& scene) {
   read_options(bytes, scene);
   rc_system& s = scene.system;
-  const std::size_t kind = bytes.below(8);  // half-space grids are the most
+  const std::size_t kind = bytes.below(8);  // most systems are half-space grids
   s.op = kind == 6 ? RC_OPERATOR_DENSE : kind == 7 ? RC_OPERATOR_CALLBACK : RC_OPERATOR_HALFSPACE;
   s.boundary = kind < 3 ? RC_BOUNDARY_FREE : RC_BOUNDARY_PERIODIC;
   s.nx = static_cast<std::int64_t>(1 + bytes.below(16));

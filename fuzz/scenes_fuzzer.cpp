@@ -1,4 +1,4 @@
-// One step of one system: what the library answers, an oracle of its own kind checks.
+// One step of one system. An independent oracle checks the library's answer.
 #include "oracle.h"
 #include "require.h"
 

@@ -97,7 +97,7 @@ class Sequence {
   }
 
  private:
-  // The contact may hold one in place of a copy, so they all stay.
+  // All steps are kept, because the contact may borrow their arrays.
   Step& next_step() {
     steps_.push_back(std::make_unique<Step>());
     Step& step = *steps_.back();
@@ -106,11 +106,11 @@ class Sequence {
   }
 
   Problem problem_of(const rc_step& step) const {
-    // A mask without a gap is another mask for the same gap, neither is the step before's.
+    // A mask alone is a new mask for the gap of the step before. Without mask and gap both are those of the step before.
     return {step.gap ? step.gap : gap_, step.mask || step.gap ? step.mask : mask_, step.control, step.target};
   }
 
-  // A step that failed may have been refused at once or later: whose gap the contact has is then not known.
+  // After a step that failed, at once or later, it is not known which gap the contact has.
   void took(const Problem& problem, rc_status status) {
     cancelled_ = cancelled_ && status < 0;
     gap_ = status >= 0 ? problem.gap : nullptr;
@@ -278,7 +278,7 @@ class Sequence {
   rc_options* options_;
   rc_contact* contact_ = nullptr;
   std::vector<std::unique_ptr<Step>> steps_;
-  const double* gap_ = nullptr;  // the contact's; null: it has none, or one that is not known
+  const double* gap_ = nullptr;  // the contact's; null: none, or not known
   const std::uint8_t* mask_ = nullptr;
   bool cancelled_ = false;  // and no step has begun since
   rc_result last_{};        // of the last certified step, with its pressures; none after a path

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         return 1;
       }
       std::fprintf(stderr, "%s\n", path.c_str());  // before it runs: the last one named is the one that fails
-      // A copy of just this size: the sanitizers see what is read behind it.
+      // A copy of exactly this size, so that sanitizers notice reads beyond it.
       const std::vector<std::uint8_t> input(bytes.begin(), bytes.end());
       LLVMFuzzerTestOneInput(input.data(), input.size());
       ++count;

@@ -1,5 +1,5 @@
-// Digital Surf. A plain file that can be read is also packed, which must read the same: damaged streams alone would end in the
-// checksums of zlib.
+// Digital Surf. A plain file that can be read is also packed, and must then read the same. Damaged streams alone would never get
+// past zlib's checksums.
 #include <zlib.h>
 
 #include <cstring>

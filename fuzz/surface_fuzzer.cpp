@@ -1,5 +1,5 @@
-// The surface library: every generator and every analysis, with numbers from the bytes. A call that is refused writes nothing and
-// says why; what a generator makes is finite.
+// The surface library: every generator and every analysis, with numbers from the bytes. A refused call writes nothing and says
+// why. Generated heights are finite.
 #include <roughcontact/surface.h>
 
 #include <algorithm>

@@ -62,6 +62,17 @@ def wrapped(line: str, language: str, continued: bool = False) -> List[str]:
     return [f"{head}[", f"{indent}    {body}", f"{indent}]"]
 
 
+def filled(parts: Iterable[str], separator: str, width: int = 124) -> List[str]:
+    """Parts joined in lines that are not too long."""
+    lines: List[str] = []
+    for part in parts:
+        if lines and len(lines[-1]) + len(separator) + len(part) <= width:
+            lines[-1] += separator + part
+        else:
+            lines.append(part)
+    return lines
+
+
 def grouped(pairs: Iterable[Tuple[Any, str]]) -> List[Tuple[Any, List[str]]]:
     """[(key, [value, ...])] of [(key, value)], neighbours of one key together."""
     groups: List[Tuple[Any, List[str]]] = []
@@ -151,8 +162,10 @@ def fortran_argument(function: str, name: str, kind: Type, interface: Interface)
 
 
 def fortran_functions(interface: Interface) -> List[str]:
+    given = {f"{struct.name}_init" for struct in interface.structs() if struct.initial}  # by the type itself
+    functions = {name: function for name, function in interface.functions.items() if name not in given}
     lines = ["", "  interface"]
-    for name, *_ in alike(interface.functions):
+    for name, *_ in alike(functions):
         function = interface.functions[name]
         pointer = function.result.stars
         result = (
@@ -168,7 +181,7 @@ def fortran_functions(interface: Interface) -> List[str]:
         lines.append(f"    end {result.split()[-1]}")
     lines.append("  end interface")
     return lines + [
-        f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(interface.functions) if others
+        f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(functions) if others
     ]
 
 
@@ -199,11 +212,11 @@ POINTERS = {"double": "doubles", "int64_t": "integers", "int32_t": "statuses", "
 
 
 def python_type(kind: Type, interface: Interface) -> str:
-    """Its name in _c.py or a struct; an expression for arrays."""
+    """Its name in _c.py or a struct, of an array with its extent."""
     if interface.callback(kind):
         return f"Annotated[Any, {kind.base}]"
     if kind.array:
-        return f"Annotated[{'bytes' if kind.base == 'char' else 'Any'}, c_{kind.base} * {kind.array}]"
+        return f"{kind.base}*{kind.array}"
     if kind.base in interface.known or not kind.stars:
         return "None" if kind.base == "void" else kind.base
     if kind.base in POINTERS:
@@ -222,15 +235,17 @@ def python_structs(interface: Interface) -> str:
         if isinstance(declared, Function):
             lines += ["", "", python_callback(name, declared, interface)]
             continue
-        body = []
+        members = []
         for member, kind in declared.members:
             if kind.function:
                 lines += ["", "", python_callback(f"rc_{member}_fn", kind.function, interface)]
                 kind = kind._replace(base=f"rc_{member}_fn")
             value = declared.initial.get(member, "0")
-            begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL") else f" = {value}"
-            body.append(f"    {member}: {python_type(kind, interface)}{begins}")
-        lines += ["", "", "@struct", f"class {name}(Sized):", *body]
+            begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL") else f"={value}"
+            members.append((kind.base if interface.callback(kind) else python_type(kind, interface), member + begins))
+        groups = [f"{kind} {line}" for kind, names in grouped(members) for line in filled(names, " ", 100)]
+        text = ";\n    ".join(filled(groups, "; "))
+        lines += ["", "", "@struct", f"class {name}(Sized):", f'    members = """\n    {text}\n    """']
     return "\n".join(lines).strip("\n")
 
 
@@ -256,11 +271,12 @@ def python_constants(interfaces: List[Interface]) -> str:
         for values in [interface.numbers, *interface.enums]:
             if not values:
                 continue
-            line = f"{', '.join(values)} = {', '.join(map(str, values.values()))}"
-            short = len(line) <= WIDTH["python"]
-            lines += ["", line] if short else ["", *(f"{name} = {value}" for name, value in values.items())]
-        lines += ["" for _ in interface.strings][:1] + [f'{name} = "{value}"' for name, value in interface.strings.items()]
-    return "\n".join(lines[1:])
+            for names in filled(values, ", ", 88):
+                lines.append(f"{names} = {', '.join(str(values[name]) for name in names.split(', '))}")
+        for names in filled(interface.strings, ", ", 64):
+            texts = ", ".join(f'"{interface.strings[name]}"' for name in names.split(", "))
+            lines.append(f"{names} = {texts}")
+    return "\n".join(lines)
 
 
 def python_status(interface: Interface) -> str:
@@ -281,7 +297,7 @@ def python_status(interface: Interface) -> str:
 def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
     """after: modules of the package that it needs."""
     lines = [f'"""{summary}', "", "Written by scripts/bindings.py.", '"""', ""]
-    for module, names in {"ctypes": "c_char c_double", "typing": "Annotated Any Callable Protocol"}.items():
+    for module, names in {"typing": "Annotated Any Callable Protocol"}.items():
         used = [name for name in names.split() if re.search(rf"\b{name}\b", body)]
         lines += [f"from {module} import {', '.join(used)}"] if used else []
     lines += [""] * (len(lines) > 5) + [f"from .{module} import *  # noqa: F403" for module in after]
@@ -327,7 +343,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{fortran}_functions.f90": fortran_module(
             "roughcontact_functions",
             [
-                f"The functions of {own}, name for name; units, rules and errors are described there.",
+                f"The functions of {own}, name for name; units, rules and errors are described there. Those that write",
+                "the values of the RC_..._INIT macros are left out: variables of the types begin with these values.",
                 "",
                 "Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed",
                 "as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)",
@@ -353,13 +370,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         ),
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
-            f"The structs of {own}, member by member, with the values of the RC_..._INIT macros.",
-            python_structs(contact),
-            after=["_c", "_constants"],
-        ),
-        f"{python}/_surface_structs.py": python_module(
-            "The structs of <roughcontact/surface.h>, member by member, with the values of the RC_..._INIT macros.",
-            python_structs(surface),
+            "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",
+            f"{python_structs(contact)}\n\n\n{python_structs(surface)}",
             after=["_c", "_constants"],
         ),
         f"{python}/_functions.py": python_module(
@@ -367,7 +379,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             python_functions(
                 {"ContactFunctions": ("libroughcontact", contact), "SurfaceFunctions": ("libroughcontact-surface", surface)}
             ),
-            after=["_c", "_structs", "_surface_structs"],
+            after=["_c", "_structs"],
         ),
         "bindings/octave/result_fields.def": "/* Members of rc_result that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",

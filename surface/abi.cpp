@@ -1,4 +1,4 @@
-// The exported functions: arguments in, checked; results out.
+// The exported functions: they check arguments, call, and write results.
 #include <roughcontact/surface.h>
 
 #include <algorithm>
@@ -128,11 +128,12 @@ rc_status rc_surface_psd(const rc_surface_map* map, double* q, double* psd, int6
   return guard("rc_surface_psd", [&] {
     if (!count) fail(RC_ERR_ARGUMENT, "count is null");
     const bool wanted = q || psd || modes;
-    if (wanted && !(q && psd && modes)) fail(RC_ERR_ARGUMENT, "of q, psd and modes some are null, give all or none");
+    if (wanted && !(q && psd && modes)) fail(RC_ERR_ARGUMENT, "some of q, psd and modes are null; give all or none");
     const std::vector<Ring> all = rings(spectrum(read_heights(map)));
     const auto needed = static_cast<std::int64_t>(all.size());
     if (wanted && *count < needed)
-      fail(RC_ERR_ARGUMENT, "the arrays hold ", *count, " rings, ", needed, " are needed; call with NULL arrays to learn it");
+      fail(RC_ERR_ARGUMENT, "the arrays hold ", *count, " rings, ", needed,
+           " are needed; a call with NULL arrays returns that number");
     for (std::size_t i = 0; wanted && i < all.size(); ++i) {
       q[i] = all[i].q;
       psd[i] = all[i].power;
@@ -171,7 +172,7 @@ rc_status rc_surface_downsample(int64_t nx, int64_t ny, const double* heights, c
     if (filter < RC_SURFACE_SUBSAMPLE || filter > RC_SURFACE_MAX)
       fail(RC_ERR_ARGUMENT, "filter = ", filter, " must be RC_SURFACE_SUBSAMPLE, RC_SURFACE_MEAN or RC_SURFACE_MAX");
     const auto points = static_cast<std::size_t>(nx * ny);
-    // A gap is a height downwards.
+    // The gap is the height, counted downwards.
     std::vector<double> gap(points);
     std::transform(heights, heights + points, gap.begin(), [](double z) { return -z; });
     const std::span<const std::uint8_t> given = mask ? std::span{mask, points} : std::span<const std::uint8_t>{};

@@ -1,6 +1,6 @@
-// Plain cascade multi-resolution loses the contacts of asperities that the coarse grids do not show. What counts is not the whole
-// surface but its part within reach of the other body: a plateau between deep grooves may be rough on scales that carry a small
-// part of the variance of all heights.
+// Plain cascade multi-resolution loses the contacts of asperities that the coarse grids do not show. Only the part of the surface
+// within reach of the other body counts: a plateau between deep grooves may be rough on scales that carry a small part of the
+// variance of all heights.
 #include "cmr_advice.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Grid halved(const Grid& fine, Filter filter) {
   return {coarse.nx, coarse.ny, std::move(coarse.gap)};
 }
 
-// Where fine point k of n lies between coarse points: after `left`, by a fraction.
+// Where a fine point lies between two coarse points: at this fraction of the way from `left` to `right`.
 struct Place {
   std::int64_t left, right;
   double fraction;
@@ -41,7 +41,7 @@ Place place(std::int64_t k, std::int64_t coarse) {
   return {left, std::min(left + 1, coarse - 1), t - static_cast<double>(left)};
 }
 
-// Bilinear between block centres.
+// Bilinear interpolation between block centres.
 std::vector<double> refined(const Grid& coarse, std::int64_t nx, std::int64_t ny) {
   const auto z = [&](std::int64_t x, std::int64_t y) { return coarse.z[static_cast<std::size_t>(y * coarse.nx + x)]; };
   std::vector<Place> columns;
@@ -96,7 +96,7 @@ Unresolved unresolved(const std::vector<Grid>& grids, std::int32_t levels, doubl
   return {spread > 0 ? variance(reach_rest) / spread : 1, variance(rest) / variance(z)};
 }
 
-// The lowest height within reach; at least 16 points are, so that a variance means something.
+// The lowest height that counts as within reach. At least 16 points are, so that their variance means something.
 double reach(std::vector<double> z, double highest, double approach) {
   const auto last = z.begin() + static_cast<std::ptrdiff_t>(std::min(fewest_points, z.size()) - 1);
   std::ranges::nth_element(z, last, std::greater{});

@@ -13,7 +13,7 @@ namespace rc::surface {
 
 namespace {
 
-// A length that is no power of two would reach GSL's error handler; there is none other here.
+// The length must be a power of two: any other would call GSL's error handler.
 void power_of_two(std::vector<Complex>& row, Direction direction) {
   auto* data = reinterpret_cast<double*>(row.data());
   const int status = direction == Direction::forward ? gsl_fft_complex_radix2_forward(data, 1, row.size())
@@ -21,8 +21,8 @@ void power_of_two(std::vector<Complex>& row, Direction direction) {
   if (status != GSL_SUCCESS) fail(RC_ERR_INTERNAL, "the transform of length ", row.size(), " failed");
 }
 
-// One row after the other, of one length. Other lengths by Bluestein (1970): with jk = (j^2 + k^2 - (k - j)^2) / 2 the
-// transform is a convolution with the chirp exp(i pi k^2 / n), done at a power of two.
+// Transforms rows of one length. Lengths that are no power of two by Bluestein (1970): with jk = (j^2 + k^2 - (k - j)^2) / 2
+// the transform is a convolution with the chirp exp(i pi k^2 / n), computed at a power of two.
 class Rows {
  public:
   Rows(std::int64_t length, Direction direction) : length_(static_cast<std::size_t>(length)), direction_(direction) {
@@ -52,7 +52,7 @@ class Rows {
   }
 
  private:
-  // Without the detour for infinite factors.
+  // Faster than operator*, because it has no special case for infinite factors.
   static Complex product(Complex a, Complex b) {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
   }

@@ -1,4 +1,4 @@
-// Discrete Fourier transforms of any length on GSL's power-of-two ones, the functions of GSL that allocate nothing.
+// Discrete Fourier transforms of any length, by GSL's transforms of powers of two: these allocate nothing.
 #pragma once
 
 #include <complex>

@@ -39,7 +39,7 @@ double mean(const std::vector<double>& z) {
   return sum / static_cast<double>(z.size());
 }
 
-// Least squares. On a full grid x and y, counted from the middle, are orthogonal to each other and to 1.
+// Removes the plane of least squares. On a full grid x and y, counted from the middle, are orthogonal to each other and to 1.
 void remove_plane(Heights& heights) {
   const double x0 = 0.5 * static_cast<double>(heights.nx - 1), y0 = 0.5 * static_cast<double>(heights.ny - 1);
   double zx = 0, zy = 0, xx = 0, yy = 0;

@@ -19,7 +19,7 @@ struct Heights {
   double area() const { return static_cast<double>(nx) * hx * static_cast<double>(ny) * hy; }
 };
 
-// Throws an Error for what is wrong with the map.
+// Throws an Error that says what is wrong with the map.
 Heights read_heights(const rc_surface_map* map);
 
 double mean_square(const std::vector<double>& values);

@@ -15,7 +15,8 @@ constexpr double huber = 2;
 // Student's 97.5 % quantile, by the first terms of its expansion about the normal one (within 2 % from 3 degrees on).
 double student(double freedom) { return 1.96 + 2.37 / freedom + 2.8 / (freedom * freedom); }
 
-// The variance to be added to all points so that the squared residuals are what is expected (Paule & Mandel 1982).
+// The variance that must be added to all points so that the sum of squared residuals has its expected value (Paule & Mandel
+// 1982).
 double excess_variance(std::span<const double> squares, std::span<const double> variance, double freedom) {
   const auto surplus = [&](double extra) {
     double sum = 0;
@@ -85,7 +86,7 @@ std::vector<std::size_t> cut_into_lines(std::span<const double> x, std::span<con
                                         std::size_t shortest, double price) {
   const std::size_t n = x.size();
   const Residuals residuals{x, y, variance};
-  // Bellman: the best cutting of the first `end` points ends with a piece from some `first` on.
+  // Bellman's recursion: the best cut of the first `end` points is a best cut of the first `first`, and one more piece.
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity());
   std::vector<std::size_t> previous(n + 1, 0);
   cost[0] = 0;

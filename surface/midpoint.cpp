@@ -18,7 +18,7 @@ class Vertices {
         random_(spec.seed) {
     deviation_ = spec.sigma;
     displace(0, 0, last_, last_);
-    // Half a stage shrinks distances by sqrt(2) and heights by 2^(-H/2).
+    // Each half stage shrinks distances by sqrt(2) and heights by 2^(-H/2).
     const double shrink = portable_exp(-0.5 * spec.hurst * ln2);
     for (std::int64_t step = last_; step > 1; step /= 2) {
       const std::int64_t half = step / 2;
@@ -54,7 +54,7 @@ class Vertices {
     }
   }
 
-  // Midpoints of the squares' sides: of their two ends and the one or two centres beside them.
+  // Midpoints of the squares' sides: means of their two ends and of the one or two centres beside them.
   void edges(std::int64_t step, std::int64_t half) {
     for (std::int64_t y = 0; y <= last_; y += half) {
       for (std::int64_t x = (y / half) % 2 == 0 ? half : 0; x <= last_; x += step) {
@@ -95,7 +95,7 @@ std::vector<double> midpoint_displacement(const rc_surface_rmd_spec& given, int 
   rc_surface_rmd_spec spec = given;
   if (!(spec.rms_height > 0)) return Vertices(spec, stage).take();
 
-  // Stages draw from one sequence, coarse ones first, so a stage is the same whatever comes after it.
+  // All stages draw from one random sequence, coarse ones first, so a stage does not depend on those after it.
   spec.sigma = 1;
   std::vector<double> z = Vertices(spec, spec.levels).take();
   const double scale = spec.rms_height / rms(z);

@@ -1,5 +1,5 @@
-// A texture is a wave with much more power than the others of its length (of which a Gaussian surface's have exponentially
-// distributed powers) and than longer and shorter ones of its direction (else a surface with a lay would be full of them).
+// A texture is a wave with much more power than the others of its length, and than longer and shorter waves of its direction.
+// The first test: the powers of a Gaussian surface are exponentially distributed. The second: a surface with a lay is no texture.
 #include "peaks.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace rc::surface {
 
 namespace {
 
-constexpr std::int64_t fewest_waves = 4;  // over the map: fewer cannot be told from roughness
+constexpr std::int64_t fewest_waves = 4;  // over the map: fewer waves cannot be told from roughness
 constexpr double least_share = 0.02;
 constexpr double above_direction = 8;
 constexpr std::int64_t cluster = 2;  // a wave under a window spreads over this many modes to each side
@@ -23,7 +23,7 @@ struct Candidate {
   double power;
 };
 
-// The modes up to `reach` away, along the directions that the map has.
+// Visits the modes up to `reach` away, along the directions that the map has.
 template <class Visit> void around(const Spectrum& s, std::int64_t kx, std::int64_t ky, std::int64_t reach, const Visit& visit) {
   const std::int64_t reach_x = s.nx > 1 ? reach : 0, reach_y = s.ny > 1 ? reach : 0;
   for (std::int64_t y = ky - reach_y; y <= ky + reach_y; ++y)
@@ -38,13 +38,13 @@ double largest_around(const Spectrum& s, std::int64_t kx, std::int64_t ky, std::
 
 std::size_t octave(double q, double lowest) { return static_cast<std::size_t>(std::max(0.0, 4 * std::log2(q / lowest) + 0.5)); }
 
-// Half of the modes, with their conjugates they are all.
+// Visits half of the modes; the others are their conjugates.
 template <class Visit> void half_of_the_modes(const Spectrum& s, const Visit& visit) {
   for (std::int64_t ky = 0; ky <= s.ny / 2; ++ky)
     for (std::int64_t kx = ky == 0 ? 1 : -((s.nx - 1) / 2); kx <= s.nx / 2; ++kx) visit(kx, ky);
 }
 
-// The mean power of the waves of about one length, from their median: peaks do not move it.
+// The mean power of waves of about one length. It follows from their median, which peaks do not move.
 std::vector<double> backgrounds(const Spectrum& s, double lowest) {
   std::vector<std::vector<double>> values;
   half_of_the_modes(s, [&](auto kx, auto ky) {
@@ -62,7 +62,7 @@ std::vector<double> backgrounds(const Spectrum& s, double lowest) {
   return means;
 }
 
-// A wave at the centre of power of its modes, which lies between the grid lines of the spectrum.
+// A wave. Its wave number is the centre of power of its modes, so it lies between the grid lines of the spectrum.
 struct Wave {
   double kx = 0, ky = 0, power = 0;
 };
@@ -80,7 +80,7 @@ Wave wave_at(const Spectrum& s, const Candidate& c) {
   return wave;
 }
 
-// Than the waves of its direction that are neither part of it nor its harmonics.
+// Whether a wave stands above the waves of its direction that are neither part of it nor its harmonics.
 bool above_its_direction(const Spectrum& s, const Candidate& c, const Wave& wave) {
   const double size = std::max(std::abs(wave.kx), std::abs(wave.ky));
   std::vector<double> others;

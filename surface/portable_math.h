@@ -1,4 +1,5 @@
-// Logarithm and exponential from + - * / alone, which IEEE 754 rounds in one way only: bitwise equal everywhere, unlike libm's.
+// Logarithm and exponential from + - * / alone. IEEE 754 fixes their rounding, so results are the same bits everywhere, unlike
+// libm's.
 #pragma once
 
 #include <cmath>

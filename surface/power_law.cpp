@@ -1,6 +1,7 @@
-// How it is done. The radial PSD is cut into straight lines on logarithmic axes; the longest that falls as a self-affine
-// surface's or faster is the power law, fitted again without its ends. The roll-off is the knee of "flat, then this line" where
-// that fits the lower end much better than the line alone; the cut-off is where the PSD leaves the line downwards for good.
+// The method: the radial PSD is cut into straight lines on logarithmic axes. The longest line that falls as steeply as a
+// self-affine surface's, or more steeply, is the power law; it is fitted again without its ends. The roll-off is the knee of
+// "flat, then this line", if that fits the lower end much better than the line alone. Beyond the cut-off the PSD stays below the
+// line.
 #include "power_law.h"
 
 #include <gsl/gsl_sf_psi.h>
@@ -17,13 +18,13 @@ namespace rc::surface {
 namespace {
 
 constexpr double bin_width = 0.25 * 0.69314718055994531;  // a quarter octave
-constexpr double no_power = 1e-20;                        // of the largest bin
-constexpr double model_variance = 0.3 * 0.3;              // real spectra wave about a line; does not make pieces of their own
-constexpr double piece_price = 12;                        // of squared deviations
+constexpr double no_power = 1e-20;                        // relative to the largest bin
+constexpr double model_variance = 0.3 * 0.3;              // so that the waviness of real spectra does not make pieces of its own
+constexpr double piece_price = 12;                        // in squared deviations
 constexpr std::size_t shortest_piece = 3;
-constexpr double largest_error = 0.5;     // of a Hurst exponent that says anything
+constexpr double largest_error = 0.5;     // of a Hurst exponent that is of any use
 constexpr double shortest_range = 1.151;  // half a decade, as a logarithm
-constexpr double noticeable_bend = 0.15;  // of the exponent
+constexpr double noticeable_bend = 0.15;  // in the Hurst exponent
 constexpr double left_for_good = 0.7;     // below the line, as a logarithm
 
 struct Columns {
@@ -67,8 +68,8 @@ Range longest_power_law(const std::vector<Bin>& bins, int dimensions) {
   return best;
 }
 
-// Sampling folds the waves beyond the Nyquist wave number back: where the surface has such waves (or the instrument noise), the
-// spectrum bends upwards in the last two octaves, and they are left out.
+// Sampling folds waves beyond the Nyquist wave number back. If the surface has such waves (or the instrument noise), the spectrum
+// bends upwards in the last two octaves, and they are left out.
 void leave_out_aliases(const std::vector<Bin>& bins, double nyquist, Range& range, Line& line) {
   Range lower = range;
   while (lower.end > lower.first && bins[lower.end - 1].x > std::log(nyquist / 4)) --lower.end;
@@ -81,7 +82,7 @@ void leave_out_aliases(const std::vector<Bin>& bins, double nyquist, Range& rang
   line = below;
 }
 
-// Squared deviations of the bins below `end` from the line with a flat top from the knee on.
+// Squared deviations of the bins below `end` from the line that is flat below the knee.
 double misfit(const std::vector<Bin>& bins, std::size_t end, const Line& line, double knee) {
   double sum = 0;
   for (std::size_t i = 0; i < end; ++i) {
@@ -161,7 +162,7 @@ void find_power_law(const Spectrum& s, rc_surface_power_law& law) {
   const Range range = longest_power_law(bins, s.dimensions);
   if (range.empty()) return;
 
-  // The bins at the ends may lie on both sides of a knee; under a window the lowest ones hold what leaks from the trend.
+  // Leaves out the bins at the ends: a knee may lie in them. Under a window the lowest bins also hold what leaks from the trend.
   Range inner = range;
   if (inner.first > 0) ++inner.first;
   if (inner.end < bins.size()) --inner.end;
@@ -169,7 +170,7 @@ void find_power_law(const Spectrum& s, rc_surface_power_law& law) {
   const double under_window = std::log(4 * lowest_wave(s));
   while (s.windowed && bins[inner.first].x < under_window && inner.end - inner.first > 2 * shortest_piece) ++inner.first;
   Line line = fit(bins, inner);
-  // A short flat part may have passed as a part of the line.
+  // A short flat part may have been taken as a part of the line.
   const double roll_off = find_roll_off(bins, inner, line);
   Range above = inner;
   while (above.first < above.end && bins[above.first].x < std::log(roll_off) + bin_width) ++above.first;

@@ -1,4 +1,4 @@
-// The power law in a spectrum, where it begins and where it ends.
+// The power law in a spectrum, and where it begins and ends.
 #pragma once
 
 #include "spectrum.h"
@@ -13,8 +13,7 @@ struct Bin {
   double share = 0;     // of the variance of the heights
 };
 
-// Bins of a quarter octave up to the Nyquist wave number, those without power left out, and
-// the modes of textures.
+// Bins of a quarter octave up to the Nyquist wave number. Bins without power, and modes of textures, are left out.
 std::vector<Bin> logarithmic_bins(const Spectrum& spectrum);
 
 // Sets everything but the peaks.

@@ -20,7 +20,7 @@ class Amplitude {
     exponent_ = -0.5 * dimensions - spec.hurst;
   }
 
-  // The band's ends belong to it in spite of round-off.
+  // Round-off must not exclude the ends of the band.
   double operator()(double q) const {
     if (!(q > 0) || q < low_ * (1 - 1e-12) || q > high_ * (1 + 1e-12)) return 0;
     return std::pow(std::max(q, roll_off_) / high_, exponent_);

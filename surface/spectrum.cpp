@@ -85,7 +85,7 @@ double lowest_wave(const Spectrum& s) { return s.nx == 1 ? s.dy : s.ny == 1 ? s.
 
 namespace {
 
-// The number of the last ring.
+// The index of the outermost ring.
 std::int64_t last_ring(const Spectrum& s, double width) {
   const double last = s.q(s.nx / 2, s.ny / 2) / width;
   if (last < 9e18) return std::llround(last);
@@ -113,7 +113,7 @@ std::vector<Ring> dense_sums(const Spectrum& s, double width, std::int64_t last)
   return all;
 }
 
-// The same where pitches differ so much that most rings are empty.
+// The same for pitches that differ so much that most rings are empty.
 std::vector<Ring> sparse_sums(const Spectrum& s, double width) {
   std::vector<std::pair<std::int64_t, std::int64_t>> modes;  // ring, ky*nx + kx
   modes.reserve(s.power.size());

@@ -25,7 +25,7 @@ struct Spectrum {
 
 Spectrum spectrum(const Heights& heights);
 
-// The wave number of one wave along the longer side.
+// The wave number of a wave as long as the longer side.
 double lowest_wave(const Spectrum& spectrum);
 
 struct Ring {
@@ -33,7 +33,7 @@ struct Ring {
   std::int64_t modes = 0;
 };
 
-// Rings of width 2 pi / max(nx hx, ny hy), those without modes left out.
+// Rings of width 2 pi / max(nx hx, ny hy); rings without modes are left out.
 std::vector<Ring> rings(const Spectrum& spectrum);
 
 }  // namespace rc::surface

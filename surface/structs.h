@@ -1,4 +1,4 @@
-// The public structs as they come from callers with older or newer headers, and checks of what is in them.
+// Reads the public structs of callers with older or newer headers, and checks their values.
 #pragma once
 
 #include <roughcontact/surface.h>
@@ -37,7 +37,7 @@ inline void check_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be positive and finite");
 }
 
-// A length, wave number or slope. Beyond, areas, wave numbers and their ratios leave double precision.
+// Checks a length, wave number or slope. Beyond these limits areas, wave numbers and their ratios would overflow.
 inline void check_magnitude(const char* name, double value) {
   check_positive(name, value);
   if (value < 1e-60 || value > 1e60) fail(RC_ERR_ARGUMENT, name, " = ", value, " is not in 1e-60 .. 1e60; choose another unit");
@@ -47,7 +47,7 @@ inline void check_at_least_zero(const char* name, double value) {
   if (!(value >= 0) || !std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be finite and at least 0");
 }
 
-// 0 where it is not wanted.
+// The same for a value that is 0 where it is not wanted.
 inline void check_magnitude_or_zero(const char* name, double value) {
   check_at_least_zero(name, value);
   if (value > 0) check_magnitude(name, value);

@@ -1,4 +1,4 @@
-// What `roughcontact analyze` finds, lengths in metres.
+// The results of `roughcontact analyze`; lengths in metres.
 #pragma once
 
 #include <roughcontact/surface.h>

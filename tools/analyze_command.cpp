@@ -41,7 +41,7 @@ Rings radial_spectrum(const rc_surface_map& map, const std::string& file) {
   return rings;
 }
 
-// The fit refuses it too, but cannot tell a level map from a tilted one.
+// The fit refuses a flat map, too, but cannot say whether it is level or tilted.
 void refuse_flat(const Analysis& a) {
   if (a.statistics.m0 > 0) return;
   const std::vector<double>& z = a.input.surface.heights;
@@ -99,10 +99,10 @@ void print_statistics(const rc_surface_statistics& s) {
   row("Nayak parameter m0 m4/m2^2", s.nayak);
 }
 
-// The direction of a wave, which has no sense: from 0 up to 180.
+// The direction of a wave, 0 .. 180 degrees: opposite directions are the same.
 double degrees(double qx, double qy) { return std::fmod(std::atan2(qy, qx) * 180 / 3.14159265358979323846 + 360, 180); }
 
-// Outside 0 .. 1 by more than its error.
+// Whether the Hurst exponent is in 0 .. 1, within its error.
 bool self_affine(const rc_surface_power_law& law) { return law.hurst > -law.hurst_error && law.hurst < 1 + law.hurst_error; }
 
 void print_spectrum(const rc_surface_power_law& law) {

@@ -1,4 +1,4 @@
-// What a summary.json tells of the run that wrote it.
+// An earlier run, as its summary.json describes it.
 #pragma once
 
 #include <algorithm>
@@ -14,18 +14,18 @@ namespace cli {
 struct EarlierStep {
   std::string status;
   double displacement = 0, load = 0;
-  std::vector<JsonEntry> fields;  // all of them
+  std::vector<JsonEntry> fields;  // all fields of the step
 
   bool certified() const { return status == "RC_OK" || status == "RC_WITHIN_GOAL"; }
 };
 
 struct EarlierRun {
-  std::vector<JsonEntry> input;  // but file and targets
+  std::vector<JsonEntry> input;  // without file and targets
   std::vector<double> targets;
   std::vector<EarlierStep> steps;
-  std::size_t removing = 0;  // steps of a run before it whose files it was about to remove
+  std::size_t removing = 0;  // steps of a still earlier run whose files it was about to remove
 
-  // The files of steps 1 to this number are its own, whether or not they were written.
+  // Files of steps 1 to this number belong to this run, whether or not they were written.
   std::size_t own_steps() const { return std::max({targets.size(), steps.size(), removing}); }
 };
 

@@ -1,4 +1,5 @@
-// One writer at a time in a folder: a lock that ends with the process, however that ends, on a file that names the process.
+// Lets one process at a time write to a folder: a lock on a file that names the process. The lock ends with the process, however
+// that ends.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,7 @@ namespace cli {
 
 class FolderLock {
  public:
-  // Throws an Error that names the process that holds it. Where the file system knows no locks, reports it and goes on.
+  // Throws an Error that names the process that holds the lock. If the file system has no locks, reports that and goes on.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -45,7 +45,7 @@ double positive_needed(const char* option, const Text& text) {
   return positive_number(option, *text);
 }
 
-// A wavelength as a wave number; 0, no limit, where it was not given.
+// The wave number of a wavelength; 0, which is no limit, if none was given.
 double wave_number(const char* option, const Text& text) {
   return text ? 2 * 3.14159265358979323846 / positive_number(option, *text) : 0;
 }
@@ -54,7 +54,7 @@ std::uint64_t seed(const GenerateArguments& arguments) {
   return static_cast<std::uint64_t>(whole_or("--seed", arguments.seed, 0, 1));
 }
 
-// The grid: of the size asked for, in the unit of the command line.
+// A surface of the size asked for, in the unit of the command line, without heights.
 Surface empty_surface(const GenerateArguments& arguments) {
   Surface surface;
   const auto pitch = pitch_argument(arguments.pitch, 1);

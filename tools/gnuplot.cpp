@@ -19,7 +19,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// The first line that gnuplot wrote which is not the echo of a command or the mark under its fault.
+// gnuplot's message: the first line that is neither the echo of a command nor the mark under its fault.
 std::string complaint(std::FILE* output) {
   std::rewind(output);
   char line[512];
@@ -30,7 +30,7 @@ std::string complaint(std::FILE* output) {
   return "no message";
 }
 
-// A group of its own keeps Ctrl-C from killing the drawing of a step that is already solved.
+// gnuplot gets a process group of its own, so that Ctrl-C does not kill the drawing of a step that is already solved.
 pid_t spawn(int script, int picture, int complaints, int& error) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

@@ -1,12 +1,13 @@
-// SIGINT, SIGTERM and SIGHUP. The first while a contact is watched ends its running step through rc_contact_cancel, so that
-// whatever is finished stays whole; otherwise, and at the second, the process ends at once, without the file it was writing.
+// SIGINT, SIGTERM and SIGHUP. While a contact is watched, the first one ends its running step through rc_contact_cancel, so that
+// all that is finished stays whole. Otherwise, and at the second one, the process ends at once and removes the file it was
+// writing.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
 
 namespace cli {
 
-// From here on. Signals that the process was started to ignore stay ignored.
+// Handles signals from here on. Those that the process was started to ignore stay ignored.
 void handle_signals();
 
 // Watches a contact while it lives; at most one at a time. The contact must outlive it.

@@ -8,7 +8,7 @@ namespace {
 
 std::string dumped(const JsonValue& value) { return value.dump(-1, ' ', false, JsonValue::error_handler_t::replace); }
 
-// Collects values as the parser comes by them.
+// Collects the values in the order in which the parser meets them.
 class Collector {
  public:
   std::vector<JsonEntry> entries;

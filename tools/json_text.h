@@ -1,5 +1,5 @@
-// JSON as text, without a tree of values: nlohmann's trees take memory while they are destroyed, which ends the process where
-// there is none left.
+// JSON as text, without a tree of values: nlohmann's trees allocate while they are destroyed, which ends the process if memory
+// has run out.
 #pragma once
 
 #include <initializer_list>
@@ -14,12 +14,12 @@ namespace cli {
 using JsonValue = nlohmann::json;  // here always a number, a text, true, false or null
 using JsonField = std::pair<const char*, JsonValue>;
 
-// A document, or what there is of it so far, indented by two. Numbers that are not finite become null; text need not be UTF-8.
+// A document in the making, indented by two. Numbers that are not finite become null. Text need not be UTF-8.
 class JsonText {
  public:
   JsonText() { begin(nullptr); }
 
-  // What follows goes into an object (or array) of this name, up to its end(). key: null within an array.
+  // Begins an object or array of this name, which lasts up to its end(). key: null within an array.
   void begin(const char* key, char bracket = '{');
   void end();
   void add(const char* key, const JsonValue& value);
@@ -30,7 +30,7 @@ class JsonText {
     end();
   }
 
-  // The document, with everything ended that has begun.
+  // The document, with every object and array ended.
   std::string text() const;
 
  private:
@@ -38,7 +38,7 @@ class JsonText {
 
   std::string text_;
   std::string closing_;  // brackets, the outermost first
-  bool empty_ = true;    // nothing stands yet in the innermost
+  bool empty_ = true;    // the innermost object or array is empty
 };
 
 // A value of a document and its place: "/steps/0/load".

@@ -18,8 +18,7 @@ struct Pitch {
 // --pitch in metres.
 std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit);
 
-// Puts the pitch that was given into the surface, or checks that the file said it. Returns what the user should know; "" if
-// nothing.
+// Puts the given pitch into the surface, or checks that the file has one. Returns a note for the user, or "".
 std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, Surface& surface);
 
 }  // namespace cli

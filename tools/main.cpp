@@ -86,7 +86,7 @@ same --unit and --pitch where it is read. The same arguments give the same surfa
 )";
 
 struct Setting {
-  const char* kinds;  // that have it; "": all
+  const char* kinds;  // kinds of surfaces that have it; "": all
   const char* name;
   std::optional<std::string> cli::GenerateArguments::*value;
   const char* type;

@@ -1,4 +1,4 @@
-// The folder of --out, written to by one run at a time. A file in it is either whole or not there.
+// The folder of --out. One run at a time writes to it, and a file in it is either whole or not there.
 #pragma once
 
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace cli {
 
 class OutputFolder {
  public:
-  // Creates the folder where it is missing; throws if it cannot be written to, or is being written to by another run.
+  // Creates the folder if it is missing. Throws if it cannot be written to, or if another run is writing to it.
   explicit OutputFolder(const std::filesystem::path& path);
   // Removes the folders created if nothing was put into them.
   ~OutputFolder();

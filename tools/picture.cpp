@@ -56,7 +56,7 @@ struct Panel {
 Panel make_panel(const Surface& surface, double left) {
   const double x = *surface.hx * static_cast<double>(surface.nx), y = *surface.hy * static_cast<double>(surface.ny);
   const double scale = std::min(panel_width / x, panel_height / y);
-  // A profile of one row would be a hair; it is drawn as a band.
+  // A profile of one row would be too thin to see; it is drawn as a band.
   const double width = std::max(std::round(scale * x), 120.0), height = std::max(std::round(scale * y), 150.0);
   const Prefix length = prefix_for(std::max(x, y));
   const bool to_scale = width < scale * x + 1 && height < scale * y + 1;
@@ -151,7 +151,7 @@ std::string title(const Picture& picture) {
       good ? "black" : contact_colour);
 }
 
-// The value that a fraction of the others do not exceed.
+// The value that this fraction of all values does not exceed.
 float quantile(std::vector<float> values, double fraction) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
@@ -176,7 +176,7 @@ std::string height_panel(const Surface& surface, const Raster& pressure) {
   for (const double z : surface.heights) relative.push_back((z - mean) / prefix.factor);
   const Raster heights = block_mean(relative, surface.nx, surface.ny, panel.size());
 
-  // A few outliers must not take all contrast.
+  // A few outliers must not take all the contrast.
   const std::vector<float> shown = without_nan(heights.values);
   const float dark = quantile(shown, 0.002), bright = quantile(shown, 0.998);
   const float margin = bright > dark ? 0.0f : 1.0f;
@@ -188,7 +188,7 @@ std::string height_panel(const Surface& surface, const Raster& pressure) {
   return text + bytes(heights.values) + contact_overlay(pressure);
 }
 
-// The colours end below the maximum, which a few cells on a sharp edge may have to themselves.
+// The colours end below the maximum, because a few cells on a sharp edge may be far above all others.
 double bright_pressure(const Raster& pressure) {
   std::vector<float> contacts;
   std::ranges::copy_if(pressure.values, std::back_inserter(contacts), [](float p) { return p > 0; });

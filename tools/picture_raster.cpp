@@ -10,7 +10,7 @@ namespace {
 
 // Folds every block of points that share a cell; the blocks cover the field exactly, with sizes that differ by at most one.
 template <class Fold> Raster reduce(std::int64_t nx, std::int64_t ny, Size size, Fold fold) {
-  // gnuplot draws no image of a single row or column; two of the same look alike.
+  // gnuplot draws no image of a single row or column, so it is doubled.
   Raster raster{std::clamp<std::int64_t>(nx, 2, size.width), std::clamp<std::int64_t>(ny, 2, size.height), {}};
   raster.values.reserve(static_cast<std::size_t>(raster.nx * raster.ny));
   for (std::int64_t jy = 0; jy < raster.ny; ++jy) {

@@ -16,8 +16,8 @@ struct Size {
   std::int64_t width, height;  // pixels
 };
 
-// At most one cell a pixel: means of blocks, or their maxima, over fields that have more points than that. NaN counts for
-// nothing; the mean of a block without numbers is NaN.
+// Reduces a field to at most one cell a pixel, by the means or the maxima of blocks. NaN is ignored; the mean of a block without
+// numbers is NaN.
 Raster block_mean(const std::vector<double>& field, std::int64_t nx, std::int64_t ny, Size size);
 Raster block_max(const std::vector<double>& field, std::int64_t nx, std::int64_t ny, Size size);
 

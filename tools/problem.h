@@ -1,4 +1,4 @@
-// What `roughcontact solve` was asked for: the arguments as given, and the checked problem in metres that they describe.
+// The arguments of `roughcontact solve` as given, and the checked problem in metres that they describe.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
@@ -27,10 +27,10 @@ struct Problem {
   SurfaceInput input;
   rc_system system;
   std::string control;                                       // "displacement", "load" or "pressure"
-  std::vector<double> targets;                               // of the control, a length in metres
+  std::vector<double> targets;                               // of the control; lengths in metres
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 
-  // The control and target that the library knows: a mean pressure is a load.
+  // The control and target for the library, which has no control by mean pressure: it becomes a load.
   int32_t step_control() const;
   double step_target(std::size_t step) const;
 };

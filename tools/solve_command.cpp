@@ -61,7 +61,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   return record;
 }
 
-// The contact goes on where the earlier run ended.
+// Restores the contact's state at the end of the earlier run.
 void restore(rc_contact* contact, const Problem& problem, const std::vector<double>& gap, const StepFiles& files) {
   const std::vector<CertifiedStep> certified = files.certified();
   rc_state state = RC_STATE_INIT;

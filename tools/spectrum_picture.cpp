@@ -17,7 +17,7 @@ struct Range {
   double low, high;
 };
 
-// Rings that are nothing but round-off would squeeze the rest.
+// Range of powers that is drawn: rings of mere round-off would squeeze the rest.
 constexpr double drawn_range = 1e-16;
 
 // Text in gnuplot's single quotes.

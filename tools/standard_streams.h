@@ -1,12 +1,12 @@
-// Standard input, output and error: open from the start, and an output that was lost does not go unnoticed.
+// Standard input, output and error: they are open from the start, and lost output is reported.
 #pragma once
 
 namespace cli {
 
-// Opens those that are closed, so that no file of ours gets their numbers. What is written to them is lost, as an error.
+// Opens those that are closed, so that no other file gets their numbers. Writing to them then fails.
 void open_standard_streams();
 
-// Whether all that was printed went out; otherwise reports it.
+// Whether everything printed was written; reports it if not.
 bool finish_standard_output();
 
 }  // namespace cli

@@ -55,7 +55,7 @@ StepFiles::~StepFiles() {
   }
 }
 
-// What a run that was killed had begun to write.
+// Removes the temporary files of a run that was killed.
 void StepFiles::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
     const std::string target{target_of_temporary(name)};
@@ -69,7 +69,7 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
     const std::size_t step = step_of(name);
     if (name == summary_name ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
     throw Error("--out: " + in_quotes(folder_.path(name).native()) +
-                " is there, and not of an earlier run that summary.json tells of: move it away, or give another folder");
+                " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
 }
 
@@ -100,7 +100,8 @@ std::vector<CertifiedStep> StepFiles::certified() const {
   return found;
 }
 
-// Before the first file of this run. At every moment summary.json lists only what is there, and tells whose the other files are.
+// Called before the first file of this run is written. At every moment summary.json lists only files that exist, and shows to
+// which run the others belong.
 void StepFiles::begin() {
   begun_ = true;
   const std::size_t kept = static_cast<std::size_t>(finished_), own = earlier_ ? earlier_->own_steps() : 0;

@@ -1,4 +1,4 @@
-// What `roughcontact solve --out` writes: the files of every step and summary.json, and what it takes up again of an earlier run.
+// The files of `roughcontact solve --out`: those of every step and summary.json. It also reads those of an earlier run to resume.
 #pragma once
 
 #include <optional>
@@ -27,15 +27,15 @@ struct CertifiedStep {
 
 class StepFiles {
  public:
-  // Throws where the folder holds files with the names of this run's that no summary.json lists. `resume`: goes on after the
-  // steps that an earlier run of the same problem has finished, if there was one.
+  // Throws if the folder has files with names that this run would write and that no summary.json lists. resume: continues after
+  // the steps that an earlier run of the same problem has finished, if there was one.
   StepFiles(const std::string& folder, const Problem& problem, bool resume);
-  // A step whose files could not all be written leaves none.
+  // Removes the files of a step if not all of them could be written.
   ~StepFiles();
   StepFiles(const StepFiles&) = delete;
   StepFiles& operator=(const StepFiles&) = delete;
 
-  // Of the earlier run: how many steps are done, whether all of them are certified, the last two that are (the newest first).
+  // Of the earlier run: the number of finished steps, whether all are certified, and the last two certified ones, newest first.
   int finished() const { return finished_; }
   bool all_certified() const { return all_certified_; }
   std::vector<CertifiedStep> certified() const;

@@ -17,7 +17,7 @@ std::string library_version() {
   return format("%d.%d.%d", major, minor, patch);
 }
 
-// Tells whether the heights are those of another run; not meant to withstand intent.
+// Shows whether heights differ from those of another run. It does not protect against manipulation.
 std::string checksum(const std::vector<double>& heights) {
   std::uint64_t sum = 0;
   for (const double z : heights) {

@@ -12,10 +12,10 @@ namespace cli {
 
 class Summary {
  public:
-  // Of a run with these targets.
+  // The summary of a run of this problem.
   explicit Summary(const Problem& problem);
   void add(const StepRecord& step);
-  // A step as an earlier summary has it.
+  // Adds a step as an earlier summary has it.
   void add(std::span<const JsonEntry> step);
   // removing: steps of an earlier run, 1 to this number, whose files are about to go; 0: none.
   std::string text(std::size_t removing = 0) const;

@@ -1,4 +1,4 @@
-// A surface as asked for on the command line: read, with its pitch settled, its form removed and its missing points dealt with.
+// A surface as the command line asks for it: read, with its pitch settled, its form removed and its missing points treated.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 namespace cli {
 
-// Throws an Error with the library's own text, without the name of the C function, if the call failed; `subject` opens it.
+// Throws an Error if the call failed: `subject`, then the library's own text without the name of the C function.
 void check_surface(rc_status status, const std::string& subject = "");
 
 }  // namespace cli

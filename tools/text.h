@@ -11,7 +11,7 @@ namespace cli {
 // Text from a file or an argument, safe to put into a message: control characters become '?', long text is cut.
 std::string in_quotes(std::string_view text);
 
-// Writes "roughcontact: text" as exactly one line to standard error. Takes no memory.
+// Writes "roughcontact: text" as exactly one line to standard error. Allocates nothing.
 void report(std::string_view text);
 
 std::string_view trimmed(std::string_view text);

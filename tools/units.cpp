@@ -30,7 +30,7 @@ std::optional<double> metres_per(std::string_view unit) {
 Prefix prefix_for(double magnitude) {
   if (!(std::abs(magnitude) > 0) || !std::isfinite(magnitude)) return {1, ""};
   for (const auto& [symbol, factor] : label_prefixes) {
-    // Slightly below one so that a value rounded to three digits never reads "1000".
+    // The limit is slightly below 1, so that a value rounded to three digits never reads "1000".
     if (std::abs(magnitude) >= 0.9995 * factor) return {factor, symbol};
   }
   return {1e-18, "a"};

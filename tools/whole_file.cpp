@@ -80,7 +80,7 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-// The new name, too, is on the disk then. Some file systems cannot say so of folders.
+// Brings the new name to the disk, too. Some file systems cannot do that for folders.
 void sync_folder(const fs::path& target) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -1,5 +1,5 @@
-// A file that is either whole or not there: it is written under a temporary name in the same folder, brought to the disk and then
-// renamed. The temporary one goes whenever writing fails.
+// A file that is either whole or not there. It is written under a temporary name in the same folder, brought to the disk and then
+// renamed. If writing fails, the temporary file is removed.
 #pragma once
 
 #include <cstdio>
@@ -10,11 +10,11 @@
 
 namespace cli {
 
-// `fill` writes the contents; if it throws or returns false, the file is not made. What fails on the way to the disk is an Error.
+// `fill` writes the contents; if it throws or returns false, the file is not made. Throws an Error if the disk fails.
 void write_whole_file(const std::filesystem::path& path, const std::function<bool(std::FILE*)>& fill);
 void write_whole_file(const std::filesystem::path& path, const std::string& text);
 
-// For a process that a signal ends: removes the temporary file that is being written. May be called by a signal's handler.
+// Removes the temporary file that is being written, for a process that a signal ends. A signal handler may call it.
 void remove_unfinished_file() noexcept;
 
 // The name of the file that a temporary one was to become; "" if it is not the name of a temporary file.

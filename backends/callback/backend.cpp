@@ -40,7 +40,7 @@ class Callback {
   }
 
  private:
-  // Free of allocations: it may be the allocation that failed.
+  // Allocates nothing, because an allocation may be what failed.
   void refuse(rc_status code, const char* message) const { roughcontact::check(host_->fail(host_, code, message)); }
 
   void multiply(const double* x, double* y) const {

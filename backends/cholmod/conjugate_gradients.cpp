@@ -6,7 +6,7 @@ namespace rc_cholmod {
 
 namespace {
 
-constexpr double attained = 1e-15;  // relative residual at which a double precision product has nothing more to give
+constexpr double attained = 1e-15;  // least relative residual that products in double precision can reach
 constexpr int patience = 40;        // iterations without a new smallest residual
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A x = b by conjugate gradients with a preconditioner, to what double precision gives.
+// A x = b by conjugate gradients with a preconditioner, as accurately as double precision allows.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct Conclusion {
   double curvature;  // of the last direction; not positive if A is not positive definite
 };
 
-// x holds the answer with the least residual met. precondition(r): r = M^-1 r in place, or none.
+// Returns in x the iterate of least residual. precondition(r): r = M^-1 r in place, or empty.
 Conclusion conjugate_gradients(std::int64_t n, const std::function<void(const double* x, double* y)>& multiply,
                                const std::function<void(double* r)>& precondition, const double* b, double* x);
 

@@ -18,7 +18,7 @@ namespace {
 
 }  // namespace
 
-// Every slot is in the pattern from the start, the free ones with zeros: rows come and go without moving a column.
+// The pattern holds every slot from the start, free ones with zeros, so that rows come and go without moving a column.
 Factor::Factor(Session& session, std::int64_t size, std::int64_t slots, const rc_common::ColumnSource& source, double shift)
     : session_(session) {
   const double entries = 0.5 * static_cast<double>(slots) * (static_cast<double>(slots) + 1.0);
@@ -69,7 +69,7 @@ bool Factor::add(std::int64_t slot, std::int64_t count, const std::int64_t* slot
   cholmod_rowadd(static_cast<std::size_t>(slot), row.get(), L_.get(), session_.common());
   const bool definite = session_.common()->status == CHOLMOD_OK;
   session_.check();
-  // The rows after it have been changed by subtraction.
+  // Adding a row changes the rows after it by subtraction, so their pivots may have become too small.
   for (std::int64_t j = slot; definite && j < slots(); ++j)
     if (!(pivot(j) > 0.0)) return false;
   return definite;

@@ -10,7 +10,7 @@ namespace rc_cholmod {
 
 class Factor {
  public:
-  // Of the first `size` of `slots` slots, plus `shift` times the identity. Throws RC_ERR_NUMERIC.
+  // Factors the first `size` of `slots` slots, plus `shift` times the identity. Throws RC_ERR_NUMERIC.
   Factor(Session&, std::int64_t size, std::int64_t slots, const rc_common::ColumnSource&, double shift);
 
   // The most that is held while a factor is made [bytes]: the lower triangle with its row numbers and CHOLMOD's square.
@@ -20,8 +20,8 @@ class Factor {
   // b = A^-1 b, over the slots.
   void solve(double* b) { session_.solve(*L_, b); }
   void remove(std::int64_t slot);
-  // Makes a free slot that of a row with these `count` entries, the diagonal's among them, in ascending slots. False if the
-  // matrix is not positive definite any more: the factor is then of no use.
+  // Fills a free slot with a row of `count` entries in ascending slots, the diagonal's among them. False if the matrix is then
+  // not positive definite: the factor must not be used any further.
   bool add(std::int64_t slot, std::int64_t count, const std::int64_t* slots, const double* entries);
 
  private:

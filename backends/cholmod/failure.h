@@ -1,17 +1,12 @@
-// Failures inside the backend: thrown, and turned into a status and a message at the vtable.
 #pragma once
 
-#include <roughcontact/plugin.hpp>
+#include "common/failure.h"
+
+RC_FAILURES_OF(rc_cholmod, "cholmod", "use a matrix-free backend or set cholmod.near_field")
 
 namespace rc_cholmod {
 
-inline constexpr roughcontact::Component component{"cholmod", "use a matrix-free backend or set cholmod.near_field"};
-
-template <class... Parts> [[noreturn]] void fail(rc_status code, const Parts&... parts) {
-  roughcontact::fail(component, code, parts...);
-}
-
-// Throws where the caller wants no answer any more.
+// Throws if the caller has asked to stop.
 inline void check_for_stop(const rc_operator_spec& spec) {
   if (spec.struct_size >= sizeof(rc_operator_spec) && spec.poll) roughcontact::check(spec.poll(&spec));
 }

@@ -13,9 +13,9 @@ using rc_common::Point;
 
 namespace {
 
-// Wendland (1995), phi_{3,1}: positive definite in up to three dimensions and zero from r = 1 on. H merely cut off at a radius is
-// indefinite; its entries times phi of the distances are a Schur product of a positive definite matrix and a positive
-// semidefinite one with ones on the diagonal, hence positive definite.
+// Wendland (1995), phi_{3,1}: positive definite in up to three dimensions, and zero from r = 1 on. H merely cut off at a radius
+// is indefinite. Its entries times phi of the distances are the Schur product of a positive definite matrix and a positive
+// semidefinite one with ones on the diagonal, which is positive definite.
 double taper(double r) { return r < 1.0 ? std::pow(1.0 - r, 4) * (4.0 * r + 1.0) : 0.0; }
 
 struct Neighbour {
@@ -30,12 +30,12 @@ class Nearness {
       : nx_(system.nx),
         ny_(system.ny),
         wraps_(system.op == RC_OPERATOR_HALFSPACE && system.boundary == RC_BOUNDARY_PERIODIC),
-        // On a periodic grid a pair has one distance, the shortest, only if the taper ends before its images begin.
+        // On a periodic grid a pair has many distances. The taper must end at half a period, so that only the shortest counts.
         radius_(wraps_ ? std::min(radius, 0.5 * static_cast<double>(std::min(nx_, ny_))) : radius),
         reach_x_(std::min(static_cast<std::int64_t>(radius_), nx_ - 1)),
         reach_y_(std::min(static_cast<std::int64_t>(radius_), ny_ - 1)) {}
 
-  // A bound of how many neighbours a point has, itself among them.
+  // An upper bound of a point's neighbours, itself among them.
   double most() const { return (2.0 * static_cast<double>(reach_x_) + 1.0) * (2.0 * static_cast<double>(reach_y_) + 1.0); }
 
   double weight(std::int64_t dx, std::int64_t dy) const {
@@ -82,7 +82,7 @@ NearField::NearField(Session& session, const rc_common::MemoryLimit& limit, cons
     : session_(session) {
   const Nearness nearness(*spec.system, std::max(radius, 0.5));
   const auto n = static_cast<std::int64_t>(points.size());
-  // Either the neighbours of each point are looked up among the points, or all pairs are looked at.
+  // Looks at all pairs of points, or looks each point's neighbours up, whichever is less.
   const bool by_pairs = nearness.most() >= static_cast<double>(n);
   const std::vector<Neighbour> near = by_pairs ? std::vector<Neighbour>() : nearness.neighbours();
   const double most =

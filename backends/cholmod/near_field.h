@@ -1,4 +1,4 @@
-// A sparse positive definite neighbour of H on a set of points, factored: a preconditioner that takes O(n radius^2).
+// A factored preconditioner: H on a set of points, tapered to a sparse positive definite matrix of O(n radius^2) entries.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -15,7 +15,7 @@ namespace rc_cholmod {
 
 class NearField {
  public:
-  // Of H[points, points] plus `shift` times the identity, with entries up to `radius` cells apart.
+  // Tapers H[points, points] to points up to `radius` cells apart, and adds `shift` times the identity.
   NearField(Session&, const rc_common::MemoryLimit&, const rc_operator_spec&, const rc_common::Influence&,
             std::span<const rc_common::Point> points, double radius, double shift);
 

@@ -1,8 +1,8 @@
-// CHOLMOD's loops on the calling thread alone. The threads of an OpenMP library would outlive the call, and after fork() a child
+// Runs CHOLMOD's loops on the calling thread alone. Threads of an OpenMP library would outlive the call, and after fork() a child
 // that uses them again would wait for ever.
 #pragma once
 
-// Only where CHOLMOD is built with OpenMP.
+// They exist only where CHOLMOD is built with OpenMP.
 extern "C" {
 __attribute__((weak)) int omp_get_max_active_levels(void);
 __attribute__((weak)) void omp_set_max_active_levels(int);

@@ -33,7 +33,7 @@ void Operator::forget_factors() {
   near_.reset();
 }
 
-// A grid of which not even the matrix would fit is left to others, unless the near field is all that is asked for.
+// Refuses a grid whose matrix would not fit, unless only the near field is factored: other backends serve it better.
 void Operator::bind(const rc_domain& domain) {
   if (exact() && system_->op == RC_OPERATOR_HALFSPACE)
     limit_.require("the matrix", domain.n, SymmetricMatrix::bytes(static_cast<double>(domain.n)));

@@ -62,8 +62,8 @@ bool Session::factorize(cholmod_sparse& A, double shift, cholmod_factor& L) {
 }
 
 void Session::to_columns(cholmod_factor& L) {
-  // Supernodes are the fast way to the factor; columns are what rows are added to and deleted from, and solves with them have no
-  // workspace whose allocation CHOLMOD fails to check.
+  // Supernodes make factoring fast. Columns are needed to add and delete rows, and solves with columns have no workspace whose
+  // allocation CHOLMOD fails to check.
   if (!L.is_super) return;
   const OneThread one;
   cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, &L, &common_);

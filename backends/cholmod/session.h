@@ -1,4 +1,4 @@
-// CHOLMOD's workspace and settings, one per operator: silent, and failures become exceptions.
+// CHOLMOD's workspace and settings, one per operator. It prints nothing, and failures become exceptions.
 #pragma once
 
 #include <cholmod.h>
@@ -16,9 +16,9 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   cholmod_common* common() { return &common_; }
-  // The order of the unknowns as given, or one that keeps the factor sparse.
+  // Sets the order of the unknowns: as given, or one that keeps the factor sparse.
   void order(bool as_given);
-  // Throws what CHOLMOD reported since the last call, unless it is that a matrix is not positive definite.
+  // Throws if CHOLMOD reported a failure since the last call, unless a matrix was merely not positive definite.
   void check();
 
   template <class Object, int (*release)(Object**, cholmod_common*)> struct Release {
@@ -32,10 +32,9 @@ class Session {
   // A matrix with room for `entries`; stype as CHOLMOD's: -1 the lower triangle of a symmetric matrix, 0 all of it.
   Sparse sparse(std::int64_t rows, std::int64_t columns, double entries, int stype);
   Factor analyze(cholmod_sparse&);
-  // Of A + shift I. False if it is not positive definite: then the factor's `minor`
-  // says where.
+  // Factors A + shift I. False if it is not positive definite: then the factor's `minor` says where.
   bool factorize(cholmod_sparse&, double shift, cholmod_factor&);
-  // From supernodes, if there are any, to L D L' by columns.
+  // Converts a factor in supernodes, if it has any, to L D L' by columns.
   void to_columns(cholmod_factor&);
   // b = A^-1 b for the A that was factored.
   void solve(cholmod_factor&, double* b);

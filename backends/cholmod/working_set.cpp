@@ -10,9 +10,9 @@ using rc_common::Point;
 
 namespace {
 
-// A row more or less costs about as much as a solve, a new factor n/6 times that with the slowest BLAS and less with others.
+// Adding or deleting a row costs about as much as a solve. A new factor costs n/6 solves with the slowest BLAS, less with others.
 constexpr std::int64_t changes_that_pay = 8;
-// Relative residual before refinement beyond which rows have been changed too often.
+// Relative residual before refinement above which the factor is built anew: its rows have been changed too often.
 constexpr double too_inexact = 1e-9;
 
 }  // namespace
@@ -64,7 +64,7 @@ bool WorkingSet::update(const Influence& H, std::span<const Point> points) {
     free_.push_back(member.slot);
   }
   members_ = std::move(kept);
-  std::sort(free_.begin(), free_.end());  // the last slot has the least below it
+  std::sort(free_.begin(), free_.end());  // back() has the fewest rows below it, so adding it costs least
   return std::all_of(added.begin(), added.end(), [&](Point point) { return add(H, point); });
 }
 

@@ -2,7 +2,7 @@
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW3 REQUIRED fftw3)
 pkg_check_modules(FFTW3F REQUIRED fftw3f)
-# The planners' locks and thread counts.
+# These libraries hold the planners' locks and thread counts.
 find_library(FFTW3_THREADS_LIBRARY fftw3_threads HINTS ${FFTW3_LIBRARY_DIRS} REQUIRED)
 find_library(FFTW3F_THREADS_LIBRARY fftw3f_threads HINTS ${FFTW3F_LIBRARY_DIRS} REQUIRED)
 set(RC_FFTW_LIBRARIES ${FFTW3_THREADS_LIBRARY} ${FFTW3F_THREADS_LIBRARY} ${FFTW3_LINK_LIBRARIES} ${FFTW3F_LINK_LIBRARIES})

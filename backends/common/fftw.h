@@ -1,6 +1,6 @@
-// FFTW in both precisions under one name. Its planners are global to the process: plans are made and destroyed under the host's
-// "fftw" lock. No transform is in place: then FFTW takes no memory while it transforms, where it would end the process if there
-// is none.
+// FFTW in both precisions under one name. Its planners are global to the process, so plans are made and destroyed under the
+// host's "fftw" lock. No transform is in place, so that FFTW allocates nothing while it transforms: it would end the process if
+// memory ran out.
 #pragma once
 
 #include <fftw3.h>
@@ -43,13 +43,13 @@ RC_FFTW(float, fftwf)
 RC_FFTW(double, fftw)
 #undef RC_FFTW
 
-// Plans are for one thread, whatever the host program has set; its setting is restored.
+// While it lives, plans are made for one thread, whatever the host program has set. Its setting is restored.
 template <class Real> class PlannerLock {
  public:
   explicit PlannerLock(const rc_host* host) : lock_(host, "fftw") {
     Fftw<Real>::make_planner_thread_safe();  // the host program may plan without our lock
     threads_ = Fftw<Real>::planner_threads();
-    // Only where FFTW's threads are in use already: otherwise this call would initialise them and drop all wisdom.
+    // Only where FFTW's threads are already in use: the first such call initialises them and drops all wisdom.
     if (threads_ != 1) Fftw<Real>::plan_with_threads(1);
   }
   ~PlannerLock() {

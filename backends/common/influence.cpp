@@ -24,7 +24,7 @@ class HalfSpace final : public Influence {
     my_ = my;
   }
 
-  // The table is that of zero mode 0. The matrix zero_mode / n * 1 1^T has eigenvalue zero_mode for the constant vector.
+  // The table has zero mode 0. Adding zero_mode / n to every entry gives the constant vector the eigenvalue zero_mode.
   void set_zero_mode(double zero_mode) override {
     const double points = static_cast<double>(system_->nx) * static_cast<double>(system_->ny);
     shift_ = system_->boundary == RC_BOUNDARY_PERIODIC ? zero_mode / points : 0.0;
@@ -48,8 +48,8 @@ class HalfSpace final : public Influence {
  private:
   const double* table_row(std::int64_t dy) const { return table_.data() + std::abs(dy) * mx_; }
 
-  // A load at x cells from the run's first point. Two contiguous halves, to the left of the load and from it on, so that both are
-  // vector loops.
+  // Adds the deflection of a load at x cells from the run's first point, in two contiguous parts, left of the load and from it
+  // on, so that both are vector loops.
   static void add_load(double p, std::int64_t x, const double* __restrict h, std::int64_t count, double* __restrict out) {
     const std::int64_t left = std::clamp<std::int64_t>(x, 0, count);
     for (std::int64_t k = 0; k < left; ++k) out[k] += p * h[x - k];

@@ -15,7 +15,7 @@ struct Point {
   auto operator<=>(const Point&) const = default;
 };
 
-// Neighbours in one row of the grid that follow each other in a vector.
+// Neighbours in one row of the grid whose values follow each other in a vector.
 struct Run {
   Point first;
   std::int64_t count, position;
@@ -29,11 +29,11 @@ class Influence {
 
   // Called before entries of points within mx x my cells are asked for.
   virtual void prepare(std::int64_t mx, std::int64_t my) = 0;
-  // Eigenvalue of H for the constant vector; of meaning for periodic systems only.
+  // Sets the eigenvalue of H for the constant vector; only periodic systems have one.
   virtual void set_zero_mode(double zero_mode) = 0;
   // out[k] = H(rows[k], column)
   virtual void column(std::span<const Point> rows, Point column, double* out) const = 0;
-  // y = H[targets, points] x; costs the number of nonzeros of x times that of targets.
+  // y = H[targets, points] x. The cost is the number of nonzeros of x times the number of targets.
   virtual void multiply(std::span<const Point> points, const double* x, std::span<const Run> targets, double* y) const = 0;
 };
 

@@ -29,7 +29,7 @@ MemoryLimit::MemoryLimit(const rc_host* host, const rc_operator_spec& spec, cons
       limit_(std::min(mebibytes_ * 1048576.0, machine_)),
       grid_(spec.system->op == RC_OPERATOR_HALFSPACE) {}
 
-// A matrix of the caller's has no other backend that takes it and needs less: there, fewer factors are the way out.
+// Grids are sent to another backend. A caller's matrix has no backend that needs less, so a solver without factors is advised.
 void MemoryLimit::require(const char* what, std::int64_t unknowns, double bytes, double held) const {
   if (bytes + held <= limit_) return;
   const bool machine = bytes + held > machine_;

@@ -8,11 +8,11 @@ namespace rc_common {
 
 class MemoryLimit {
  public:
-  // The option `key` [MiB] and what the machine has; spec decides what the messages advise.
+  // The smaller of the option `key` [MiB] and the machine's memory. spec decides what the messages advise.
   MemoryLimit(const rc_host*, const rc_operator_spec&, const roughcontact::Component&, const char* key);
 
-  // Throws unless `bytes` fit beside what is held. Bytes are doubles: exact where they are allowed, and no product of sizes can
-  // overflow before it is compared.
+  // Throws unless `bytes` fit beside the bytes held. They are doubles, so that no product of sizes overflows before it is
+  // compared; sizes below the limit are exact.
   void require(const char* what, std::int64_t unknowns, double bytes, double held = 0.0) const;
   // [bytes]
   double limit() const { return limit_; }

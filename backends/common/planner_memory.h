@@ -6,8 +6,8 @@
 
 namespace rc_common {
 
-// False where a transform of that length cannot be planned with the memory there is: as much as it takes is had and given back
-// before. Planning out-of-place transforms of lines took at most a tenth of that.
+// False if there is too little memory to plan a transform of that length. It tries to allocate ten times what the planning of
+// out-of-place transforms of lines takes, and frees it.
 inline bool planner_has_memory(std::int64_t length) {
   const std::size_t bytes = (std::size_t{4} << 20) + 256 * static_cast<std::size_t>(length);
   void* const block = ::operator new(bytes, std::nothrow);

@@ -1,5 +1,5 @@
-// Which of a function's three builds this processor runs best. It is asked when an operator is set up, not when the program is
-// loaded: no ifunc, which sanitizers do not take.
+// Which of a function's three builds this processor runs best. It is asked when an operator is set up. An ifunc, chosen when the
+// program is loaded, would not work with sanitizers.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -10,7 +10,7 @@ namespace rc_common {
 
 enum class Vectors { baseline, avx2, avx512 };
 
-// avx2: with fused multiplication and addition. avx512: with its instructions for doubles and quadwords besides.
+// avx2 includes fused multiplication and addition; avx512 also the instructions for doubles and quadwords.
 inline Vectors widest_vectors() {
 #ifdef RC_HAS_WIDER_VECTORS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
@@ -21,7 +21,7 @@ inline Vectors widest_vectors() {
 
 }  // namespace rc_common
 
-// One of three values; the last two need not exist for other processors.
+// One of three values. The last two need not exist on other processors.
 #ifdef RC_HAS_WIDER_VECTORS
 #define RC_FOR_THIS_PROCESSOR(any, with_avx2, with_avx512)                   \
   (rc_common::widest_vectors() == rc_common::Vectors::avx512 ? (with_avx512) \

@@ -18,7 +18,7 @@ bool Products::is_bound(const rc_domain& domain) const {
   return true;
 }
 
-// Nothing is changed before everything is there.
+// Members change only after all that can fail has succeeded.
 Products::Change Products::bind(const rc_domain& domain) {
   const bool same_entries = domain.zero_mode == zero_mode_;
   if (same_entries && is_bound(domain)) return Change::none;

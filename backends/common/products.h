@@ -19,7 +19,7 @@ class Products {
 
   Products(const rc_host*, const rc_operator_spec&, const roughcontact::Component&);
 
-  // What is not as it was. The stored matrix goes with any change.
+  // Returns what has changed. Any change drops the stored matrix.
   Change bind(const rc_domain&);
 
   std::int64_t size() const { return static_cast<std::int64_t>(points_.size()); }
@@ -27,7 +27,7 @@ class Products {
   std::vector<Point> points_at(std::span<const std::int64_t> positions) const;
   // Entries between points of the domain.
   const Influence& entries();
-  // Those of H[T,T] for positions in the domain.
+  // Entries of H[T,T], by positions in the domain.
   ColumnSource source();
 
   void store();

@@ -1,4 +1,4 @@
-// Eigen without threads of its own, whatever the compiler flags: results must not depend on how many there are.
+// Eigen without threads of its own, whatever the compiler flags: results must not depend on the number of threads.
 #pragma once
 
 #ifndef EIGEN_DONT_PARALLELIZE

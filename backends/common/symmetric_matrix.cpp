@@ -14,7 +14,7 @@ using Tile = Eigen::Map<const Eigen::MatrixXd>;
 using VectorIn = Eigen::Map<const Eigen::VectorXd>;
 using VectorOut = Eigen::Map<Eigen::VectorXd>;
 
-// The part of one tile's share of x from its first nonzero to its last.
+// The part of x that one tile multiplies, from its first nonzero to its last.
 struct Support {
   std::int64_t first, count;
 };

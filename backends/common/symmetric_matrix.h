@@ -1,5 +1,5 @@
-// A symmetric matrix of which the lower triangle is stored, in square tiles: a product reads every stored number once
-// from memory, for both triangles.
+// A symmetric matrix. The lower triangle is stored in square tiles, so that a product reads every stored number from memory once,
+// for both triangles.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class SymmetricMatrix {
   void multiply(const double* x, double* y) const;
 
  private:
-  static constexpr std::int64_t tile_size = 256;  // 512 KiB: its second use finds it in the second-level cache
+  static constexpr std::int64_t tile_size = 256;  // 512 KiB: stays in the second-level cache until its second use
 
   std::int64_t tile_rows(std::int64_t tile) const;
   std::int64_t tile_offset(std::int64_t row_tile, std::int64_t column_tile) const;

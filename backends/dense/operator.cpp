@@ -7,9 +7,9 @@ namespace rc_dense {
 
 namespace {
 
-// Up to here matrix and factors are kept side by side, whatever the size.
+// Bytes up to which matrix and factors are always kept side by side.
 constexpr double always_affordable = 512.0 * 1048576.0;
-// What a triangle takes beside its n^2/2 numbers, with vectors and tables: the diagonal's tiles are full.
+// Bytes for what a stored triangle takes beside its n^2/2 numbers: the full tiles on the diagonal, vectors and tables.
 constexpr double beside_a_triangle = 64.0 * 1048576.0;
 
 }  // namespace
@@ -20,13 +20,13 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
       limit_(host, spec, component, memory_limit_key),
       products_(host, spec, component) {}
 
-// For everything together: one triangle of the domain's size, or what is affordable in any case.
+// Bytes for matrix and factors together: one triangle of the domain's size, or what is always affordable if that is more.
 double Operator::budget() const {
   const auto n = static_cast<double>(products_.size());
   return std::min(limit_.limit(), std::max(always_affordable, 4.0 * n * n + beside_a_triangle));
 }
 
-// A caller's matrix is there already; of a grid one whose matrix cannot be stored there is nothing to be had from this backend.
+// Refuses a grid whose matrix cannot be stored. A caller's matrix is in memory already.
 void Operator::bind(const rc_domain& domain) {
   if (grid_) limit_.require("the matrix", domain.n, rc_common::SymmetricMatrix::bytes(static_cast<double>(domain.n)));
   const auto change = products_.bind(domain);
@@ -35,7 +35,7 @@ void Operator::bind(const rc_domain& domain) {
   if (change == rc_common::Products::Change::entries || !fits(set_.bytes())) set_.clear();
 }
 
-// Entries are taken from their source where the factors leave no room for a copy, and a caller's larger matrix is never copied.
+// Stores the matrix if the factors leave room; otherwise entries come from their source. A caller's large matrix is never copied.
 void Operator::apply(const double* x, double* y) {
   const double bytes = rc_common::SymmetricMatrix::bytes(static_cast<double>(products_.size()));
   if (fits(bytes + set_.bytes() + UpdatableCholesky::bytes(shifted_.size())) && (grid_ || bytes <= always_affordable))

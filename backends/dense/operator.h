@@ -1,5 +1,5 @@
-// H of one system: a stored matrix, a factor that follows a set of points, a factor of H + rho I, and what of them is held at a
-// time.
+// H of one system: a stored matrix, a factor that follows a set of points, and a factor of H + rho I. It decides which of them to
+// hold.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ class Operator {
   bool grid_;
   rc_common::MemoryLimit limit_;
   rc_common::Products products_;
-  WorkingSet set_;  // belongs to grid points, so that it outlives a change of domain
+  WorkingSet set_;  // of grid points, so that it outlives a change of domain
   UpdatableCholesky shifted_;
   double rho_ = 0.0;  // of shifted_
 };

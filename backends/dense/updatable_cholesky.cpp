@@ -19,8 +19,8 @@ constexpr Eigen::Index block_size = 32;
 // Rows fewer than this are appended one by one, as contiguous vectors.
 constexpr std::int64_t few_rows = 5;
 
-// L of a small block in place, column by column. A pivot must exceed what rounding leaves of its diagonal entry in a
-// singular matrix.
+// Factors a small block in place, column by column. A pivot must be larger than what rounding leaves of it in a singular
+// matrix.
 std::optional<UpdatableCholesky::BadPivot> factor_small(Part A, const Eigen::Ref<const Eigen::VectorXd>& smallest_pivot) {
   for (Eigen::Index j = 0; j < A.cols(); ++j) {
     const Eigen::Index below = A.rows() - j - 1;
@@ -33,7 +33,7 @@ std::optional<UpdatableCholesky::BadPivot> factor_small(Part A, const Eigen::Ref
   return std::nullopt;
 }
 
-// L in the place of A's lower triangle, by blocks of columns.
+// Replaces A's lower triangle by L, one block of columns after the other.
 std::optional<UpdatableCholesky::BadPivot> factor(Part A, const Eigen::VectorXd& smallest_pivot) {
   const Eigen::Index n = A.rows();
   for (Eigen::Index k = 0; k < n; k += block_size) {
@@ -80,7 +80,7 @@ void UpdatableCholesky::truncate(std::int64_t size) {
   panels_.resize(static_cast<std::size_t>((size + panel_rows - 1) / panel_rows));
 }
 
-// visit(where, count): the rows first .. last of a column, in order, in pieces that lie together.
+// visit(where, count) for the rows first .. last of a column, in order, in pieces that are contiguous.
 template <class Visit>
 void UpdatableCholesky::for_column(std::int64_t column, std::int64_t first, std::int64_t last, const Visit& visit) const {
   while (first < last) {
@@ -123,7 +123,7 @@ std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append_row(const C
   return std::nullopt;
 }
 
-// The rows size() .. last of one panel: against each panel before it, against its own rows that are there, against themselves.
+// Appends the rows size() .. last of one panel: solves with each panel before it and with its present rows, factors the rest.
 std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append_to_panel(std::int64_t last, const ColumnSource& source,
                                                                               double rounding) {
   const std::int64_t index = size_ / panel_rows, first = index * panel_rows, present = size_ - first, rows = last - size_;
@@ -157,7 +157,7 @@ std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append_to_panel(st
   return std::nullopt;
 }
 
-// In batches, the last unknowns first: the terms of one batch take a bounded amount of memory.
+// Removes in batches, the last unknowns first, because the rank-one terms of a batch take memory.
 void UpdatableCholesky::remove(std::span<const std::int64_t> removed) {
   constexpr std::int64_t most_numbers = 4194304;
   while (!removed.empty()) {
@@ -232,8 +232,8 @@ void UpdatableCholesky::solve(double* b) const {
 }
 
 bool rotations_pay(std::int64_t n, std::span<const std::int64_t> removed, std::int64_t added) {
-  // Time of a rotation's operation in units of that of a blocked factorization, measured near the break-even for
-  // n = 500 .. 4000: 1 with two numbers per vector register, 2 with eight.
+  // Time of an operation of a rotation over one of a blocked factorization, measured near the break-even for n = 500 .. 4000:
+  // 1 with two numbers per vector register, 2 with eight.
   constexpr double rotation_weight = 1.5;
   const auto cube = [](double k) { return k * k * k / 3.0; };
   double rotations = 0.0;

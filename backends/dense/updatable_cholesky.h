@@ -1,10 +1,10 @@
 // Cholesky factor A = L L^T of a matrix that gains and loses unknowns.
 //
-// New unknowns go to the end: their rows are solved for and what is left of them factored, so that appending to nothing is the
-// factorization itself. An unknown that leaves turns its column of L into a positive rank-one term of the trailing block, which
-// plane rotations absorb (Golub & Van Loan, Matrix Computations, 6.5): no subtraction, always stable.
+// New unknowns are appended: their rows of L are solved for and their Schur complement is factored. Appending to an empty factor
+// is the factorization itself. When an unknown leaves, its column of L becomes a positive rank-one term of the trailing block,
+// which plane rotations absorb (Golub & Van Loan, Matrix Computations, 6.5). That subtracts nothing and is always stable.
 //
-// L is kept in panels of rows, each as long as its last row: half a square, and a longer factor moves nothing that is there.
+// L is kept in panels of rows, each as long as its last row. That takes half a square, and a growing factor moves no panel.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class UpdatableCholesky {
   };
 
   std::int64_t size() const { return size_; }
-  // Of the panels for this many unknowns: n^2/2 numbers and half a panel more.
+  // Bytes of the panels for this many unknowns: n^2/2 numbers and half a panel more.
   static double bytes(std::int64_t unknowns);
 
   void clear() { truncate(0); }
@@ -36,7 +36,7 @@ class UpdatableCholesky {
   [[nodiscard]] std::optional<BadPivot> append(std::int64_t count, const ColumnSource& source);
   // Forgets the unknowns from `size` on.
   void truncate(std::int64_t size);
-  // Takes out these unknowns, ascending; those after them move up.
+  // Removes these unknowns, which are ascending; those after them move up.
   void remove(std::span<const std::int64_t> removed);
   // b = A^-1 b
   void solve(double* b) const;
@@ -60,8 +60,8 @@ class UpdatableCholesky {
   std::vector<std::unique_ptr<double[]>> panels_;  // by columns of stride panel_rows; what is above the diagonal is never used
 };
 
-// Whether taking out the ascending `removed` of n unknowns by rotations costs less than factoring again everything from the
-// first of them on, when `added` unknowns follow in either case. Counts decide, not clocks: the choice is reproducible.
+// Whether removing the ascending `removed` of n unknowns by rotations costs less than factoring again everything from the first
+// of them on, if `added` unknowns are appended in either case. It counts operations, so the choice is reproducible.
 bool rotations_pay(std::int64_t n, std::span<const std::int64_t> removed, std::int64_t added);
 
 }  // namespace rc_dense

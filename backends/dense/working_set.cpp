@@ -60,9 +60,9 @@ void WorkingSet::update(const Influence& H, std::span<const Point> points) {
   append(H, added);
 }
 
-// By rotations, or by cutting the factor off before the first point that leaves; points that stay but are cut off then join
-// those to be added, in front: the latest to come are the likeliest to leave, and at the end they do so cheaply. A factor that
-// has seen as many rotations as unknowns is built anew: it has been rounded as often as by a factorization.
+// Removes points by rotations, or by cutting the factor off before the first of them. Points that are cut off but stay are put in
+// front of `added`: the latest points are the likeliest to leave, which is cheap at the end. After as many rotations as unknowns
+// the factor is built anew, because it has then been rounded as often as by a factorization.
 void WorkingSet::remove(std::span<const std::int64_t> removed, std::vector<Point>& added) {
   const auto count = static_cast<std::int64_t>(removed.size());
   const bool worn = rotated_ + count > factor_.size();

@@ -28,7 +28,7 @@ class WorkingSet {
   std::vector<std::int64_t> ascending() const;
 
   UpdatableCholesky factor_;
-  std::vector<Point> points_;  // in the factor's order: that of their arrival
+  std::vector<Point> points_;  // in the factor's order, in which they arrived
   std::int64_t rotated_ = 0;   // unknowns taken out by rotations since the factor was empty
 };
 

@@ -44,8 +44,8 @@ class Buffer {
            " transform; use a coarser grid or fewer threads");
     size_ = bytes;
 #ifdef MADV_HUGEPAGE
-    // Blocks of columns touch every row: with small pages each of them costs a look-up of its own. Advice only: it may be
-    // refused.
+    // A block of columns touches every row: with small pages each row costs an address look-up. The system may refuse the
+    // advice.
     if (bytes >= huge_page) madvise(data_.get(), bytes, MADV_HUGEPAGE);
 #endif
   }

@@ -59,7 +59,7 @@ void Cache::put_away(std::unique_ptr<Transforms> present) {
   if (!present) return;
   const auto same =
       std::find_if(forgotten_.begin(), forgotten_.end(), [&](const auto& f) { return f->lengths == present->lengths; });
-  if (same != forgotten_.end()) {  // the other precision may have waited on
+  if (same != forgotten_.end()) {  // it may hold the other precision
     if (!present->in_double) present->in_double = std::move((*same)->in_double);
     if (!present->in_float) present->in_float = std::move((*same)->in_float);
     forgotten_.erase(same);

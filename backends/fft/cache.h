@@ -1,4 +1,4 @@
-// Transforms by their lengths: those in use, and as many of those before as little memory holds.
+// Transforms by their lengths: those in use, and earlier ones as far as a memory limit allows.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace rc_fft {
 
-// Of the same lengths in both precisions, each made for the first product that needs it.
+// The transforms of the same lengths in both precisions, each made for the first product that needs it.
 struct Transforms {
   explicit Transforms(Lengths of) : lengths(of) {}
   template <class Real> std::unique_ptr<Transform<Real>>& in() {
@@ -29,18 +29,18 @@ struct Transforms {
 
 class Cache {
  public:
-  // Transforms that are not in use may take so many bytes.
+  // limit: bytes that transforms may take that are not in use.
   explicit Cache(std::size_t limit) : limit_(limit) {}
 
-  // Puts transforms for `needed` in the place of the present ones, which may be null: see choose_lengths.
+  // Replaces the present transforms, which may be null, by ones that suit `needed`: see choose_lengths.
   void fit(std::unique_ptr<Transforms>& present, Lengths needed, Lengths largest);
   // Keeps them for later, as long as there is room.
   void retire(std::unique_ptr<Transforms>& present);
 
-  // As if none had been made: lengths do not depend on those before. What was made waits to be recalled; within a limit, once
-  // others are.
+  // Afterwards lengths are chosen as if no transform had been made. Those that were made wait to be recalled; the first new one
+  // trims them to a limit.
   void forget(std::unique_ptr<Transforms>& box, std::unique_ptr<Transforms>& grid);
-  // The transform of just these lengths that was forgotten, or null: then there is room for a new one.
+  // The forgotten transform of exactly these lengths, or null: then the forgotten ones have been trimmed.
   template <class Real> std::unique_ptr<Transform<Real>> recalled(Lengths lengths) {
     for (const auto& each : forgotten_)
       if (each->lengths == lengths && each->in<Real>()) return std::move(each->in<Real>());

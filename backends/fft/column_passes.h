@@ -15,7 +15,7 @@ template <class Real, int Bytes> struct Passes {
   static constexpr std::int64_t row = 2 * width;                           // reals in a row of the scratch
   using Lanes = std::make_integer_sequence<int, lanes>;
 
-  // Splits the columns into R parts by their first pass, from the rows of the work array. Half: only the first half may be there.
+  // The first pass: reads the rows of the work array and splits the columns into R parts. Half: rows of the second half are 0.
   template <int R, bool Half> RC_FFT_INLINE static void read(const ColumnProduct<Real>& plan, const ColumnBlock<Real>& block) {
     alignas(alignment) static constexpr Real zeros[row] = {};
     constexpr std::int64_t ahead = 8;
@@ -125,122 +125,38 @@ template <class Real, int Bytes> struct Passes {
       }
   }
 
+  // work(R) for the one of the radices that is wanted.
+  template <int... Radices, class Work> RC_FFT_INLINE static void with_radix(int radix, const Work& work) {
+    (void)((radix == Radices && (work(std::integral_constant<int, Radices>{}), true)) || ...);
+  }
+
   RC_FFT_INLINE static void run(const ColumnProduct<Real>& plan, const ColumnBlock<Real>& block) {
     const std::int64_t half = plan.length() / 2;
     const bool half_read = block.first_source + block.sources <= half, half_written = block.targets <= half;
-    switch (plan.first_radix()) {
-      case 1:
-        read<1, false>(plan, block);
-        break;
-      case 2:
-        read<2, false>(plan, block);
-        break;
-      case 3:
-        read<3, false>(plan, block);
-        break;
-      case 4:
-        half_read ? read<4, true>(plan, block) : read<4, false>(plan, block);
-        break;
-      case 5:
-        read<5, false>(plan, block);
-        break;
-      default:
-        read<7, false>(plan, block);
-        break;
-    }
+    with_radix<1, 2, 3, 4, 5, 7>(plan.first_radix(), [&](auto R) RC_FFT_INLINE_LAMBDA {
+      if (R == 4 && half_read)
+        read<R, R == 4>(plan, block);
+      else
+        read<R, false>(plan, block);
+    });
     using Kind = typename ColumnProduct<Real>::Step::Kind;
     for (const auto& step : plan.steps()) {
       Real* const rows = reinterpret_cast<Real*>(block.scratch) + step.row * row;
       const Real* const twiddles = plan.twiddles(step.twiddle);
-      if (step.kind == Kind::forward) {
-        switch (step.radix) {
-          case 2:
-            pass<2, false>(rows, step.length, step.groups, twiddles);
-            break;
-          case 3:
-            pass<3, false>(rows, step.length, step.groups, twiddles);
-            break;
-          case 4:
-            pass<4, false>(rows, step.length, step.groups, twiddles);
-            break;
-          case 5:
-            pass<5, false>(rows, step.length, step.groups, twiddles);
-            break;
-          case 7:
-            pass<7, false>(rows, step.length, step.groups, twiddles);
-            break;
-          default:
-            pass<8, false>(rows, step.length, step.groups, twiddles);
-            break;
-        }
-      } else if (step.kind == Kind::backward) {
-        switch (step.radix) {
-          case 2:
-            pass<2, true>(rows, step.length, step.groups, twiddles);
-            break;
-          case 3:
-            pass<3, true>(rows, step.length, step.groups, twiddles);
-            break;
-          case 4:
-            pass<4, true>(rows, step.length, step.groups, twiddles);
-            break;
-          case 5:
-            pass<5, true>(rows, step.length, step.groups, twiddles);
-            break;
-          case 7:
-            pass<7, true>(rows, step.length, step.groups, twiddles);
-            break;
-          default:
-            pass<8, true>(rows, step.length, step.groups, twiddles);
-            break;
-        }
-      } else {
-        const std::int32_t* const wave = plan.wave(step.row);
-        switch (step.radix) {
-          case 1:
-            product<1>(rows, step.groups, wave, block.eigenvalues);
-            break;
-          case 2:
-            product<2>(rows, step.groups, wave, block.eigenvalues);
-            break;
-          case 3:
-            product<3>(rows, step.groups, wave, block.eigenvalues);
-            break;
-          case 4:
-            product<4>(rows, step.groups, wave, block.eigenvalues);
-            break;
-          case 5:
-            product<5>(rows, step.groups, wave, block.eigenvalues);
-            break;
-          case 7:
-            product<7>(rows, step.groups, wave, block.eigenvalues);
-            break;
-          default:
-            product<8>(rows, step.groups, wave, block.eigenvalues);
-            break;
-        }
-      }
+      with_radix<1, 2, 3, 4, 5, 7, 8>(step.radix, [&](auto R) RC_FFT_INLINE_LAMBDA {
+        if (step.kind != Kind::forward && step.kind != Kind::backward)
+          product<R>(rows, step.groups, plan.wave(step.row), block.eigenvalues);
+        else if constexpr (R > 1)
+          step.kind == Kind::forward ? pass<R, false>(rows, step.length, step.groups, twiddles)
+                                     : pass<R, true>(rows, step.length, step.groups, twiddles);
+      });
     }
-    switch (plan.first_radix()) {
-      case 1:
-        write<1, false>(plan, block);
-        break;
-      case 2:
-        write<2, false>(plan, block);
-        break;
-      case 3:
-        write<3, false>(plan, block);
-        break;
-      case 4:
-        half_written ? write<4, true>(plan, block) : write<4, false>(plan, block);
-        break;
-      case 5:
-        write<5, false>(plan, block);
-        break;
-      default:
-        write<7, false>(plan, block);
-        break;
-    }
+    with_radix<1, 2, 3, 4, 5, 7>(plan.first_radix(), [&](auto R) RC_FFT_INLINE_LAMBDA {
+      if (R == 4 && half_written)
+        write<R, R == 4>(plan, block);
+      else
+        write<R, false>(plan, block);
+    });
   }
 };
 

@@ -10,11 +10,11 @@ namespace rc_fft {
 
 namespace {
 
-// So many rows of 128 bytes stay in the first two levels of any cache; longer transforms are split depth first until their parts
-// are no longer.
+// This many rows of 128 bytes stay in the first two levels of the cache. Longer transforms are split depth first, until their
+// parts are no longer than that.
 constexpr std::int64_t resident = 512;
 
-// Radix 8 as often as possible, never 2 where 4 and 4 do instead of 8 and 2.
+// Radix 8 as often as possible, but 4 and 4 instead of 8 and 2.
 std::vector<int> factors(std::int64_t length) {
   std::vector<int> result;
   int first = 1;

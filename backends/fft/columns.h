@@ -1,6 +1,6 @@
 // Circular products along y for a block of columns at a time: transformed, multiplied by the eigenvalues, transformed back.
-// Columns lie side by side in the lanes of vector registers, so that no arithmetic crosses lanes; waves are left in the order in
-// which the transform finds them, and the eigenvalues are kept in that order too.
+// Columns lie side by side in the lanes of vector registers, so that no arithmetic crosses lanes. Waves are not sorted after the
+// transform; the eigenvalues are kept in the transform's order.
 #pragma once
 
 #include <complex>
@@ -56,7 +56,7 @@ template <class Real> class ColumnProduct {
   void append(std::size_t level, std::int64_t row, std::int64_t length);
 
   std::int64_t length_;
-  std::vector<int> radices_;          // of the first pass, those between and the last, which is without twiddle factors
+  std::vector<int> radices_;          // of all passes; the last has no twiddle factors
   std::vector<std::size_t> offsets_;  // of each pass's twiddle factors
   std::vector<Real> twiddles_;
   std::vector<Step> steps_;          // all but the first and the last pass, which read and write the columns themselves

@@ -12,7 +12,7 @@ struct Sums {
   double sum = 0, largest = 0;
 };
 
-// In an order that does not depend on the threads.
+// Sums in an order that does not depend on the threads.
 Sums sums_of(const rc_team& team, std::int64_t n, const double* x) {
   constexpr std::int64_t block = 8192, lanes = 8;
   const std::int64_t blocks = (n + block - 1) / block;

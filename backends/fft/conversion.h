@@ -1,4 +1,4 @@
-// Vectors in double precision on their way through products in single precision.
+// Scales vectors of double precision for products in single precision.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace rc_fft {
 
-// x = mean + unit v, where v is what is multiplied, and H x = offset + unit (H v).
+// x = mean + unit v and H x = offset + unit (H v), where v is multiplied in single precision.
 struct Conversion {
   double mean = 0, unit = 1, offset = 0;
 
@@ -26,9 +26,9 @@ struct Conversion {
   }
 };
 
-// A unit, a power of two, in which v is near 1 and nothing over- or underflows. With zero_mode, the eigenvalue of H for the
-// constant vector, the mean of x over so many `points`, zero but for the n entries, is multiplied apart: a large one, as near
-// full contact, would leave single precision with few digits for what varies.
+// The unit is a power of two with which v is near 1 and nothing over- or underflows. The second form multiplies the mean of x
+// over all `points` apart; x is zero but for the n entries, and zero_mode is the eigenvalue of H for the constant vector.
+// Otherwise a large mean, as near full contact, would leave single precision few digits for what varies.
 Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x);
 Conversion conversion_of(const rc_team& team, std::int64_t n, const double* x, double zero_mode, std::int64_t points);
 

@@ -16,32 +16,22 @@ template <class Real, int Bytes> struct HalfLengthPass {
   using Lanes = std::make_integer_sequence<int, lanes>;
   using Plain = typename V::Type;
 
-  // At any address.
+  // Loads and stores at any address.
   RC_FFT_INLINE static void get(const Real* p, Plain& v) { std::memcpy(&v, p, Bytes); }
   RC_FFT_INLINE static void put(Real* p, const Plain& v) { std::memcpy(p, &v, Bytes); }
 
-  // Of `lanes` complex numbers, in their order and from the last to the first.
-  template <int... I> RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
+  // Load and store `lanes` complex numbers, in their order or from the last to the first.
+  static constexpr int place(int i, bool back) { return back ? lanes - 1 - i : i; }
+  template <bool Back, int... I> RC_FFT_INLINE static void load(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
     Plain a, b;
     get(p, a);
     get(p + lanes, b);
-    z.re = __builtin_shufflevector(a, b, (2 * I)...);
-    z.im = __builtin_shufflevector(a, b, (2 * I + 1)...);
+    z.re = __builtin_shufflevector(a, b, (2 * place(I, Back))...);
+    z.im = __builtin_shufflevector(a, b, (2 * place(I, Back) + 1)...);
   }
-  template <int... I> RC_FFT_INLINE static void load_back(const Real* p, Complex<V>& z, std::integer_sequence<int, I...>) {
-    Plain a, b;
-    get(p, a);
-    get(p + lanes, b);
-    z.re = __builtin_shufflevector(a, b, (2 * (lanes - 1 - I))...);
-    z.im = __builtin_shufflevector(a, b, (2 * (lanes - 1 - I) + 1)...);
-  }
-  template <int... I> RC_FFT_INLINE static void store(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
-    put(p, __builtin_shufflevector(z.re, z.im, (I / 2 + I % 2 * lanes)...));
-    put(p + lanes, __builtin_shufflevector(z.re, z.im, (lanes / 2 + I / 2 + I % 2 * lanes)...));
-  }
-  template <int... I> RC_FFT_INLINE static void store_back(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
-    put(p, __builtin_shufflevector(z.re, z.im, (lanes - 1 - I / 2 + I % 2 * lanes)...));
-    put(p + lanes, __builtin_shufflevector(z.re, z.im, (lanes / 2 - 1 - I / 2 + I % 2 * lanes)...));
+  template <bool Back, int... I> RC_FFT_INLINE static void store(Real* p, const Complex<V>& z, std::integer_sequence<int, I...>) {
+    put(p, __builtin_shufflevector(z.re, z.im, (place(I / 2, Back) + I % 2 * lanes)...));
+    put(p + lanes, __builtin_shufflevector(z.re, z.im, (place(lanes / 2 + I / 2, Back) + I % 2 * lanes)...));
   }
 
   // The elements k and M - k; `mirrored` is the latter before, and after.
@@ -80,14 +70,14 @@ template <class Real, int Bytes> struct HalfLengthPass {
       Complex<V> a, b;
       Real* const left = z + 2 * k;
       Real* const right = z + 2 * (half - k - lanes + 1);
-      load(left, a, Lanes{});
-      load_back(right, b, Lanes{});
+      load<false>(left, a, Lanes{});
+      load<true>(right, b, Lanes{});
       Plain turn_re, turn_im;
       get(plan.re() + k, turn_re);
       get(plan.im() + k, turn_im);
       join<Back, Plain>(a.re, a.im, b.re, b.im, turn_re, turn_im);
-      store(left, a, Lanes{});
-      store_back(right, b, Lanes{});
+      store<false>(left, a, Lanes{});
+      store<true>(right, b, Lanes{});
     }
     for (; k <= half / 2; ++k) one(k, half - k);
   }

@@ -10,6 +10,7 @@
 
 // Inlined into functions that are compiled for one instruction set each, see columns.cpp.
 #define RC_FFT_INLINE [[gnu::always_inline]] inline
+#define RC_FFT_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace rc_fft {
 
@@ -112,7 +113,7 @@ template <> struct Dft<4> {
     Dft<2>::run(odd);
     join(even, odd, x);
   }
-  // Of a sequence whose second half is zero.
+  // The transform of a sequence whose second half is zero.
   template <class V> RC_FFT_INLINE static void run_half(Complex<V>* x) {
     const Complex<V> even[2] = {x[0], x[0]}, odd[2] = {x[1], x[1]};
     join(even, odd, x);

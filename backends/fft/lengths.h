@@ -17,8 +17,8 @@ inline double points(Lengths l) { return static_cast<double>(l.x) * static_cast<
 // The largest grid along one axis: four times it still fits FFTW's int.
 inline constexpr std::int64_t longest_axis = (std::int64_t{1} << 29) - 1;
 
-// Least length along one axis for which a circular product with an even kernel gives the free one, for sources at
-// [begin, begin + count) and targets at [0, extent).
+// Least length along one axis at which the circular product with an even kernel equals the one with free boundaries, for sources
+// at [begin, begin + count) and targets at [0, extent).
 std::int64_t exact_length(std::int64_t begin, std::int64_t count, std::int64_t extent);
 
 // The length >= at_least that FFTW is expected to transform fastest: 1, or even with no prime factor above 7.

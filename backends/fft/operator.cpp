@@ -11,18 +11,18 @@ namespace rc_fft {
 
 namespace {
 
-// A quarter of what the whole grid's eigenvalues take, and some for small grids, whose boxes differ from one surface to the next.
+// A quarter of the bytes of the whole grid's eigenvalues; at least 1 MiB, because boxes on small grids differ between surfaces.
 std::size_t cache_limit(const rc_system& system) {
   const double quarter = 2.0 * static_cast<double>(system.nx) * static_cast<double>(system.ny);
   constexpr double least = 1 << 20, most = 1e18;
   return static_cast<std::size_t>(std::clamp(quarter, least, most));
 }
 
-// Products in single precision were off by at most 5e-7 of the largest entry, see README.md; residuals are made of them.
+// Products in single precision have errors of up to 5e-7 of the largest entry, see README.md, and so have residuals.
 constexpr double least_single_tol = 1e-5;
 
-// Whether to keep and make nothing in double precision: as named, or where the accuracy asked for never needs a smaller tol. The
-// core asks for a hundredth of a goal of the load, a thousandth of one of the area.
+// Whether to use single precision alone: if the option says so, or if the accuracy goal never needs a tol below that limit. The
+// core's tol is a hundredth of a goal for the load, a thousandth of one for the area.
 bool in_single_precision(const rc_host* host, const rc_options* options) {
   const char* const named = roughcontact::option_text(host, options, "fft.precision");
   if (std::strcmp(named, "auto") == 0) {

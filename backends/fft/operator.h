@@ -1,4 +1,4 @@
-// H of a half-space grid: which transform serves which domain.
+// H of a half-space grid. It decides which transform is used for which domain.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Operator {
   double norm();  // Frobenius, of H[T,T]
 
  private:
-  // Throws where tol asks for more than products in single precision give. Each step may have another tol.
+  // Throws if products in single precision are too inaccurate for tol. Each step may have another tol.
   void check_tolerance() const;
   Conversion conversion(const double* x) const;
   template <class Real> double norm_in();
@@ -47,7 +47,7 @@ class Operator {
   Cache cache_;
   Workspace workspace_;
 
-  Box box_;        // that the domain's products are made on
+  Box box_;        // the domain's products are computed on it
   Points points_;  // of the domain, in the box
   Points whole_;   // all points of the grid
   double zero_mode_ = 0.0;

@@ -12,7 +12,7 @@ namespace {
 
 void require_planner_memory(Lengths lengths) {
   if (!rc_common::planner_has_memory(lengths.x + lengths.y))
-    fail(RC_ERR_MEMORY, "cannot allocate what planning a ", lengths.x, "x", lengths.y, " transform takes; use a coarser grid");
+    fail(RC_ERR_MEMORY, "cannot allocate the memory to plan a ", lengths.x, "x", lengths.y, " transform; use a coarser grid");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ template <class Real> class Plans {
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
 
-  // What a line becomes on its way to a row and back, apart from products.
+  // The factor by which a line grows on its way to a row and back.
   double gain() const { return half_length_ ? 2 * length_x_ : length_x_; }
   void line_to_row(Real* line, std::complex<Real>* row) const;
   void row_to_line(std::complex<Real>* row, Real* line) const;

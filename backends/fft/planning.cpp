@@ -41,7 +41,7 @@ bool read(const std::string& path, std::string& contents) {
   return true;
 }
 
-// Whole or not at all: under another name beside it first.
+// Replaces the file whole or not at all: writes beside it under another name first.
 void replace(const std::string& path, const std::string& contents) {
   std::string temporary = path + ".XXXXXX";
   const int descriptor = mkstemp(temporary.data());

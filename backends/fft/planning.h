@@ -12,8 +12,8 @@ class Planning {
 
   unsigned effort() const { return effort_; }  // FFTW_ESTIMATE or FFTW_MEASURE
 
-  // Both to be called under the planner's lock. Double precision is kept in the file that the option fft.wisdom names, single
-  // precision in the one with ".float" appended; without the option neither does anything.
+  // Call both under the planner's lock. Wisdom in double precision is kept in the file that the option fft.wisdom names, in
+  // single precision in that name with ".float" appended. Without the option neither does anything.
   template <class Real> void recall();    // before plans are made; reads the file once
   template <class Real> void remember();  // after that; writes the file if measuring has taught anything
 

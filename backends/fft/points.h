@@ -1,4 +1,4 @@
-// Where the entries of a vector sit on the grid.
+// The grid points of a vector's entries.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class Points {
   std::int64_t count() const { return begin(ny_); }
   bool row_is_empty(std::int64_t row) const { return begin(row) == begin(row + 1); }
   template <class Real> bool row_is_zero(std::int64_t row, const Real* x) const;
-  // A row's entries of x, zero elsewhere, into a line of nx() values; and back.
+  // Puts a row's entries of x into a line of nx() values, zero elsewhere; and back.
   template <class Outer, class Real> void scatter(std::int64_t row, const Outer* x, Real* line, const Conversion& convert) const;
   template <class Real, class Outer> void gather(std::int64_t row, const Real* line, Outer* y, const Conversion& convert) const;
 

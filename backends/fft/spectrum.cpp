@@ -53,7 +53,7 @@ Eigenvalues Eigenvalues::periodic(const rc_host* host, const rc_operator_spec& s
   Eigenvalues result(host, spec, lengths, workspace);
   double* const table = result.table();
   roughcontact::check(host->symbol(host, spec.system, spec.kernel, table));
-  // Apart, from the last row on: a row moves towards the end only.
+  // Spaces the rows out to the stride, from the last row on, because every row moves towards the end.
   for (std::int64_t ky = result.half_y_ - 1; ky >= 0; --ky) {
     double* const row = table + ky * result.stride_;
     std::copy_backward(table + ky * result.half_x_, table + (ky + 1) * result.half_x_, row + result.half_x_);
@@ -75,7 +75,7 @@ template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, co
       failed = begin;
       return;
     }
-    // Two real rows in one complex transform: what they become is real as well.
+    // Two real rows in one complex transform. They are even, so their transforms are real and do not mix.
     for (std::int64_t iy = begin; iy < end; iy += 2) {
       const double* const one = coefficients + (iy - begin) * columns_;
       const double* const other = iy + 1 < end ? one + columns_ : nullptr;
@@ -94,7 +94,7 @@ template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, co
       std::fill(row + stride_ + half_x_, row + 2 * stride_, 0.0);
     }
   });
-  // Again, for a message: those of other threads are not seen here.
+  // Asks again on this thread for the message: those of other threads are not seen here.
   if (failed >= 0) {
     std::vector<double> row(static_cast<std::size_t>(columns_));
     roughcontact::check(rows(failed, 1, row.data()));
@@ -102,7 +102,7 @@ template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, co
   }
 }
 
-// Neighbouring columns are the real and imaginary parts of one complex column.
+// Neighbouring columns are the real and imaginary parts of one complex column, as for rows.
 void Eigenvalues::transform_block(std::int64_t block, std::int64_t thread) const {
   constexpr std::int64_t pairs = width / 2;
   std::complex<double>*const column = scratch(thread), *const transformed = column + line_, *const to = waves(thread);

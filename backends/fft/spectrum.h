@@ -11,8 +11,8 @@
 
 namespace rc_fft {
 
-// Computed in double precision within the workspace, half way: all rows along x. The last step, along y, is made when a transform
-// takes them over, block by block. The workspace must not be used for anything else before.
+// Computed in double precision, in two steps. The rows are transformed along x into the workspace. The columns follow block by
+// block when a transform takes the eigenvalues over; until then nothing else may use the workspace.
 class Eigenvalues {
  public:
   // From the coefficients of a free system at offsets up to half the lengths, as far as its grid has them.
@@ -20,7 +20,7 @@ class Eigenvalues {
   // Likewise from the squares of the coefficients plus a constant. A periodic system's lengths must be its grid's.
   static Eigenvalues squares(const rc_host* host, const rc_operator_spec& spec, double constant, Lengths lengths,
                              Workspace& workspace);
-  // Of a periodic system, whose grid has these lengths.
+  // From the symbol of a periodic system, whose grid has these lengths.
   static Eigenvalues periodic(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
 
   static constexpr std::int64_t width = 16;  // columns in a block

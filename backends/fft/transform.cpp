@@ -6,7 +6,7 @@ namespace rc_fft {
 
 namespace {
 
-// A line is cleared once per so many rows.
+// A thread takes this many rows at a time, and clears its line once for them.
 constexpr std::int64_t rows_per_item = 8;
 
 }  // namespace

@@ -30,7 +30,7 @@ template <class Real> struct Layout {
 
 template <class Real> class Transform {
  public:
-  // Makes room for targets in `rows` rows; more is made when asked for.
+  // Makes room for targets in `rows` rows; products with more rows enlarge it.
   Transform(const rc_host* host, Lengths lengths, std::int64_t rows, Planning& planning, Workspace& workspace,
             const rc_team& team);
 
@@ -56,7 +56,7 @@ template <class Real> class Transform {
   Complex* scratch(std::int64_t thread) const { return workspace_.scratch.data<Complex>() + thread * layout_.scratch; }
   Real* line(std::int64_t thread) const { return reinterpret_cast<Real*>(scratch(thread)); }
   double scale() const;
-  // Of the wave ky along y and the columns of a block.
+  // Eigenvalues of the wave ky along y and the columns of a block.
   Real* eigenvalues(std::int64_t block, std::int64_t ky) const {
     const std::int64_t place = own_columns_ ? own_columns_->rank(ky) : ky;
     return spectrum_.data<Real>() + (block * layout_.half_y + place) * width;

@@ -1,5 +1,5 @@
-// H of a half-space grid, whichever way round it lies. Lines of transforms run along x and columns are taken many at a time: of a
-// grid of few columns most of each block would be empty, so such a grid is turned and its columns become lines.
+// H of a half-space grid, with x and y exchanged where that is faster. Transforms take lines along x, and columns many at a time.
+// On a grid of few columns most of each block of columns would be empty, so such a grid is turned: its columns become lines.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class Turned {
   const bool turned_;
   rc_system system_;  // as the operator has it
   Operator op_;
-  std::vector<std::int64_t> order_;  // of each point as the operator has them, its place as the caller has them; empty: the same
+  std::vector<std::int64_t> order_;  // the caller's place of each point in the operator's order; empty: the same
 };
 
 }  // namespace rc_fft

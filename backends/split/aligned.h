@@ -1,4 +1,4 @@
-// Arrays that start at a cache line, which is also what vector instructions and FFTW's plans like best.
+// Arrays that start at a cache line, which also suits vector instructions and FFTW's plans.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ template <class T> struct CacheLineAllocator {
     return static_cast<T*>(::operator new(n * sizeof(T), line));
   }
   void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
-  // resize() alone leaves values as they are.
+  // resize() leaves new values uninitialised.
   template <class U> void construct(U* p) { ::new (static_cast<void*>(p)) U; }
   template <class U, class... Arguments> void construct(U* p, Arguments&&... arguments) {
     ::new (static_cast<void*>(p)) U(static_cast<Arguments&&>(arguments)...);
@@ -33,7 +33,7 @@ template <class T> using Array = std::vector<T, CacheLineAllocator<T>>;
 // Room for n values; their contents do not matter.
 template <class T> void make_room(Array<T>& array, std::int64_t n) {
   if (static_cast<std::int64_t>(array.size()) >= n) return;
-  array = Array<T>();  // before the new one is there, so that the two do not exist together
+  array = Array<T>();  // freed first, so that old and new do not exist together
   array.resize(static_cast<std::size_t>(n));
 }
 

@@ -10,25 +10,25 @@ namespace rc_split {
 
 namespace {
 
-// Seconds in single precision, with wide vectors: a row of a tile for one source, a value of the coarse transform per doubling of
-// its length, a tile spread or interpolated. Double precision takes twice that.
+// Seconds in single precision with wide vectors: for a row of a tile and one source; for a value of the coarse transform, per
+// doubling of its length; for a tile spread or interpolated. Double precision takes twice that.
 constexpr double row_time = 0.5e-9, transform_time = 0.3e-9, tile_time = 0.4e-6;
 
-// A look at a place where a tile with sources may be.
+// Seconds to look whether there is a tile with sources at a place.
 constexpr double visit_time = 3e-9;
 
-// What there is to be set up: an entry of the short range, a value of the coarse grid's kernel, over how many products it is
-// spread. In double precision there are few.
+// Set-up: seconds for an entry of the short range and for a value of the coarse grid's kernel, and the number of products that
+// share them, which is small in double precision.
 constexpr double entry_time = 0.2e-6, kernel_time = 60e-9;
 template <class T> constexpr double products_to_come = sizeof(T) == sizeof(float) ? 20 : 4;
 
-// Bytes that coarse grids finer than the coarsest may take: so many, and so many for a point of the domain.
+// Bytes that a coarse grid may take that is not the coarsest: a fixed part, and a part for each point of the domain.
 constexpr double free_memory = 64.0 * (1 << 20), memory_per_point = 24;
 
-// The trial set holds the contact with a halo.
+// The part of the trial set that carries pressure: it holds the contact with a halo.
 constexpr double share_in_contact = 0.25;
 
-// Up to this many tiles a table of H between all of them stays in the cache.
+// Up to this many tiles a side, a table of H between all of them stays in the cache.
 constexpr std::int64_t largest_direct = 8;
 
 // How many tiles lie within a rectangle of the box.
@@ -72,7 +72,7 @@ template <class T> Plan choose(const Tiles& tiles, const Frame& frame, Targets t
   for (int spacing : {4, 8, 16}) {
     if (wanted != 0 && spacing != wanted) continue;
     const Range range = Range::within(cutoff<T>(spacing, hx, hy), hx, hy);
-    double near = 0;  // by the box around the circle
+    double near = 0;  // counted in the box around the cutoff's circle
     for (std::int64_t tile = 0; tile < tiles.count(); ++tile) {
       const std::int64_t reached =
           everywhere ? (2 * range.x + 1) * (2 * range.y + 1) : occupancy.around(tiles.place(tile), range.x, range.y);

@@ -11,13 +11,13 @@ struct Plan {
   bool parallel() const { return seconds > 1e-4; }  // else waking threads costs more than they save
 };
 
-// What is asked for: products at the tiles of the domain, perhaps with a few more, or at all tiles of the frame.
+// Where products are wanted: at the tiles of the domain, perhaps with a few more, or at all tiles of the frame.
 enum class Targets { domain, frame };
 
-// wanted: the spacing where there is a coarse grid; 0: any.
+// wanted: the spacing to take if there is a coarse grid; 0: any.
 template <class T> Plan choose(const Tiles& tiles, const Frame& frame, Targets targets, double hx, double hy, int wanted);
 
-// Of the smooth part, [length].
+// The distance [length] beyond which the smooth part is all of H.
 template <class T> double cutoff(int spacing, double hx, double hy);
 
 }  // namespace rc_split

@@ -31,8 +31,8 @@ std::int64_t transform_length(std::int64_t at_least) {
   return best;
 }
 
-// The distance that the circular kernel is taken at: m up to `straight`, then ever slower, at rest at `end`. So the kernel is
-// even about `end` and smooth there.
+// The distances at which the circular kernel is evaluated: m up to `straight`, then growing ever more slowly, flat at `end`. This
+// makes the kernel even about `end` and smooth there.
 std::vector<double> bent(std::int64_t straight, std::int64_t end) {
   std::vector<double> distance(static_cast<std::size_t>(end) + 1);
   constexpr int parts = 8;
@@ -82,7 +82,7 @@ template <class T> void Convolution<T>::make_plans() {
   T *const line = scratch(0), *const column = line + column_stride_;
   const int nx = static_cast<int>(length_x_), ny = static_cast<int>(length_y_);
   if (!rc_common::planner_has_memory(length_x_ + length_y_))
-    fail(RC_ERR_MEMORY, "cannot allocate what planning a ", nx, "x", ny, " transform takes; use a coarser grid");
+    fail(RC_ERR_MEMORY, "cannot allocate the memory to plan a ", nx, "x", ny, " transform; use a coarser grid");
   {
     const PlannerLock<T> lock(host_);
     forward_x_ = Fftw<T>::real_to_complex(nx, row(0), line, FFTW_ESTIMATE);
@@ -101,7 +101,7 @@ template <class T> void Convolution<T>::destroy_plans() {
 }
 
 // The kernel is even, so its transform is a cosine transform. Spreading and interpolating each multiply by the window's
-// transform: divided out here.
+// transform, which is divided out here.
 template <class T> void Convolution<T>::load(const Axis& x, const Axis& y, const std::function<double(double, double)>& kernel) {
   const std::vector<double> along_x = bent(nodes_x_, length_x_ / 2), along_y = bent(nodes_y_, length_y_ / 2);
   Array<double> table(static_cast<std::size_t>(half_x_ * half_y_));

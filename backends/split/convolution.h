@@ -1,4 +1,4 @@
-// The smooth part of H between the nodes of a coarse grid, by a circular convolution that is long enough to be free.
+// The smooth part of H between the nodes of a coarse grid, by a circular convolution so long that no node meets its images.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace rc_split {
 using rc_common::Fftw, rc_common::PlannerLock;
 
 struct Axis {
-  std::int64_t nodes;                             // that are wanted
-  std::int64_t bend;                              // more of them, over which the kernel is made even about the far end
+  std::int64_t nodes;                             // nodes that are wanted
+  std::int64_t bend;                              // further nodes, over which the kernel is made even about the far end
   std::function<double(double theta)> transform;  // of the window
 };
 
@@ -31,7 +31,7 @@ template <class T> class Convolution {
   std::int64_t nodes_x() const { return nodes_x_; }
   std::int64_t nodes_y() const { return nodes_y_; }
 
-  // One row of nodes: `row_length` values, of which those beyond the nodes must be 0 before forward().
+  // One row of nodes: row_length() values. Those beyond the nodes must be 0 before forward().
   T* row(std::int64_t i) { return rows_.data() + i * stride_; }
   const T* row(std::int64_t i) const { return rows_.data() + i * stride_; }
   std::int64_t row_length() const { return length_x_; }

@@ -18,7 +18,7 @@ class Lines {
       : host_(host), length_(length), stride_((2 * length + 15) / 16 * 16) {
     make_room(scratch_, 2 * threads * stride_);
     if (!rc_common::planner_has_memory(length))
-      fail(RC_ERR_MEMORY, "cannot allocate what planning a transform of ", length, " values takes");
+      fail(RC_ERR_MEMORY, "cannot allocate the memory to plan a transform of ", length, " values");
     const PlannerLock<double> lock(host_);
     plan_ = Fftw<double>::complex_to_complex(static_cast<int>(length), in(0), out(0), FFTW_FORWARD, FFTW_ESTIMATE);
     if (!plan_) fail(RC_ERR_INTERNAL, "FFTW made no plan for ", length, " values; check the FFTW installation");
@@ -30,7 +30,7 @@ class Lines {
   Lines(const Lines&) = delete;
   Lines& operator=(const Lines&) = delete;
 
-  // Two even lines at once, the one as real, the other as imaginary parts: what they become is real as well. Line i is at
+  // Two even lines at once, one as real, the other as imaginary parts. Their transforms are real and do not mix. Line i is at
   // values + i * apart, its elements `step` apart.
   void transform(double* values, std::int64_t apart, std::int64_t step, bool two, std::int64_t thread) {
     double *const from = in(thread), *const to = out(thread);

@@ -12,7 +12,7 @@ namespace rc_split {
 
 namespace {
 
-// Lengths in cells' longer sides: where the expansion is fitted, and how well it has to fit.
+// The expansion is fitted from fit_from to fit_to, in units of the cell's longer side. The misfit is relative to H.
 constexpr double fit_from = 16, fit_to = 40, largest_misfit = 1e-9;
 
 // r^(-2k) cos(2 l angle) for k = 1, 2, 3 and the mean, in the order of the coefficients.
@@ -35,7 +35,7 @@ struct Point {
   double x, y;
 };
 
-// Groups of point sources that are symmetric in both axes: 13 in all; one point of each group, in steps.
+// Groups of point sources that are symmetric in both axes, 13 points in all. Given is one point of each group, in steps.
 constexpr Point corners[] = {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {0, 2}, {1, 1}};
 
 // Calls source(x, y) for the points of a group.
@@ -44,7 +44,7 @@ template <class Source> void for_each_point(Point p, const Source& source) {
     for (int j = 0; j < (p.y > 0 ? 2 : 1); ++j) source(i ? -p.x : p.x, j ? -p.y : p.y);
 }
 
-// The expansion of 1/|x - s| to k = 2: |s|^2k P_2k(cos of the angle between), with the terms of a symmetric group left.
+// The expansion of 1/|x - s| up to k = 2: |s|^2k P_2k(cos of the angle between); only the terms that a symmetric group has.
 std::array<double, 6> moments(Point s) {
   std::array<double, 6> m{};
   for_each_point(s, [&](double x, double y) {

@@ -1,4 +1,4 @@
-// H far away, whatever the kernel: the deflection of a compact source that is symmetric in both axes.
+// H far from its source, for any kernel: the deflection under a compact source that is symmetric in both axes.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ class Coefficients {
   std::vector<double> table_;
 };
 
-// Laplace's expansion H = F/r sum_k r^(-2k) sum_(l <= k) c_kl cos(2 l angle), F = hx hy / (pi modulus), with the c_kl that fit a
-// table of H. Towards the source it is continued as the potential of point sources with the same moments, 1/r of each replaced by
-// its smooth part.
+// Laplace's expansion H = F/r sum_k r^(-2k) sum_(l <= k) c_kl cos(2 l angle), F = hx hy / (pi modulus), with c_kl fitted to a
+// table of H. Towards the source it is continued by the potential of point sources with the same moments, in which the smooth
+// part replaces 1/r.
 class FarField {
  public:
   // Throws if H is not of this form.

@@ -1,4 +1,4 @@
-// H as the host gives it. What several tables are made from is asked for once.
+// H as the host gives it. Coefficients that several tables need are asked for once.
 #pragma once
 
 #include <algorithm>

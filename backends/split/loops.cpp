@@ -6,7 +6,7 @@ namespace rc_split {
 
 namespace {
 
-// Of any scheme, rounded up to whole vectors.
+// The largest number of nodes of any scheme, rounded up to whole vectors.
 constexpr std::int64_t largest_stride = 32;
 
 namespace baseline {

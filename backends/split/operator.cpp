@@ -8,18 +8,18 @@ namespace rc_split {
 
 namespace {
 
-// The direct part is circular in lengths: beyond this ratio of the cell's sides it would reach over too many cells.
+// The direct part reaches to a radius [length]: at a larger ratio of the cell's sides it would cover too many cells.
 constexpr double largest_ratio = 4;
 
-// Far beyond what fits into memory; a product of two of them is far from overflow.
+// Far beyond what fits into memory, while the product of two axes does not overflow.
 constexpr std::int64_t longest_axis = std::int64_t{1} << 24;
 
-// Whole tiles of a grid.
+// Tiles that cover the points of an axis.
 std::int64_t tiles_of(std::int64_t points) { return (points + side - 1) / side; }
 
-// Part of an axis, lengthened to one of few lengths, so that a domain that grows somewhat needs no other coarse grid.
+// Lengthens a part of an axis to one of few lengths, so that a domain that grows a little keeps its coarse grid.
 void lengthen(std::int64_t& first, std::int64_t& tiles, std::int64_t available) {
-  constexpr std::int64_t short_enough = 16, steps = 8;  // there is little to be set up; so many steps to twice the length
+  constexpr std::int64_t short_enough = 16, steps = 8;  // set-up is cheap up to here; lengths between n and 2n
   if (tiles <= short_enough) return;
   const std::int64_t step = static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(tiles))) / steps;
   tiles = (tiles + step - 1) / step * step;
@@ -63,7 +63,7 @@ void Operator::bind(const rc_domain& domain) {
   }
 }
 
-// Each is set up when it is first asked for.
+// A product, which is set up when it is first asked for.
 template <class T>
 Product<T>& Operator::ready(Bound<T>& bound, std::optional<Tables<T>>& tables, const Frame& frame, Targets targets) {
   if (!tables) tables.emplace(kernel_);

@@ -41,7 +41,7 @@ class Operator {
 
   const rc_host* host_;
   rc_operator_spec spec_;
-  int spacing_;  // that is wanted; 0: any
+  int spacing_;  // the spacing wanted; 0: any
   Frame grid_;
   Tiles tiles_;
   Frame frame_;  // of the domain, with room for it to grow

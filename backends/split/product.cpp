@@ -103,7 +103,7 @@ template <class T> void Product<T>::load(const T* x) {
                          });
 }
 
-// What is not zero, tile by tile, and what it spreads to.
+// Collects the nonzero sources of each tile and spreads them to the tile's patch of nodes.
 template <class T> void Product<T>::gather(const T* x) {
   constexpr std::int64_t tiles_per_item = 8;
   const std::int64_t tiles = tiles_->count();
@@ -131,8 +131,8 @@ template <class T> void Product<T>::gather(const T* x) {
   });
 }
 
-// Each item fills the rows of nodes that begin with one row of tiles, from the patches of that row and those above, in this
-// order.
+// Each item fills the rows of nodes that begin with one row of tiles. It adds the patches of that row and of those above, in a
+// fixed order.
 template <class T> void Product<T>::collect_rows() {
   const std::int64_t per_tile = nodes_per_tile(), items = (node_rows() + per_tile - 1) / per_tile;
   const std::int64_t above = (count_ - 1) / per_tile;

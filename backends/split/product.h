@@ -1,5 +1,5 @@
-// Products in one precision from the tiles of a domain to tiles of a frame: the short range summed directly, the smooth rest over
-// a coarse grid.
+// Products in one precision, from the tiles of a domain to tiles of a frame. The short range is summed directly, the smooth rest
+// by a coarse grid.
 #pragma once
 
 #include <memory>
@@ -20,8 +20,8 @@ template <class T> class Tables {
 
   Table split(int spacing);
   Table direct(std::int64_t tiles_x, std::int64_t tiles_y);
-  // Puts the convolution for so many nodes into `held`, and lets go of another one before. Products that need the same one share
-  // it: each of their products begins with load().
+  // Puts the convolution for so many nodes into `held`, and releases the one held before. Products that need the same one can
+  // share it, because each product begins with load().
   using Held = std::shared_ptr<Convolution<T>>;
   void convolution(int spacing, std::int64_t nodes_x, std::int64_t nodes_y, Held& held);
   Kernel& kernel() { return kernel_; }
@@ -40,7 +40,7 @@ template <class T> class Tables {
 
 template <class T> class Product {
  public:
-  // spacing: of the coarse grid; 0: what costs least.
+  // spacing: of the coarse grid; 0: the cheapest.
   Product(Tables<T>& tables, int spacing);
 
   void bind(const Tiles& tiles, const Frame& frame, Targets targets);
@@ -53,7 +53,7 @@ template <class T> class Product {
   bool parallel() const { return plan_.parallel(); }
   int spacing() const { return plan_.spacing; }
   const ShortRange<T>& short_range() const { return *short_range_; }
-  // After load(): its smooth part alone, no more than the whole for x >= 0. Only with a spacing.
+  // After load(): the smooth part alone. For x >= 0 it is at most the whole less short_range().lowest() sum x. Needs a spacing.
   void smooth_tile(TilePlace place, T* out) const;
 
  private:
@@ -72,7 +72,7 @@ template <class T> class Product {
   const Tiles* tiles_ = nullptr;
   Frame frame_;
   Plan plan_;
-  int window_spacing_ = 0;  // what the weights are for
+  int window_spacing_ = 0;  // the spacing that the weights are for
   typename Tables<T>::Table short_range_;
   std::int64_t count_ = 0, stride_ = 0;  // nodes that a tile spreads to along each axis
   Array<T> weights_x_, weights_y_;       // [16][stride]

@@ -5,7 +5,7 @@
 
 namespace rc_split {
 
-// The power series: its terms are positive, so nothing is lost.
+// The power series: its terms are positive, so nothing cancels.
 double bessel_i0(double x) {
   const double quarter = 0.25 * x * x;
   double term = 1, sum = 1;

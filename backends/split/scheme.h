@@ -8,7 +8,7 @@
 
 namespace rc_split {
 
-// What decides on the accuracy, in units of the coarse grid: independent of its spacing.
+// The parameters that decide on the accuracy. They are in units of the coarse grid, so its spacing does not matter.
 struct Scheme {
   int nodes;     // coarse nodes along each axis that a point spreads to; even
   double shape;  // c
@@ -29,7 +29,7 @@ class Smoothed {
  public:
   explicit Smoothed(double shape);
 
-  // Several at once: the recurrence of one alone would be waiting for itself.
+  // Several at once, because in a single recurrence every step waits for the one before.
   static constexpr std::size_t lanes = 8;
   void operator()(const double* x_square, double* out) const {
     double t[lanes], b1[lanes] = {}, b2[lanes] = {};
@@ -51,7 +51,7 @@ class Smoothed {
 // phi(t) = I0(beta sqrt(1 - (2t/q)^2)) / I0(beta), |t| <= q/2 coarse cells, and its Fourier transform (Kaiser and Schafer 1980).
 class Window {
  public:
-  // `fraction`: of the coarse cell's wave number 2 pi, what the smooth part occupies: shape/reach, where cells are square.
+  // fraction: how much of the coarse cell's wave number 2 pi the smooth part occupies; shape/reach, if cells are square.
   Window(int nodes, double fraction);
 
   double operator()(double t) const;

@@ -1,5 +1,5 @@
-// H x where it may overlap the surface. For x >= 0 both parts of H x are sums of what is not negative, so that a point stays
-// apart where the smooth part alone keeps it apart; and so does one that lies apart without any deflection.
+// H x where it may overlap the surface. For x >= 0 the short range adds at least -slack_ to H x, so a point stays apart if the
+// smooth part less slack_ keeps it apart. H has no negative entry, so a point that is apart without deflection stays apart, too.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace rc_split {
 
 namespace {
 
-// Taken off the bound, relative to the largest product: some orders above the error of the products.
+// Added to the slack, relative to the largest product: far above the error of the products.
 constexpr double margin = 1e-9;
 
 class Screen {
@@ -51,8 +51,8 @@ class Screen {
 
   bool looked_at(std::int64_t point) const { return !request_.mask || request_.mask[point]; }
 
-  // The lowest gap of each tile of a row of tiles; least [nx]: of each column of points, scratch. Points one after another: the
-  // gap is read once from memory.
+  // The lowest gap of each tile in a row of tiles. least [nx]: scratch, the lowest gap of each column of points; with it the gap
+  // is read once, in its order in memory.
   void find_lowest(std::int64_t row, double* least, double* lowest) const {
     constexpr double none = std::numeric_limits<double>::infinity();
     std::fill_n(least, nx_, none);
@@ -100,7 +100,7 @@ class Screen {
       if (chosen[static_cast<std::size_t>(tile)]) list.push_back({tile % grid_.nx, tile / grid_.nx});
   }
 
-  // Products of the tiles, some at a time: into y where they are of the domain, compared with the surface elsewhere.
+  // Products at the tiles, a batch at a time: written to y at points of the domain, compared with the surface elsewhere.
   void evaluate(const std::vector<TilePlace>& list) {
     constexpr std::size_t batch = 512;
     Array<double> values(std::min(batch, list.size()) * cells_of_tile);

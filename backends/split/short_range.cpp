@@ -8,7 +8,7 @@ namespace rc_split {
 
 namespace {
 
-// Cells between the nearest cells of tiles that are so many tiles apart.
+// Distance, in cells, of the nearest cells of two tiles that are so many tiles apart.
 std::int64_t nearest(std::int64_t tiles) { return std::max<std::int64_t>(0, tiles * side - side + 1); }
 
 std::int64_t cells_within(double distance, double h) { return static_cast<std::int64_t>(distance / h); }
@@ -32,7 +32,7 @@ Range Range::of_box(std::int64_t tiles_x, std::int64_t tiles_y) {
   return {tiles_x - 1, tiles_y - 1, tiles_y * side, std::vector<std::int64_t>(static_cast<std::size_t>(tiles_y), tiles_x - 1)};
 }
 
-// The offsets up to nx - 1, ny - 1 by value(x, y); 0 beyond.
+// Fills the table with value(x, y) at offsets up to nx - 1, ny - 1, and with 0 beyond.
 template <class T> template <class Value> void ShortRange<T>::fill(std::int64_t nx, std::int64_t ny, const Value& value) {
   mx_ = side * range_.x + side - 1;
   my_ = side * range_.y + side - 1;

@@ -1,4 +1,4 @@
-// The part of H that is summed directly: what the smooth part leaves, up to the cutoff, or all of H within a box.
+// The part of H that is summed directly: all of H within a box, or H less its smooth part, a difference that ends at the cutoff.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace rc_split {
 
-// How far tiles see each other.
+// Which tiles a tile interacts with directly.
 struct Range {
   std::int64_t x = 0, y = 0;        // tiles
   std::int64_t rows = 0;            // cells along y
   std::vector<std::int64_t> width;  // [y + 1]: tiles to either side at so many tiles' distance along y
 
-  // Whatever lies within `distance` of any of a tile's cell centres.
+  // All tiles with a cell centre within `distance` of one of the tile's.
   static Range within(double distance, double hx, double hy);
   static Range of_box(std::int64_t tiles_x, std::int64_t tiles_y);
 };

@@ -1,32 +1,20 @@
 // C functions for bench/native.py: what must be compiled to be timed, and the readers of surface files. Each returns null, or why
 // it failed, which is valid until the thread's next call.
-#include <roughcontact/roughcontact.h>
-
-#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
-#include <memory>
-#include <string>
-#include <thread>
+#include <functional>
 
 #include "formats/surface.h"
-#include "guarded.h"
 #include "padded_product.h"
 
 namespace {
 
 using namespace bench;
 
-// work(thread) on all of them at once.
-template <class Work> void on_threads(int threads, const Work& work) {
-  std::vector<std::jthread> helpers;
-  for (int t = 1; t < threads; ++t) helpers.emplace_back([&, t] { work(t); });
-  work(0);
-}
-
-template <class Real> double time_transform(std::int64_t length, std::int64_t repeats, int threads, double budget) {
+template <class Real> double time_transform(std::int64_t length, std::int64_t repeats, std::int64_t threads, double budget) {
   struct Line {
-    std::unique_ptr<Real[], void (*)(void*)> data{nullptr, fftw_free};
+    FftwArray<Real> data;
     typename Fftw<Real>::Plan plan = nullptr;
   };
   std::vector<Line> lines(static_cast<std::size_t>(threads));
@@ -40,18 +28,30 @@ template <class Real> double time_transform(std::int64_t length, std::int64_t re
     std::fill_n(line.data.get(), 2 * length, Real{0});  // stays zero: values would grow beyond all bounds
   }
   const CallTimes times = time_calls(budget, [&] {
-    on_threads(threads, [&](int t) {
-      for (std::int64_t k = 0; k < repeats; ++k) Fftw<Real>::execute(lines[static_cast<std::size_t>(t)].plan);
+    in_parallel(threads, threads, [&](std::size_t t, std::int64_t, std::int64_t) {
+      for (std::int64_t k = 0; k < repeats; ++k) Fftw<Real>::execute(lines[t].plan);
     });
   });
   for (Line& line : lines) Fftw<Real>::destroy(line.plan);
   return times.best;
 }
 
-struct Padded {
-  std::unique_ptr<PaddedProductIn<double>> in_double;
-  std::unique_ptr<PaddedProductIn<float>> in_single;
+// A padded product whose precision the caller of the C functions does not see.
+struct AnyProduct {
+  double planning_seconds = 0;
+  std::function<CallTimes(std::int64_t points, const double* x, double budget, double* y)> time;
 };
+
+template <class Real> AnyProduct* any_product(std::int64_t n, std::int64_t threads, unsigned effort, double limit) {
+  const auto product = std::make_shared<PaddedProduct<Real>>(n, threads, effort, limit);
+  return new AnyProduct{product->planning_seconds(), [product](std::int64_t points, const double* x, double budget, double* y) {
+                          const std::vector<Real> given(x, x + points);
+                          std::vector<Real> found(given.size());
+                          const CallTimes times = time_calls(budget, [&] { product->multiply(given.data(), found.data()); });
+                          std::copy(found.begin(), found.end(), y);
+                          return times;
+                        }};
+}
 
 }  // namespace
 
@@ -63,69 +63,49 @@ const char* bench_build() {
   return text.c_str();
 }
 
-const char* bench_padded_create(std::int64_t n, int threads, int measure, double limit, int single, void** out,
-                                double* planning) {
+const char* bench_padded_create(std::int64_t n, std::int64_t threads, std::int64_t measure, double limit, std::int64_t single,
+                                void** out, double* planning) {
   return guarded([&] {
-    auto padded = std::make_unique<Padded>();
     const unsigned effort = measure ? FFTW_MEASURE : FFTW_ESTIMATE;
-    if (single)
-      padded->in_single = std::make_unique<PaddedProductIn<float>>(n, threads, effort, limit);
-    else
-      padded->in_double = std::make_unique<PaddedProductIn<double>>(n, threads, effort, limit);
-    *planning = single ? padded->in_single->planning_seconds() : padded->in_double->planning_seconds();
-    *out = padded.release();
+    AnyProduct* const made =
+        single ? any_product<float>(n, threads, effort, limit) : any_product<double>(n, threads, effort, limit);
+    *planning = made->planning_seconds;
+    *out = made;
   });
 }
 
-void bench_padded_destroy(void* padded) { delete static_cast<Padded*>(padded); }
-
 // x and y: [points]; times: best and median
-const char* bench_padded_time(void* handle, std::int64_t points, const double* x, double budget, double* times, double* y) {
+const char* bench_padded_time(void* product, std::int64_t points, const double* x, double budget, double* times, double* y) {
   return guarded([&] {
-    Padded& padded = *static_cast<Padded*>(handle);
-    CallTimes calls;
-    if (padded.in_single) {
-      const std::vector<float> given(x, x + points);
-      std::vector<float> product(given.size());
-      calls = time_calls(budget, [&] { padded.in_single->multiply(given.data(), product.data()); });
-      std::copy(product.begin(), product.end(), y);
-    } else {
-      calls = time_calls(budget, [&] { padded.in_double->multiply(x, y); });
-    }
+    const CallTimes calls = static_cast<AnyProduct*>(product)->time(points, x, budget, y);
     times[0] = calls.best;
     times[1] = calls.median;
   });
 }
 
 // Seconds of a = b + s c with n values.
-const char* bench_time_triad(std::int64_t n, int threads, double budget, double* seconds) {
+const char* bench_time_triad(std::int64_t n, std::int64_t threads, double budget, double* seconds) {
   return guarded([&] {
     const auto array = [n] { return std::unique_ptr<double[]>(new double[static_cast<std::size_t>(n)]); };
     const std::unique_ptr<double[]> a = array(), b = array(), c = array();
-    const auto share = [&](int t, const auto& body) {
-      double *const x = a.get(), *const y = b.get(), *const z = c.get();
-      for (std::int64_t i = n * t / threads; i < n * (t + 1) / threads; ++i) body(x[i], y[i], z[i]);
-    };
-    on_threads(threads, [&](int t) {
-      share(t, [](double& x, double& y, double& z) {
-        x = 0;
-        y = 1;
-        z = 2;
-      });
+    in_parallel(n, threads, [&](std::size_t, std::int64_t first, std::int64_t last) {
+      std::fill(a.get() + first, a.get() + last, 0.0);
+      std::fill(b.get() + first, b.get() + last, 1.0);
+      std::fill(c.get() + first, c.get() + last, 2.0);
     });
-    *seconds = time_calls(budget, [&] {
-                 on_threads(threads, [&](int t) { share(t, [](double& x, double y, double z) { x = y + 3 * z; }); });
-               }).best;
+    *seconds =
+        time_calls(budget, [&] {
+          in_parallel(n, threads, [x = a.get(), y = b.get(), z = c.get()](std::size_t, std::int64_t first, std::int64_t last) {
+            for (std::int64_t i = first; i < last; ++i) x[i] = y[i] + 3 * z[i];
+          });
+        }).best;
   });
 }
 
 // Seconds of `repeats` complex transforms on every thread, each on one line in the cache.
-const char* bench_time_transform(std::int64_t length, std::int64_t repeats, int threads, double budget, int single,
-                                 double* seconds) {
-  return guarded([&] {
-    *seconds = single ? time_transform<float>(length, repeats, threads, budget)
-                      : time_transform<double>(length, repeats, threads, budget);
-  });
+const char* bench_time_transform(std::int64_t length, std::int64_t repeats, std::int64_t threads, double budget,
+                                 std::int64_t single, double* seconds) {
+  return guarded([&] { *seconds = (single ? time_transform<float> : time_transform<double>)(length, repeats, threads, budget); });
 }
 
 // shape: nx, ny; pitch: hx, hy, 1 where the file does not say [m]; heights: [ny][nx] [m], the caller frees them

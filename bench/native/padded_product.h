@@ -4,16 +4,10 @@
 #include <fftw3.h>
 #include <roughcontact/roughcontact.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <memory>
-#include <new>
 #include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
 
-#include "stopwatch.h"
+#include "common.h"
 
 namespace bench {
 
@@ -37,97 +31,81 @@ RC_FFTW(double, fftw);
 RC_FFTW(float, fftwf);
 #undef RC_FFTW
 
-inline rc_status check(rc_status status) {
+struct FftwFree {
+  void operator()(void* data) const { fftw_free(data); }
+};
+template <class Real> using FftwArray = std::unique_ptr<Real[], FftwFree>;
+
+inline void check(rc_status status) {
   if (status < 0) throw std::runtime_error(std::string(rc_status_name(status)) + ": " + rc_last_error());
-  return status;
 }
 
-// work(first, last) on equal shares of the rows.
-template <class Work> void share_rows(std::int64_t rows, int threads, const Work& work) {
-  std::vector<std::jthread> helpers;
-  for (int t = 1; t < threads; ++t) helpers.emplace_back([&, t] { work(rows * t / threads, rows * (t + 1) / threads); });
-  work(0, rows / threads);
-}
+template <class Real> class PaddedProduct {
+  using Library = Fftw<Real>;
 
-template <class Real> class PaddedProductIn {
  public:
   // Dimensionless Love kernel. effort: FFTW_ESTIMATE, or FFTW_MEASURE for at most `limit` seconds of planning.
-  PaddedProductIn(std::int64_t n, int threads, unsigned effort, double limit);
-  ~PaddedProductIn();
-  PaddedProductIn(const PaddedProductIn&) = delete;
-  PaddedProductIn& operator=(const PaddedProductIn&) = delete;
-  void multiply(const Real* x, Real* y);
+  PaddedProduct(std::int64_t n, std::int64_t threads, unsigned effort, double limit)
+      : n_(n), threads_(threads), grid_(Library::alloc_real(static_cast<std::size_t>(2 * n * width_))) {
+    if (!grid_) throw std::bad_alloc();
+    const auto start = Clock::now();
+    Library::init_threads();
+    Library::plan_with_threads(static_cast<int>(threads));
+    Library::set_time_limit(limit / 2);
+    const int length = static_cast<int>(2 * n);
+    auto* const complex = reinterpret_cast<typename Library::Complex*>(grid_.get());
+    forward_ = Library::plan_real_2d(length, length, grid_.get(), complex, effort);
+    backward_ = Library::plan_real_back_2d(length, length, complex, grid_.get(), effort);
+    if (!forward_ || !backward_) throw std::runtime_error("FFTW made no plan");
+    planning_seconds_ = seconds_since(start);
+    std::vector<double> kernel(static_cast<std::size_t>(half_ * half_));
+    check(rc_kernel_coefficients("love", 1, 1, half_, half_, kernel.data()));
+    for (std::int64_t iy = 0; iy < 2 * n; ++iy)
+      for (std::int64_t ix = 0; ix < 2 * n; ++ix)
+        grid_[static_cast<std::size_t>(iy * width_ + ix)] =
+            static_cast<Real>(kernel[static_cast<std::size_t>(std::min(iy, 2 * n - iy) * half_ + std::min(ix, 2 * n - ix))]);
+    Library::execute(forward_);
+    const Real scale = 1 / static_cast<Real>(4 * n * n);
+    for (std::size_t i = 0; i < eigenvalues_.size(); ++i) eigenvalues_[i] = scale * grid_[2 * i];
+  }
+  ~PaddedProduct() {
+    Library::destroy(forward_);
+    Library::destroy(backward_);
+  }
+  PaddedProduct(const PaddedProduct&) = delete;
+  PaddedProduct& operator=(const PaddedProduct&) = delete;
+
+  void multiply(const Real* x, Real* y) {
+    Real* const grid = grid_.get();
+    in_parallel(2 * n_, threads_, [&](std::size_t, std::int64_t first, std::int64_t last) {
+      for (std::int64_t iy = first; iy < last; ++iy) {
+        const std::int64_t given = iy < n_ ? n_ : 0;
+        std::copy_n(x + iy * given, given, grid + iy * width_);
+        std::fill(grid + iy * width_ + given, grid + (iy + 1) * width_, Real{0});
+      }
+    });
+    Library::execute(forward_);
+    in_parallel(2 * n_ * half_, threads_, [&](std::size_t, std::int64_t first, std::int64_t last) {
+      for (std::int64_t i = first; i < last; ++i) {
+        const Real factor = eigenvalues_[static_cast<std::size_t>(i)];
+        grid[2 * i] *= factor;
+        grid[2 * i + 1] *= factor;
+      }
+    });
+    Library::execute(backward_);
+    in_parallel(n_, threads_, [&](std::size_t, std::int64_t first, std::int64_t last) {
+      for (std::int64_t iy = first; iy < last; ++iy) std::copy_n(grid + iy * width_, n_, y + iy * n_);
+    });
+  }
+
   double planning_seconds() const { return planning_seconds_; }
 
  private:
-  void make_eigenvalues();
-
-  const std::int64_t n_, half_ = n_ + 1, width_ = 2 * half_;  // 2n rows of half_ complex numbers, in place of 2n real ones
-  const int threads_;
-  std::unique_ptr<Real[], void (*)(void*)> grid_{nullptr, fftw_free};
-  std::vector<Real> eigenvalues_;  // [2n][half_], real because the kernel is symmetric
-  typename Fftw<Real>::Plan forward_ = nullptr, backward_ = nullptr;
+  const std::int64_t n_, threads_, half_ = n_ + 1, width_ = 2 * half_;  // 2n rows of half_ complex numbers, in place of 2n real
+  FftwArray<Real> grid_;
+  std::vector<Real> eigenvalues_ = std::vector<Real>(static_cast<std::size_t>(2 * n_ * half_));  // the kernel is symmetric: real
+  typename Library::Plan forward_ = nullptr, backward_ = nullptr;
   double planning_seconds_ = 0;
 };
-
-template <class Real>
-PaddedProductIn<Real>::PaddedProductIn(std::int64_t n, int threads, unsigned effort, double limit)
-    : n_(n), threads_(threads), eigenvalues_(static_cast<std::size_t>(2 * n * (n + 1))) {
-  grid_.reset(Fftw<Real>::alloc_real(static_cast<std::size_t>(2 * n_ * width_)));
-  if (!grid_) throw std::bad_alloc();
-  const auto start = Clock::now();
-  Fftw<Real>::init_threads();
-  Fftw<Real>::plan_with_threads(threads);
-  Fftw<Real>::set_time_limit(limit / 2);
-  const int length = static_cast<int>(2 * n);
-  auto* const complex = reinterpret_cast<typename Fftw<Real>::Complex*>(grid_.get());
-  forward_ = Fftw<Real>::plan_real_2d(length, length, grid_.get(), complex, effort);
-  backward_ = Fftw<Real>::plan_real_back_2d(length, length, complex, grid_.get(), effort);
-  if (!forward_ || !backward_) throw std::runtime_error("FFTW made no plan");
-  planning_seconds_ = seconds_since(start);
-  make_eigenvalues();
-}
-
-template <class Real> PaddedProductIn<Real>::~PaddedProductIn() {
-  Fftw<Real>::destroy(forward_);
-  Fftw<Real>::destroy(backward_);
-}
-
-template <class Real> void PaddedProductIn<Real>::make_eigenvalues() {
-  std::vector<double> kernel(static_cast<std::size_t>((n_ + 1) * (n_ + 1)));
-  check(rc_kernel_coefficients("love", 1, 1, n_ + 1, n_ + 1, kernel.data()));
-  for (std::int64_t iy = 0; iy < 2 * n_; ++iy)
-    for (std::int64_t ix = 0; ix < 2 * n_; ++ix)
-      grid_[static_cast<std::size_t>(iy * width_ + ix)] =
-          static_cast<Real>(kernel[static_cast<std::size_t>(std::min(iy, 2 * n_ - iy) * (n_ + 1) + std::min(ix, 2 * n_ - ix))]);
-  Fftw<Real>::execute(forward_);
-  const Real scale = 1 / static_cast<Real>(4 * n_ * n_);
-  for (std::size_t i = 0; i < eigenvalues_.size(); ++i) eigenvalues_[i] = scale * grid_[2 * i];
-}
-
-template <class Real> void PaddedProductIn<Real>::multiply(const Real* x, Real* y) {
-  Real* const grid = grid_.get();
-  share_rows(2 * n_, threads_, [&](std::int64_t first, std::int64_t last) {
-    for (std::int64_t iy = first; iy < last; ++iy) {
-      const std::int64_t given = iy < n_ ? n_ : 0;
-      std::copy_n(x + iy * given, given, grid + iy * width_);
-      std::fill(grid + iy * width_ + given, grid + (iy + 1) * width_, Real{0});
-    }
-  });
-  Fftw<Real>::execute(forward_);
-  share_rows(2 * n_, threads_, [&](std::int64_t first, std::int64_t last) {
-    for (std::int64_t i = first * half_; i < last * half_; ++i) {
-      const Real factor = eigenvalues_[static_cast<std::size_t>(i)];
-      grid[2 * i] *= factor;
-      grid[2 * i + 1] *= factor;
-    }
-  });
-  Fftw<Real>::execute(backward_);
-  share_rows(n_, threads_, [&](std::int64_t first, std::int64_t last) {
-    for (std::int64_t iy = first; iy < last; ++iy) std::copy_n(grid + iy * width_, n_, y + iy * n_);
-  });
-}
-
-using PaddedProduct = PaddedProductIn<double>;
 
 }  // namespace bench

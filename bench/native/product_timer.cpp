@@ -1,33 +1,11 @@
 // Times y = H[T,T] x through the public plugin interface: a solver that multiplies instead of solving.
 #include <roughcontact/plugin.h>
 
-#include <algorithm>
-#include <memory>
-#include <vector>
-
-#include "guarded.h"
 #include "padded_product.h"
-#include "stopwatch.h"
-
-namespace bench {
 
 namespace {
 
-struct ProductSetup {
-  const char* backend = "auto";
-  const char* planning = "";  // of backend fft; empty: its default
-  int threads = 1;
-  double budget = 0.3;  // seconds to spend, three products at least
-  bool single = false;  // precision
-  double share = 1;     // of the trial set that carries pressure, the deepest points
-};
-
-struct ProductTimes {
-  CallTimes calls;
-  double first = 0;  // seconds of the first product, with the set-up
-  std::int64_t points = 0, contacts = 0;
-  std::vector<double> y;  // the last product
-};
+using namespace bench;
 
 template <class Handle, void (*destroy)(Handle*), class Create> auto made(const Create& create) {
   Handle* handle = nullptr;
@@ -35,41 +13,43 @@ template <class Handle, void (*destroy)(Handle*), class Create> auto made(const 
   return std::unique_ptr<Handle, decltype([](Handle* each) { destroy(each); })>(handle);
 }
 
-// rc_solver::solve has no user pointer.
-thread_local ProductSetup setup;
-thread_local ProductTimes found;
+// What is asked of the timer and what it found; rc_solver::solve has no user pointer.
+thread_local struct {
+  double budget;  // seconds to spend, three products at least
+  bool single;    // precision
+  double share;   // of the trial set that carries pressure, the deepest points
+  CallTimes calls;
+  double first;  // seconds of the first product, with the set-up
+  std::int64_t points, contacts;
+  std::vector<double> y;  // the last product
+} timed;
 
 rc_status multiply(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
   const auto n = static_cast<std::size_t>(problem->n);
-  if (setup.single && !problem->apply_float) return RC_ERR_INCOMPATIBLE;
+  if (timed.single && !problem->apply_float) return RC_ERR_INCOMPATIBLE;
   std::vector<double> x(problem->u, problem->u + n);
-  if (setup.share < 1) {
+  if (timed.share < 1) {
     std::vector<double> sorted = x;
-    const auto level = sorted.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(n) * (1 - setup.share));
+    const auto level = sorted.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(n) * (1 - timed.share));
     std::nth_element(sorted.begin(), level, sorted.end());
     for (double& value : x) value = std::max(0.0, value - *level);
   }
-  found.points = problem->n;
-  found.contacts = problem->n - std::count(x.begin(), x.end(), 0.0);
-  found.y.resize(n);
+  timed.points = problem->n;
+  timed.contacts = problem->n - std::count(x.begin(), x.end(), 0.0);
+  const std::vector<float> given(x.begin(), x.end());
+  std::vector<float> product(n);
+  timed.y.resize(n);
   rc_status status = RC_OK;
-  const auto start = Clock::now();
-  const auto timed = [&](const auto& product) {
-    const auto call = [&] {
-      if (status == RC_OK) status = product();
-    };
-    call();
-    found.first = seconds_since(start);
-    found.calls = time_calls(setup.budget, call);
+  const auto call = [&] {
+    if (status == RC_OK)
+      status = timed.single ? problem->apply_float(problem, given.data(), product.data())
+                            : problem->apply(problem, x.data(), timed.y.data());
   };
-  if (setup.single) {
-    const std::vector<float> single(x.begin(), x.end());
-    std::vector<float> y(n);
-    timed([&] { return problem->apply_float(problem, single.data(), y.data()); });
-    std::copy(y.begin(), y.end(), found.y.begin());
-  } else {
-    timed([&] { return problem->apply(problem, x.data(), found.y.data()); });
-  }
+  const auto start = Clock::now();
+  call();
+  timed.first = seconds_since(start);
+  timed.calls = time_calls(timed.budget, call);
+  if (timed.single) timed.y.assign(product.begin(), product.end());
   return status == RC_OK ? RC_STOP_CANCELLED : status;
 }
 
@@ -80,49 +60,40 @@ const rc_solver* const solvers[] = {&timer};
 const rc_plugin plugin = {
     sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "product-timer", "1", 0, 1, nullptr, solvers};
 
-// T is the trial set of this gap and approach. x is the compenetration over T, and with a share below 1 its excess over what the
-// other points have.
-ProductTimes time_products(const rc_system& system, const double* gap, double approach, const ProductSetup& wanted) {
-  const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
-  check(rc_context_register(context.get(), &plugin));
-  const auto options = made<rc_options, rc_options_destroy>([&](auto** out) { return rc_options_create(context.get(), out); });
-  check(rc_options_parse(options.get(), RC_OPT_SOLVER, timer.name));
-  check(rc_options_parse(options.get(), RC_OPT_BACKEND, wanted.backend));
-  check(rc_options_set_int(options.get(), RC_OPT_THREADS, wanted.threads));
-  const std::string planning = wanted.planning;
-  if (planning == "measure") check(rc_options_set_int(options.get(), RC_OPT_DETERMINISTIC, 0));
-  if (!planning.empty()) check(rc_options_parse(options.get(), "fft.planning", planning.c_str()));
-  const auto contact =
-      made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(&system, options.get(), out); });
-  rc_step step = RC_STEP_INIT;
-  step.gap = gap;
-  step.target = approach;
-  rc_result result;
-  rc_result_init(&result);
-  setup = wanted;
-  found = {};
-  check(rc_contact_solve(contact.get(), &step, &result));
-  return std::move(found);
-}
-
 }  // namespace
-
-}  // namespace bench
 
 extern "C" {
 
-// times: best, median and first; counts: products, points of the trial set, points with pressure; y: [points], or null
+// T is the trial set of this gap and approach. x is the compenetration over T, and with a share below 1 its excess over what the
+// other points have. planning: of backend fft; empty: its default. times: best, median and first; counts: products, points of the
+// trial set, points with pressure; y: [points], or null.
 const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
-                                const char* planning, int threads, double budget, int single, double share, double* times,
-                                std::int64_t* counts, double* y) {
-  return bench::guarded([&] {
-    const bench::ProductTimes found =
-        bench::time_products(*system, gap, approach, {backend, planning, threads, budget, single != 0, share});
-    const double seconds[] = {found.calls.best, found.calls.median, found.first};
-    const std::int64_t numbers[] = {found.calls.count, found.points, found.contacts};
+                                const char* planning, std::int64_t threads, double budget, std::int64_t single, double share,
+                                double* times, std::int64_t* counts, double* y) {
+  return guarded([&] {
+    const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
+    check(rc_context_register(context.get(), &plugin));
+    const auto options = made<rc_options, rc_options_destroy>([&](auto** out) { return rc_options_create(context.get(), out); });
+    check(rc_options_parse(options.get(), RC_OPT_SOLVER, timer.name));
+    check(rc_options_parse(options.get(), RC_OPT_BACKEND, backend));
+    check(rc_options_set_int(options.get(), RC_OPT_THREADS, threads));
+    if (std::string(planning) == "measure") check(rc_options_set_int(options.get(), RC_OPT_DETERMINISTIC, 0));
+    if (*planning) check(rc_options_parse(options.get(), "fft.planning", planning));
+    const auto contact =
+        made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
+    rc_step step = RC_STEP_INIT;
+    step.gap = gap;
+    step.target = approach;
+    rc_result result;
+    rc_result_init(&result);
+    timed = {budget, single != 0, share, {}, 0, 0, 0, {}};
+    check(rc_contact_solve(contact.get(), &step, &result));
+    const double seconds[] = {timed.calls.best, timed.calls.median, timed.first};
+    const std::int64_t numbers[] = {timed.calls.count, timed.points, timed.contacts};
     std::copy_n(seconds, 3, times);
     std::copy_n(numbers, 3, counts);
-    if (y) std::copy(found.y.begin(), found.y.end(), y);
+    if (y) std::copy(timed.y.begin(), timed.y.end(), y);
+    timed.y = {};
   });
 }
 

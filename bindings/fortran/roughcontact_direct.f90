@@ -23,7 +23,6 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     type(rc_direct) :: answer
-    real(c_double) :: limit
     integer(c_int64_t) :: n, most
     integer(rc_status) :: status
     logical :: fits
@@ -34,17 +33,12 @@ contains
       call rcf_refuse(RC_ERR_SHAPE, 'rcf_direct: give H(n, n), u(n), p(n) and w(n)', stat, errmsg)
       return
     end if
-    if (present(tol)) then
-      limit = tol
-    else
-      limit = rcf_option_default(RC_OPT_TOL)
-    end if
     if (present(max_iter)) then
       most = max_iter
     else
       most = int(rcf_option_default(RC_OPT_MAX_ITER), c_int64_t)
     end if
-    status = routine(n, H, n, u, p, w, limit, most, answer)
+    status = routine(n, H, n, u, p, w, rcf_option_default(RC_OPT_TOL, tol), most, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine
@@ -64,19 +58,13 @@ contains
     type(rc_direct) :: answer
     character(:, kind=c_char), allocatable :: name
     integer(rc_status) :: status
-    real(c_double) :: h
     if (any(shape(p) /= shape(heights))) then
       call rcf_refuse(RC_ERR_SHAPE, 'rcf_cmr: heights and p have different shapes', stat, errmsg)
       return
     end if
-    if (present(radius)) then
-      h = radius
-    else
-      h = rcf_option_default('cmr.radius')
-    end if
     if (present(inner)) name = rc_to_c(inner)
     status = rc_cmr(size(heights, 1, c_int64_t), size(heights, 2, c_int64_t), hx, hy, modulus, heights, displacement, &
-      int(levels, c_int64_t), h, name, p, answer)
+      int(levels, c_int64_t), rcf_option_default('cmr.radius', radius), name, p, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine

@@ -1,4 +1,5 @@
-! The functions of <roughcontact/roughcontact.h>, name for name; units, rules and errors are described there.
+! The functions of <roughcontact/roughcontact.h>, name for name; units, rules and errors are described there. Those that write
+! the values of the RC_..._INIT macros are left out: variables of the types begin with these values.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed
 ! as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)
@@ -17,32 +18,8 @@ module roughcontact_functions
     end function
     type(c_ptr) function rc_last_error() bind(c); import
     end function
-    subroutine rc_system_init(system, struct_size) bind(c); import
-      type(rc_system), intent(inout) :: system
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_step_init(step, struct_size) bind(c); import
-      type(rc_step), intent(inout) :: step
-      integer(c_size_t), value :: struct_size
-    end subroutine
     subroutine rc_result_init(result, struct_size) bind(c); import
       type(rc_result), intent(inout) :: result
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_context_config_init(config, struct_size) bind(c); import
-      type(rc_context_config), intent(inout) :: config
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_path_init(path, struct_size) bind(c); import
-      type(rc_path), intent(inout) :: path
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_batch_init(batch, struct_size) bind(c); import
-      type(rc_batch), intent(inout) :: batch
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_state_init(state, struct_size) bind(c); import
-      type(rc_state), intent(inout) :: state
       integer(c_size_t), value :: struct_size
     end subroutine
     subroutine rc_level_init(level, struct_size) bind(c); import
@@ -55,14 +32,6 @@ module roughcontact_functions
     end subroutine
     subroutine rc_area_init(area, struct_size) bind(c); import
       type(rc_area), intent(inout) :: area
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_patches_init(patches, struct_size) bind(c); import
-      type(rc_patches), intent(inout) :: patches
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_histogram_init(histogram, struct_size) bind(c); import
-      type(rc_histogram), intent(inout) :: histogram
       integer(c_size_t), value :: struct_size
     end subroutine
     integer(rc_status) function rc_context_create(config, out) bind(c); import

@@ -150,13 +150,18 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
-  ! What an option is where nobody sets it, real or integer.
-  function rcf_option_default(key) result(value)
+  ! `given`, or where it is absent what an option is where nobody sets it, real or integer.
+  function rcf_option_default(key, given) result(value)
     character(*), intent(in) :: key
+    real(c_double), intent(in), optional :: given
     real(c_double) :: value
     type(c_ptr) :: options
     integer(c_int64_t) :: whole
     value = 0
+    if (present(given)) then
+      value = given
+      return
+    end if
     options = c_null_ptr
     if (rc_options_create(c_null_ptr, options) /= RC_OK) return
     whole = 0

@@ -10,7 +10,7 @@ using namespace rc;
 
 rc_options options_or_defaults(const rc_options* options) { return options ? *options : rc_options{Context::standard(), {}}; }
 
-// One thread at a time: a second one is told so instead of racing.
+// One thread at a time: a second thread gets an error instead of a race.
 template <class Body> rc_status exclusively(const char* where, rc_contact* contact, const Body& body) {
   return guard(where, [&] {
     if (!contact) fail(RC_ERR_ARGUMENT, "contact is null");

@@ -11,7 +11,7 @@ template <class Number> void give(Number* to, Number value) {
   if (to) *to = value;
 }
 
-// As much of the struct as the caller knows; what a newer caller knows beyond it is zero.
+// Writes as much of the struct as the caller knows. What a newer caller knows beyond it becomes zero.
 template <class Struct> void begin(Struct* to, std::size_t struct_size, Struct value) {
   if (!to || struct_size < sizeof value.struct_size) return;
   value.struct_size = struct_size;
@@ -33,7 +33,7 @@ void rc_version(int32_t* major, int32_t* minor, int32_t* patch, int32_t* abi) {
 
 const char* rc_last_error(void) { return rc::last_message(); }
 
-// Parentheses: the header has macros of the same names.
+// Parentheses, because the header has macros of the same names.
 void(rc_system_init)(rc_system* system, size_t struct_size) { begin<rc_system>(system, struct_size, RC_SYSTEM_INIT); }
 void(rc_step_init)(rc_step* step, size_t struct_size) { begin<rc_step>(step, struct_size, RC_STEP_INIT); }
 void(rc_result_init)(rc_result* result, size_t struct_size) {

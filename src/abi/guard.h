@@ -11,7 +11,7 @@ namespace rc {
 
 template <class Body> rc_status guard(const char* where, const Body& body) {
   clear_message();
-  // Free of allocations: it may be the allocation that failed.
+  // Allocates nothing, because an allocation may be what failed.
   const auto failed = [&](rc_status code, const char* what) {
     set_message(where, what);
     return code;

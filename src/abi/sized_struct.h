@@ -1,4 +1,4 @@
-// Structs that grow: what an older or newer caller hands over, as today's struct, and back.
+// Structs that grow: converts between an older or newer caller's struct and today's.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ template <class Struct> void check_size(const Struct* from, const char* name) {
     fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, " is smaller than ", first_size<Struct>, "; set it to sizeof(", name,
          ")");
   const auto* bytes = reinterpret_cast<const unsigned char*>(from);
-  // A size beyond any plausible growth is an uninitialised field, and must not be read through.
+  // A size beyond any plausible growth is an uninitialised field; so much must not be read.
   if (size > sizeof(Struct) + 4096)
     fail(RC_ERR_ARGUMENT, name, ".struct_size = ", size, " is larger than ", sizeof(Struct) + 4096, "; set it to sizeof(", name,
          ")");
@@ -42,7 +42,7 @@ template <class Struct> void check_size(const Struct* from, const char* name) {
            " known to this library are set; a newer library is needed");
 }
 
-// Members that an older caller does not know keep the values of `defaults`.
+// Reads a caller's struct. Members that an older caller does not know keep the values of `defaults`.
 template <class Struct> Struct read(const Struct* from, const char* name, const Struct& defaults) {
   check_size(from, name);
   Struct copy = defaults;

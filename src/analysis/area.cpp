@@ -1,6 +1,6 @@
-// Cells that the border of the contact crosses count as a whole. The smaller part of a cell that a random line cuts has a mean
-// area of (pi - 1 + ln 2) / (6 pi) cells, and a border as long as a cell has 4 / pi edges of cells on average: Yastrebov, Anciaux
-// & Molinari, Tribology International 114 (2017) 161.
+// The grid overrates the area, because cells that the border of the contact crosses count as a whole. A random line cuts a cell
+// in two; the smaller part has a mean area of (pi - 1 + ln 2) / (6 pi) cells. A border as long as a cell has 4 / pi edges of
+// cells on average. Yastrebov, Anciaux & Molinari, Tribology International 114 (2017) 161.
 #include "analysis/area.h"
 
 #include <numbers>

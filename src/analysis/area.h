@@ -1,4 +1,4 @@
-// Contact area, perimeter, and the area without what the grid adds to it.
+// Contact area, perimeter, and the area corrected for what the grid adds.
 #pragma once
 
 #include "analysis/contact_map.h"

@@ -20,7 +20,7 @@ ContactMap::ContactMap(const rc_system& system, const double* p, const std::uint
   for (std::int64_t i = 0; i < points(); ++i) {
     if (!included(i)) continue;
     if (!std::isfinite(p[i])) fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " is not finite");
-    if (p[i] < 0) fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " must be >= 0: what pulls is no contact pressure");
+    if (p[i] < 0) fail(RC_ERR_ARGUMENT, "p[", i, "] = ", p[i], " must be >= 0: contact pressures do not pull");
   }
 }
 

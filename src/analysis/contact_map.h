@@ -1,4 +1,4 @@
-// Which cells of a grid are in contact, and what borders them.
+// Which cells of a grid are in contact, and the edges around them.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
@@ -7,10 +7,10 @@
 
 namespace rc {
 
-// Edges between cells in contact and others.
+// Edges between a cell in contact and one that is not.
 struct Edges {
   std::int64_t along_x = 0, along_y = 0;  // parallel to x and to y
-  std::int64_t front = 0;                 // of both, those towards cells that could be in contact
+  std::int64_t front = 0;                 // of both, those towards a cell of the grid that is not masked
 
   double length(const rc_system& system) const {
     return static_cast<double>(along_x) * system.hx + static_cast<double>(along_y) * system.hy;
@@ -31,7 +31,7 @@ class ContactMap {
   double pressure(std::int64_t i) const { return p_[i]; }
   bool included(std::int64_t i) const { return !mask_ || mask_[i] != 0; }
   bool touches(std::int64_t i) const { return included(i) && p_[i] > 0; }
-  // Of the cell at column ix, row iy, which is in contact.
+  // The edges of the cell at column ix, row iy, which must be in contact.
   Edges edges(std::int64_t ix, std::int64_t iy) const;
 
  private:

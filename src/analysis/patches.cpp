@@ -1,5 +1,5 @@
-// Hoshen & Kopelman (Physical Review B 14 (1976) 3438), with runs of cells in place of cells: rows are cut into runs in contact,
-// those that touch are joined by union by size with path halving.
+// Hoshen & Kopelman (Physical Review B 14 (1976) 3438), with runs in place of cells: each row is cut into runs of cells in
+// contact, and runs that touch are joined, by union by size with path halving.
 #include "analysis/patches.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ class Runs {
   Index end(Index row) const { return first_[row + 1]; }
   const Run& operator[](Index run) const { return runs_[run]; }
 
-  // Joins what touches in two neighbouring rows. reach 1: across corners as well.
+  // Joins runs of two neighbouring rows that touch. reach 1: across corners as well.
   void join_rows(Index a_row, Index b_row, std::int64_t reach, Sets& sets) const {
     Index a = begin(a_row), b = begin(b_row);
     while (a < end(a_row) && b < end(b_row)) {
@@ -83,7 +83,7 @@ class Runs {
  private:
   std::int64_t nx_;
   std::vector<Run> runs_;
-  std::vector<Index> first_;  // run of each row, and their number
+  std::vector<Index> first_;  // the first run of each row; at the end the number of runs
 };
 
 Sets joined(const Runs& runs, bool corners, bool periodic) {
@@ -123,7 +123,7 @@ std::int64_t find_patches(const ContactMap& map, const rc_patches& out) {
 
   const Runs runs(map);
   Sets sets = joined(runs, out.neighbours == 8, map.periodic());
-  // Numbered as their first runs come.
+  // Patches are numbered in the order of their first runs.
   constexpr std::int64_t none = -1;
   std::vector<std::int64_t> number(runs.count(), none);
   std::vector<Patch> patches;

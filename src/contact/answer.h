@@ -1,4 +1,4 @@
-// What a step finds before it is certified, and what it may start from.
+// The answer of a step before it is certified, and the estimate that it may start from.
 #pragma once
 
 #include <limits>
@@ -20,8 +20,8 @@ struct Answer {
   double length_unit = 1;                                   // [length]
   double pressure_unit = 1;                                 // [force/length^2]
   double compression = 0;                                   // [length] approach less the lowest gap
-  double limit = -std::numeric_limits<double>::infinity();  // [length] the trial set holds every point of a smaller height
-  std::optional<Deflected> checked;                         // H p over all points, where the operator screened them
+  double limit = -std::numeric_limits<double>::infinity();  // [length] every point below this height is in the trial set
+  std::optional<Deflected> checked;                         // H p where it matters, if the operator screened all points
   bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
 
@@ -32,9 +32,9 @@ struct Answer {
   }
 };
 
-// What a coarser grid or an earlier step tells of a solution.
+// An estimate of the solution, from a coarser grid or an earlier step.
 struct Estimate {
-  Pressures pressures;  // of the points that carry some
+  Pressures pressures;  // on the points in contact
   double approach = 0;  // [length]
 };
 

@@ -1,4 +1,4 @@
-// What a handle holds: the contact on the given grid, its accuracy goal, which coarser grids may meet, and which thread uses it.
+// What a handle holds: the contact on the given grid, the accuracy goal with its coarser grids, and whether a thread is using it.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
@@ -25,13 +25,13 @@ class Contact {
   rc_status certify(const rc_step& step, rc_result& result);
 
   void reset();
-  // The next answer has the bits of a new contact's. What all contacts of the system share stays.
+  // Afterwards the next answer has the bits of a new contact's. Facts that are the same for all contacts of the system stay.
   void forget();
-  // As after the steps described, which this contact or another has solved. Throws Error(ARGUMENT).
+  // Restores the state after the steps described, which this contact or another has solved. Throws Error(ARGUMENT).
   void restore(const rc_state& state);
 
   void cancel() { grid_.cancel(); }
-  // While it lives a cancellation is kept: it ends the running solve, or else the next one. Its destructor clears it.
+  // While it lives, a cancellation ends the running solve or the next one. Its destructor clears the cancellation.
   class Cancellation {
    public:
     explicit Cancellation(Contact& contact) : contact_(contact) {}
@@ -46,7 +46,7 @@ class Contact {
   // One step of a history, within a Cancellation.
   void begin(const rc_step& step);
   rc_status solve_begun(const rc_step& step, rc_result& result);
-  // Whether results carry the stiffness; returns whether they did.
+  // Sets whether results carry the stiffness. Returns whether they did before.
   bool ask_stiffness(bool wanted);
 
   // True for the one thread that may use the contact now.

@@ -1,4 +1,4 @@
-// What option accuracy asks for.
+// The accuracy goal: what the option accuracy asks for.
 #pragma once
 
 #include "registry/options_handle.h"
@@ -9,7 +9,7 @@ struct Goal {
   double error = 0;  // relative; 0: none
   bool of_area = false;
 
-  // The tolerance that leaves the goal to the grid. Contact areas count points, some of which carry next to nothing.
+  // A tolerance far below the goal. Areas need a smaller one: they count points, some of which carry hardly any pressure.
   double tol() const { return error / (of_area ? 1000 : 100); }
 };
 inline Goal goal_of(const rc_options& options) {

@@ -20,7 +20,7 @@ std::int32_t pass_on(const rc_progress* progress, void* monitor) {
   return monitor_of(monitor).ask() != RC_OK || monitor_of(monitor).report(*progress) != 0;
 }
 
-// The surface as this step describes it; nothing where it is that of the step before.
+// The surface that this step describes; nothing where it keeps that of the step before.
 std::optional<StepSurface> given_surface(const rc_step& step, const Workspace& work) {
   const auto n = static_cast<std::size_t>(work.system.points());
   if (!step.gap && work.surface.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");

@@ -1,4 +1,4 @@
-// A contact on one grid: it solves steps, and remembers the last two that are certified. Coarser grids are such contacts, too.
+// A contact on one grid. It solves steps and remembers the last two that are certified. Coarser grids are such contacts, too.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ struct Finished;
 
 class GridContact {
  public:
-  // team: null, or one to work with instead of its own.
+  // team: null, or a team to use instead of its own.
   GridContact(const rc_system& system, const rc_options& options, const rc_team* team) : work_(system, options, team) {}
 
   Workspace& work() { return work_; }
@@ -25,29 +25,29 @@ class GridContact {
 
   void set_options(const rc_options& options) { work_.set_options(options); }
   void on_progress(const ProgressCallback& progress) { progress_ = progress; }
-  // It stops where the monitor of a finer grid says so; with `report` that grid's caller sees its progress. Both must outlive it.
+  // Solves stop when a finer grid's monitor says so, which must outlive them; with `report` its caller sees their progress.
   void watched_by(const Monitor& monitor, bool report);
   Monitor monitor() const;
 
   // Checks the step and takes its surface; a step that is refused changes nothing.
   void begin(const rc_step& step);
-  // Of a step that has begun. nearer: what a coarser grid tells.
+  // Solves a step that has begun. nearer: the estimate of a coarser grid.
   rc_status solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer = std::nullopt);
   rc_status solve(const rc_step& step, rc_result& result);
-  // Of the pressures in result.p.
+  // Certifies the pressures in result.p.
   rc_status certify(const rc_step& step, rc_result& result);
   // Remembers a step that is certified or within its goal.
   void remember(Finished&& finished, const rc_result& result);
 
   void adopt(StepSurface&& given);
   void reset();             // no earlier step, no coarser grids
-  void forget();            // as new, but for what is the same for all contacts of the system
+  void forget();            // as new, but keeps what is the same for all contacts of the system
   void forget_operators();  // those of coarser grids, too
   void forget_steps() { memory_ = {}; }
-  // As after the steps described. surface: theirs.
+  // The state after the steps that memory describes. surface: theirs.
   void restore(Memory&& memory, StepSurface&& surface);
 
-  std::int64_t surfaces() const { return surfaces_; }  // how many it has had, one after the other
+  std::int64_t surfaces() const { return surfaces_; }  // counts its changes
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }

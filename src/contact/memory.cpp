@@ -10,7 +10,7 @@ namespace rc {
 
 namespace {
 
-// suffix: of the names of rc_state's members.
+// suffix: of the names of rc_state's members, for messages.
 CertifiedStep certified_step(const double* p, double displacement, double load, const StepSurface& surface, std::int64_t points,
                              const char* suffix) {
   if (!p) return {};
@@ -26,7 +26,7 @@ CertifiedStep certified_step(const double* p, double displacement, double load, 
     pressures.on.index.push_back(i);
     pressures.p.push_back(p[i]);
   }
-  if (pressures.empty()) {  // a step without contact is a step
+  if (pressures.empty()) {  // a step without contact counts as a step, too
     pressures.on.index = {0};
     pressures.p = {0};
   }
@@ -52,7 +52,7 @@ double Memory::ahead(const rc_step& step) const {
   const bool by_load = step.control == RC_CONTROL_LOAD;
   const double newest = by_load ? last.load : last.approach, older = by_load ? before.load : before.approach;
   const double part = (step.target - newest) / (newest - older);
-  // Pressures bend: a long way ahead, and back beyond the older step, the line leads astray.
+  // Pressures are not linear in the target: far ahead, or back beyond the older step, the line is a poor guess.
   return part >= -1 && part <= 2 ? part : 0;
 }
 

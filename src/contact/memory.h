@@ -12,22 +12,22 @@
 namespace rc {
 
 struct CertifiedStep {
-  Pressures pressures;    // empty: there was none
+  Pressures pressures;    // empty: there was no step
   double approach = 0;    // [length]
   double load = 0;        // [force]
-  bool same_gap = false;  // its surface is the current one
+  bool same_gap = false;  // its surface is that of the current step
 };
 
 struct Memory {
   CertifiedStep last, before;  // the last certified step, and the one before it
 
   void record(CertifiedStep&& step);
-  // A step brought a surface; same: it is that of the step before.
+  // A step has given a surface. same: it equals that of the step before.
   void surface_is(bool same);
 
-  // How far beyond the last step the new one lies, on the line through the last two; 0 where there is no such line.
+  // How far beyond the last step the new target lies, in units of the last step's change; 0 where no extrapolation is possible.
   double ahead(const rc_step& step) const;
-  // Dimensionless pressures to start from. nearer: better ones than the step's and the last step's, or null.
+  // Dimensionless pressures to start from. nearer: null, or pressures to prefer to the step's own and the last step's.
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, const Pressures* nearer) const;
   // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.
   std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;

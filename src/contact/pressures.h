@@ -16,7 +16,7 @@ struct Pressures {
   // The pressures at the points of another set.
   std::vector<double> at(const TrialSet& other) const;
   void write(double* everywhere, std::int64_t points) const;
-  // The positive ones, on their points.
+  // The positive pressures, on their points alone.
   Pressures positive() const;
 };
 

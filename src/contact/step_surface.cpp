@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::int64_t tile = StepSurface::tile;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t serial_points = 64 * 64;  // where threads would cost more than they save
+constexpr std::size_t serial_points = 64 * 64;  // up to here, threads would cost more than they save
 
-// What a pass over one row of tiles tells.
+// Results of a pass over one row of tiles.
 struct Summary {
   double lowest = infinite, highest = -infinite;
   std::int64_t included = 0, bad = 0, first_bad = -1;
@@ -30,7 +30,7 @@ struct Summary {
   }
 };
 
-// All points count: what is not finite makes the sum of the squares so.
+// Adds n points, none of them masked. False, with nothing added, if one is not finite: times 0 that is NaN.
 bool add_finite(Summary& summary, const double* gap, std::int64_t n, double& lowest) {
   double low = infinite, high = -infinite, doubt = 0;
   for (std::int64_t i = 0; i < n; ++i) {
@@ -201,7 +201,7 @@ double StepSurface::bearing_height(double target) const {
   const double all = (target * std::sqrt(n) + n * mean_height()) / n;  // if every point bears
   double range = highest_ - lowest_;
   if (all >= range) return all;
-  // The range is narrowed until the bins resolve the answer.
+  // Narrows the range until the bins resolve the answer.
   for (int round = 0;; ++round) {
     Histogram histogram(range);
     for (std::size_t i = 0; i < gap_.size(); ++i)

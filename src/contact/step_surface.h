@@ -30,7 +30,7 @@ struct Extent {
   std::int64_t box() const { return width() * height(); }
 };
 
-// A gap over nx * ny points and the points that count, an empty mask: all of them.
+// A gap over nx * ny points, and which of them count; an empty mask: all.
 struct GivenSurface {
   std::int64_t nx = 0, ny = 0;
   std::span<const double> gap;
@@ -59,11 +59,11 @@ class StepSurface {
   double highest() const { return highest_; }
   double mean() const { return lowest_ + mean_height(); }  // of the included points
 
-  // Heights count from the lowest gap, compressions likewise, so that no answer depends on the datum of the gap.
+  // Heights and compressions count from the lowest gap, so that no answer depends on the datum of the gap.
   double height(std::size_t i) const { return gap_[i] - lowest_; }
   double mean_height() const;  // of the included points
   double range() const { return highest_ - lowest_; }
-  // A gap; every included point of less than this height has a smaller one.
+  // A limit such that every included point below this height has gap < limit.
   double limit_of(double height) const;
 
   // Included points with gap < limit.
@@ -74,9 +74,9 @@ class StepSurface {
   // Tiles are squares of 16 x 16 points from the first on; those at the ends may be cut off.
   static constexpr std::int64_t tile = 16;
   std::int64_t tiles_x() const { return (nx_ + tile - 1) / tile; }
-  // The least gap of each tile's included points, infinite where it has none.
+  // The lowest gap of each tile's included points; infinite where a tile has none.
   std::span<const double> tile_lowest() const { return tile_lowest_; }
-  // Included points with gap < limit of the tiles given in ascending order.
+  // Included points with gap < limit in these tiles, whose numbers are ascending.
   TrialSet below(double limit, std::span<const std::int64_t> tiles) const;
 
   // The height t above the lowest gap at which sum(max(t - (gap - lowest), 0)) / sqrt(points with gap - lowest < t) = target, to
@@ -92,12 +92,12 @@ class StepSurface {
   std::vector<double> tile_lowest_;
   std::int64_t included_points_ = 0;
   double lowest_ = 0, highest_ = 0;
-  mutable std::optional<double> mean_height_;  // once it was asked for
+  mutable std::optional<double> mean_height_;  // computed when first asked for
 };
 
 // Points of the bounding box of a trial set on a grid nx wide and ny high.
 std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny);
-// Every point of that box, or of the grid where it is as large.
+// Every point of that box; without an index if the box is the whole grid.
 TrialSet box_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny);
 
 }  // namespace rc

@@ -60,7 +60,7 @@ void probe_dense(System& result) {
       if (std::abs(entry(i, j) - entry(j, i)) > symmetric * largest)
         fail(RC_ERR_ARGUMENT, "dense matrix is not symmetric: entry (", i, ", ", j, ") = ", entry(i, j), " but (", j, ", ", i,
              ") = ", entry(j, i), "; allowed difference ", symmetric * largest);
-  // What every positive definite matrix satisfies and n^2 operations can tell; a factorisation tells the rest.
+  // A necessary condition that costs n^2 operations. Only a factorisation shows whether the matrix is positive definite.
   for (std::int64_t i = 0; i < n; ++i)
     for (std::int64_t j = 0; j < i; ++j)
       if (std::abs(entry(i, j)) > std::sqrt(entry(i, i)) * std::sqrt(entry(j, j)) * (1 + symmetric))
@@ -70,7 +70,7 @@ void probe_dense(System& result) {
   result.length_per_pressure = result.operator_scale = diagonal;
 }
 
-// One product with a constant: shows a callback that fails before a solve depends on it, and gives the scale.
+// One product with a constant vector. It shows a failing callback before a solve depends on it, and gives the scale.
 void probe_callback(System& result) {
   const rc_system& system = result.given;
   const auto n = static_cast<std::size_t>(result.points());

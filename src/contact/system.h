@@ -1,4 +1,4 @@
-// A checked system, and the dimensionless one that components see.
+// A checked system, and the dimensionless system that components see.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
@@ -12,9 +12,9 @@ struct System {
   rc_system unit;                  // HALFSPACE: modulus 1 and cells of unit area; else as given
   std::string kernel;              // resolved name, "" without a half-space
   double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
-  double operator_scale = 1;       // what products of `unit` must be divided by to be dimensionless
+  double operator_scale = 1;       // products of `unit` divided by this are dimensionless
   double lambda_min = 0;           // a lower bound of the eigenvalues of the dimensionless operator; 0: none is known
-  double lambda_wave = 0;          // periodic: the same of all but the mean's, which is 0
+  double lambda_wave = 0;          // periodic: the same without the mean's eigenvalue, which is 0
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
 
   std::int64_t points() const { return given.nx * given.ny; }

@@ -10,7 +10,7 @@ namespace rc {
 
 namespace {
 
-// A pair that is fully named must go together.
+// If both solver and backend are named, they must go together.
 void check_names(const rc_options& options, const System& system) {
   if (const std::string& first = options.text(RC_OPT_WARMUP); first != "none") options.context->solver(first);
   const std::string& solver = options.text(RC_OPT_SOLVER);

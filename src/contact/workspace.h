@@ -1,5 +1,5 @@
-// What the steps of one contact work with: the problem, the surface of the current step, and the components made for it. It holds
-// no solution.
+// What the steps of one contact work with: the problem, the current step's surface, and the components made for them. It holds no
+// solution.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -25,7 +25,7 @@ namespace rc {
 
 // Notes of one step, for its result and for its next choice.
 struct StepRecord {
-  bool warm = true;                      // it may start from earlier steps
+  bool warm = true;                      // the step may start from earlier steps
   Choice choice;                         // the latest
   std::vector<std::string> failed;       // components that "auto" passes over
   std::vector<std::string> remarks;      // for rc_result.note
@@ -40,32 +40,32 @@ struct ProofFacts {
   std::optional<double> tilt;        // plane_share of the surface
 };
 
-// It does not move: operators keep the addresses of its options and team.
+// It cannot be moved: operators keep the addresses of its options and team.
 class Workspace {
  public:
-  // team: null, or one to work with instead of its own.
+  // team: null, or a team to use instead of its own.
   Workspace(const rc_system& system, const rc_options& options, const rc_team* team);
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
-  // Names are checked before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
+  // Checks the names of components before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
   void set_options(const rc_options& given);
   const rc_team& team() const { return *team_; }
   rc_grid grid() const;  // of a half-space
 
-  // The operator of this backend, made where there is none yet, with that trial set.
+  // This backend's operator, bound to that trial set. It is made at the first call.
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);
   void drop_operator(const char* backend) { operators_.erase(backend); }
-  // A factor remembers the order in which points came, a transform remembers larger boxes. Once they forget, the next answer has
-  // the bits of a first one.
+  // Factors depend on the order in which points came, transforms on earlier, larger boxes. After this the next answer has the
+  // bits of a first one.
   void forget_operators();
   std::int64_t applications() const;  // of all operators
-  // Dimensionless influence coefficients; the last table is kept, since solvers ask for the same at every step.
+  // Dimensionless influence coefficients. The last table is kept, because solvers ask for the same one at every step.
   rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
 
   const System system;
   rc_options options;
-  Goal goal;  // of accuracy, set by Contact: a coarser grid has none
+  Goal goal;  // set by Contact: the contact of a coarser grid has no goal
   StepSurface surface;
   StepRecord record;
   ProofFacts facts;

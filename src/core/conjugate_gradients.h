@@ -8,8 +8,8 @@
 
 namespace rc {
 
-// How they ended: with the status of a product that failed, along a direction whose curvature is not positive, or, with neither,
-// because the answer was good enough.
+// How the iteration ended: by a failed product, whose status it has; along a direction whose curvature is not positive; or else
+// with an answer that is good enough.
 struct ConjugateGradientsEnd {
   int status = 0;
   double curvature = 1;  // t'At of the last direction t
@@ -17,13 +17,13 @@ struct ConjugateGradientsEnd {
   bool definite() const { return curvature > 0; }
 };
 
-// The unit of residuals that need none.
+// The unit for residuals that need none.
 inline constexpr std::integral_constant<int, 1> no_unit;
 
-// x: start in, answer out; r: its residual b - A x, which is updated with it. Squares are of residuals over `unit`, a size of b
-// that keeps them in range. sum(n, term) adds n terms. multiply(t, q) sets q = A t and returns 0 or a status. enough(step, rr),
-// rr the sum of squares, is asked before every step and may look at x and r. turn(step, rr, q, t) makes t the next direction,
-// where it and q = A t are the last, and returns (r / unit)'t.
+// x: start in, answer out; r: its residual b - A x, updated with x. Residuals are divided by `unit`, the size of b, before they
+// are squared, so that squares stay in range. sum(n, term) adds n terms. multiply(t, q) sets q = A t and returns 0 or a status.
+// enough(step, rr) with the sum of squares rr is asked before every step and may look at x and r. turn(step, rr, q, t) makes t the
+// next direction, where t and q = A t are the last, and returns (r / unit)'t.
 template <class Unit, class Sum, class Multiply, class Enough, class Turn>
 ConjugateGradientsEnd conjugate_gradients(std::span<double> x, std::span<double> r, const Unit& unit, const Sum& sum,
                                           const Multiply& multiply, const Enough& enough, const Turn& turn) {

@@ -33,7 +33,7 @@ void clear_message();
 // Whether the number is one of RC_OK, RC_STOP_*, RC_ERR_*.
 bool is_status(rc_status status);
 
-// What a component reported through rc_host::fail, as an exception. `what` names the operation for components that said nothing.
+// Throws for a status < 0, with the message of the component's rc_host::fail, or else one that names the operation `what`.
 void raise_if_failed(rc_status status, const char* what);
 
 }  // namespace rc

@@ -27,7 +27,7 @@ std::vector<std::string> Schema::keys() const {
 
 namespace {
 
-// Of rc_option_spec when it was first released; a literal, so that it does not follow today's size.
+// Size of rc_option_spec when it was first released. A literal, so that it does not follow today's size.
 constexpr std::size_t first_spec_size = 64;
 
 }  // namespace

@@ -41,7 +41,7 @@ class Schema {
 // The core's own keys.
 const std::vector<OptionSpec>& core_options();
 
-// Checks a foreign description; throws Error(RC_ERR_PLUGIN).
+// Checks a component's description of an option; throws Error(RC_ERR_PLUGIN).
 OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component);
 
 // Converts and checks; throws Error(RC_ERR_OPTION).

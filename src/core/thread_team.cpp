@@ -8,8 +8,8 @@ namespace rc {
 
 namespace {
 
-// A task often follows the one before within microseconds, where going to sleep and being woken costs more than watching. It is a
-// short watch: on a busy machine it takes a processor from another program.
+// How often a thread looks for a change before it sleeps. The next task often comes within microseconds, sooner than a thread
+// could wake. The number is small, because on a busy machine a watching thread takes a processor from another program.
 constexpr int watches = 4000;
 
 inline void pause_briefly() {
@@ -80,7 +80,7 @@ void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
   work(0);
   {
     const std::lock_guard lock(mutex_);
-    open_ = false;  // a helper that comes only now has nothing left to do and is not waited for
+    open_ = false;  // a helper that comes later has nothing left to do and is not waited for
   }
   if (watch([&] { return busy_ == 0; })) return;
   std::unique_lock lock(mutex_);

@@ -1,5 +1,5 @@
-// A few threads that share out the items of a task and sleep in between. Which thread takes which item does not change any
-// arithmetic, so results do not depend on the number of threads.
+// A few threads that share the items of a task and sleep in between. No arithmetic depends on which thread takes which item, so
+// results do not depend on the number of threads.
 #pragma once
 
 #include <roughcontact/plugin.h>

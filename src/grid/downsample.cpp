@@ -10,7 +10,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-// The values of one block, in the order in which they are seen.
+// Collects the values of one block, in the order in which they come.
 class Block {
  public:
   explicit Block(Filter filter) : filter_(filter) {}
@@ -38,7 +38,7 @@ class Block {
   double value_ = none;
 };
 
-// Whole blocks whose points all count.
+// The means of whole blocks without masked points.
 void mean_of_blocks(const double* upper, const double* lower, std::int64_t count, double* out) {
   for (std::int64_t i = 0; i < count; ++i) out[i] = (((upper[2 * i] + upper[2 * i + 1]) + lower[2 * i]) + lower[2 * i + 1]) / 4;
 }

@@ -8,7 +8,7 @@
 
 namespace rc {
 
-// What a coarse point takes from the points of its block.
+// The value that a coarse point takes from the points of its block.
 enum class Filter {
   subsample,  // the point at even ix and iy, or the next one that is not masked: the coarser stages of midpoint displacement
   mean,       // the mean gap

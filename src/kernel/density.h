@@ -1,4 +1,4 @@
-// Where the source of a rectangular cell acts, along one axis: a density of unit mass, as a quadrature rule.
+// The density of a rectangular cell's source along one axis, with unit mass, as a quadrature rule.
 #pragma once
 
 #include <array>

@@ -40,7 +40,7 @@ void window_coefficients(const Kernel& kernel, double hx, double hy, const Windo
   const Fill fill_table = known ? fills[static_cast<std::size_t>(known - kernels.data())] : nullptr;
   if (fill_table)
     fill_table(hx, hy, window, out);
-  else  // not a free kernel: no value exists
+  else  // not a free kernel: there is no value
     std::fill_n(out, window.mx * window.my, std::numeric_limits<double>::quiet_NaN());
 }
 

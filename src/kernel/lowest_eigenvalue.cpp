@@ -63,7 +63,7 @@ double share_of_galerkin(const Kernel& kernel) {
   return is(kernel, "love") || is(kernel, "galerkin") ? slack : 0;
 }
 
-// The shortest wave's.
+// The eigenvalue of the grid's shortest wave.
 double lowest_wave_eigenvalue(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t ny) {
   if (nx == 1 && ny == 1) return 0;
   const std::int64_t kx = nx / 2, ky = ny / 2;

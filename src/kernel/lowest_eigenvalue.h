@@ -1,4 +1,4 @@
-// Bounds of the spectrum of influence matrices, whatever points they have.
+// Bounds of the spectrum of influence matrices, for any set of points.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace rc::kernel {
 // Free kernels: no eigenvalue of H on any finite set of cells of the lattice is smaller [length].
 double lowest_eigenvalue(const Kernel&, double hx, double hy);
 
-// Free kernels: c with x'Hx >= c x'Gx for all x, G that of the kernel galerkin. 0: none is known.
+// Free kernels: c with x'Hx >= c x'Gx for all x, where G is the matrix of the kernel galerkin. 0: none is known.
 double share_of_galerkin(const Kernel&);
 
 // Periodic kernels: the smallest eigenvalue but the mean's [length]; 0 on a grid of one point.

@@ -18,8 +18,8 @@ class Multipole {
 
   // Whether the expansion has converged to round-off at a distance squared.
   bool reaches(double square) const { return square >= reach_.back(); }
-  // At the points that are `square` from the origin, whose cos 2 phi is t; of no meaning where the expansion does not reach.
-  // `nearest` is no larger than any of the squares, and decides how many terms are summed.
+  // At points with distance^2 = square and cos 2 phi = t; without meaning where the expansion does not reach. `nearest` is no
+  // larger than any of the squares and decides how many terms are summed.
   void mean_inverse_distance(const Run& square, const Run& t, double nearest, Run& out) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace rc::kernel {
 
 RadialSeries::RadialSeries(const std::array<double, terms>& c) : c_(c) {
-  // The first term left out is a fraction 1e-16 of the sum from here on.
+  // From this distance on the first term left out is at most 1e-16 of the sum.
   for (int j = 0; j < terms; ++j) reach_[j] = 0.25 * std::pow(1e16, 1.0 / (j + 1));
 }
 

@@ -28,7 +28,7 @@ void Operator::bind(const TrialSet& trial) {
   const rc_domain domain{sizeof(rc_domain), copy.n, copy.index.empty() ? nullptr : copy.index.data(), copy.zero_mode};
   clear_message();
   raise_if_failed(backend_.bind(self_, &domain), "binding the trial set");
-  trial_ = std::move(copy);  // the vector's storage, which the backend points to, moves along
+  trial_ = std::move(copy);  // the backend keeps a pointer to the vector's storage, which moves along
   bound_ = true;
 }
 

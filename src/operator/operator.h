@@ -36,7 +36,7 @@ class Operator {
   void bind(const TrialSet& trial);
   const TrialSet& trial() const { return trial_; }
 
-  // As new, but for the count of products. False where the backend cannot: then make a new one.
+  // Becomes as new, but keeps the count of products. False where the backend cannot do that: then make a new operator.
   bool forget();
 
   // Asked before every product; a status other than 0 stops it.
@@ -45,7 +45,7 @@ class Operator {
   rc_status apply(const double* x, double* y);                 // y = H[T,T] x
   rc_status apply_float(const float* x, float* y);             // likewise; only with RC_CAP_FLOAT
   void field(std::span<const double> x, std::span<double> y);  // y = H[all,T] x
-  // H[T,T] x into request.y and the points outside that overlap; only with RC_CAP_SCREEN. unit: of H x as `apply` gives it.
+  // H[T,T] x into request.y, and the points outside T that overlap. Only with RC_CAP_SCREEN. request.unit: that of apply's H x.
   void screen(std::span<const double> x, rc_screen& request);
   std::int64_t modelled() { return backend_.modelled(self_); }
 
@@ -69,7 +69,7 @@ class Operator {
   const rc_backend& backend_;
   rc_system system_;
   std::string kernel_;
-  // What a backend's poll() finds behind its spec.
+  // The spec, with the operator that a backend's poll() needs.
   struct Spec : rc_operator_spec {
     const Operator* op;
   };

@@ -12,8 +12,8 @@ namespace rc {
 
 namespace {
 
-constexpr double progress = 0.8;  // of the sum of squares of the residual
-constexpr int patience = 38;      // iterations without it
+constexpr double progress = 0.8;  // the residual's sum of squares falls where it is below this share of the mark
+constexpr int patience = 38;      // iterations without such a fall
 
 }  // namespace
 

@@ -12,9 +12,9 @@ namespace rc {
 
 namespace {
 
-constexpr double attained = 1e-15;    // relative residual at which a double precision product has nothing more to give
-constexpr double progress = 0.9;      // of the least residual before
-constexpr int patience = 39;          // iterations without it
+constexpr double attained = 1e-15;    // least relative residual that products in double precision can reach
+constexpr double progress = 0.9;      // the residual falls where it is below this share of the least one before
+constexpr int patience = 39;          // iterations without such a fall
 constexpr double acceptable = 1e-11;  // above this, stopping early is a failure
 
 }  // namespace
@@ -44,7 +44,7 @@ rc_status Operator::subset_by_products(std::span<const std::int64_t> a, const do
   if (started) {
     if (const rc_status status = multiply(x, r); status != RC_OK) return status;
     for (std::size_t k = 0; k < m; ++k) r[k] = b[k] - r[k];
-    if (!(size_r() < 1)) {  // no better than nothing
+    if (!(size_r() < 1)) {  // no better than x = 0
       std::fill(x, x + m, 0.0);
       std::copy(b, b + m, r.begin());
     }

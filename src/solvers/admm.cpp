@@ -1,11 +1,11 @@
 // Alternating direction method of multipliers: Bemporad & Paggi (2015), Algorithm 5, with over-relaxation (Boyd et al.
 // 2011, 3.4.3) and residual balancing (the rule of OSQP: Stellato et al. 2020, 5.2).
 //
-// The pressure is split: x solves (H + rho I) x = u + rho (z - v) (load control: u + d, with d such that sum x = load), z >= 0 is
-// the projection of x + v, and v adds up their difference. At the solution -rho v is the gap w.
+// The pressure is split in two. x solves (H + rho I) x = u + rho (z - v); in load control u + d stands for u, with d such that
+// sum x = load. z >= 0 is the projection of x + v, and v is the sum of all x - z. At the solution -rho v is the gap w.
 //
-// Against the printed algorithm: the sign of its step 5.1, a penalty rho that has the scale of the problem, and a stop by the
-// residual of z with its own product, because |x - z| alone says little.
+// Changes to the printed algorithm: the sign of its step 5.1; a penalty rho on the scale of the problem; a stop by the residual
+// of z from its own product with H, because a small |x - z| alone does not mean a small residual.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,13 +20,13 @@ namespace rc {
 
 namespace {
 
-constexpr double progress = 0.9;                   // of the residual: a fall by a tenth
-constexpr std::int64_t patience = 1000;            // iterations without it
-constexpr std::int64_t first_balance = 10;         // iteration; each later one twice as far, so that a factor is reused
-constexpr double imbalance = 2.5;                  // of the residuals, above which rho changes
-constexpr double floor_of_smallest = 1e-6;         // of the largest eigenvalue
-constexpr double accuracy = 0.05;                  // of a solve, relative to the residual at hand
-constexpr double finest = 1e-15, coarsest = 1e-3;  // relative residuals asked of a solve
+constexpr double progress = 0.9;                   // the residual falls when it is below this share of its value at the last fall
+constexpr std::int64_t patience = 1000;            // iterations without such a fall, after which the solver has stalled
+constexpr std::int64_t first_balance = 10;         // iteration; each later balance at twice the last, so that factors are reused
+constexpr double imbalance = 2.5;                  // least factor by which rho changes
+constexpr double floor_of_smallest = 1e-6;         // the smallest eigenvalue is taken as at least this share of the largest
+constexpr double accuracy = 0.05;                  // tolerance of a linear solve, relative to the present residual
+constexpr double finest = 1e-15, coarsest = 1e-3;  // limits of that tolerance
 
 class Alternation {
  public:
@@ -74,7 +74,7 @@ class Alternation {
   }
 
  private:
-  // A warm start at another approach: its best multiple.
+  // Replaces a warm start, which may belong to another approach, by its multiple of least energy.
   void rescale() {
     if (problem_.load_control()) return;
     const double work = sum_of(n_, [&](std::size_t i) { return u_[i] * p_[i]; });
@@ -87,7 +87,7 @@ class Alternation {
     }
   }
 
-  // Geometric mean of the extreme eigenvalues, the best for a quadratic (Ghadimi et al. 2015).
+  // The geometric mean of the extreme eigenvalues is the best penalty for a quadratic (Ghadimi et al. 2015).
   void choose_penalty() {
     rho_ = problem_.option_real("admm.rho");
     automatic_ = rho_ == 0;
@@ -110,7 +110,7 @@ class Alternation {
       tol = std::clamp(accuracy * residual.worst * residual.scale / std::sqrt(size), finest, coarsest);
     problem_.shifted(rho_, tol, right_, x_);
     if (!problem_.load_control()) return;
-    // The approach moves x by a multiple of (H + rho I)^-1 1.
+    // A change of the approach adds a multiple of (H + rho I)^-1 1 to x.
     if (rate_.empty()) {
       rate_.assign(n_, 1 / rho_);
       problem_.shifted(rho_, finest, Vector(n_, 1.0), rate_);
@@ -139,9 +139,9 @@ class Alternation {
   const Problem& problem_;
   const double* const u_;
   const std::size_t n_;
-  Vector& p_;  // z, in load control scaled to the load
+  Vector& p_;  // z; in load control scaled to the load
   double& d_;
-  Vector hp_, x_, z_, v_;  // H p; the unconstrained and the non-negative pressure; the sum of their differences
+  Vector hp_, x_, z_, v_;  // H p; the unconstrained pressure; the non-negative one; the sum of x - z
   Vector right_, rate_;    // right hand side; (H + rho I)^-1 1
   double rho_ = 0, rate_sum_ = 0;
   bool automatic_ = true;

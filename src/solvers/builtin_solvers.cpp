@@ -43,7 +43,7 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
   }
   if (status >= 0)
     for (std::int64_t i = 0; i < problem->n; ++i)
-      p[i] = std::max(pressure[static_cast<std::size_t>(i)], 0.0);  // a stop may come midway
+      p[i] = std::max(pressure[static_cast<std::size_t>(i)], 0.0);  // negative where a stop came between a step and its cut
   return status;
 }
 
@@ -58,13 +58,13 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
     return host->fail(host, RC_ERR_MEMORY, "out of memory in the solver's vectors");
   }
   if (status > 0)
-    for (std::int64_t i = 0; i < problem->n; ++i) p[i] = std::max(p[i], 0.0);  // a stop may come midway
+    for (std::int64_t i = 0; i < problem->n; ++i) p[i] = std::max(p[i], 0.0);  // negative before a cut
   return status;
 }
 
 const char license[] = "BSD-3-Clause";
 
-// Built at the first query: options of other files are not constants of this one.
+// Built at the first query, because the options of other files are not constant expressions here.
 const rc_plugin& plugin() {
 #define RC_SOLVER(function, name, summary, needs, controls)                                                     \
   static const rc_solver function##_entry = {                                                                   \

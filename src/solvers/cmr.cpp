@@ -1,13 +1,13 @@
 // Cascade multi-resolution: Bemporad & Paggi (2015), Algorithm 6. Only points near the contacts of a coarser representation of
 // the surface are candidates on the next finer one.
 //
-// Against the printed algorithm: a point is kept if it is near some coarse contact (not near all), each level is compressed by
-// the same amount below its own highest point, no coarse contact at all means that nothing can be excluded, and the answer is
-// certified: points left out that overlap are added until there are none. As published with cmr.certified = 0.
+// Changes to the printed algorithm: a point is kept if it is near some coarse contact (not near all); each level is compressed
+// by the same amount below its own highest point; without any coarse contact all points are kept; and excluded points that
+// overlap are added until none overlaps, which certifies the answer. cmr.certified = 0 leaves this last part out, as published.
 //
-// With cmr.select = gap the last step differs: what one product with the pressure of the next coarser grid leaves nearly closed
-// is kept, in whole tiles. So islands are found that the coarser grid did not have, and the set is no larger than the contact
-// needs.
+// With cmr.select = gap the last step differs. One product with the pressure of the next coarser grid gives the gap on the given
+// grid, and the tiles in which it is nearly closed are kept. This finds islands that the coarser grid did not have, and keeps
+// few points that the contact does not need.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,11 +22,11 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t coarsest_side = 16;  // of an automatic cascade: the paper's
+constexpr std::int64_t coarsest_side = 16;  // fewest points a side on the coarsest grid of an automatic cascade, as in the paper
 constexpr int most_rounds = 20;             // of adding points; each adds at least one
 constexpr std::int64_t most_levels = 30;
 
-// Of the selection by gaps: sides of a tile, and up to which part of the surface's roughness a gap is nearly closed.
+// Selection by gaps: points along the side of a tile; a gap below this share of the surface's roughness is nearly closed.
 constexpr std::int64_t tile = 16;
 constexpr double nearly_closed = 0.01;
 
@@ -91,10 +91,10 @@ class Cascade {
     }
   }
 
-  // Solves the cascade from its coarsest grid. Returns the unknowns to keep; nothing if no level could tell.
+  // Solves the cascade from its coarsest grid. Returns which unknowns to keep; empty if a level failed or had no contact.
   Mask descend() {
     if (levels_.empty()) return Mask(static_cast<std::size_t>(n_), 1);
-    Mask allowed;  // on the grid at hand; empty: every point
+    Mask allowed;  // on the present grid; empty: every point
     for (std::size_t k = levels_.size(); k-- > 0;) {
       Level& level = levels_[k];
       if (!allowed.empty()) {
@@ -141,7 +141,7 @@ class Cascade {
 
   std::int64_t point(std::int64_t i) const { return grid_.index ? grid_.index[i] : i; }
 
-  // The unknowns in tiles where the coarser grid's pressure acts, or leaves some gap nearly closed. Empty if it has no contact.
+  // The unknowns of tiles in which the coarser grid's pressure acts or leaves a gap nearly closed. Empty without such pressure.
   Mask nearly_closed_tiles(const Level& level, const Vector& coarse) {
     const auto size = static_cast<std::size_t>(n_);
     Vector p(size), w(size);
@@ -163,7 +163,7 @@ class Cascade {
     for (std::size_t i = 0; i < size; ++i)
       if (p[i] > 0 || w[i] - problem_.u()[i] < limit) active[tile_of(i)] = 1;
     for (std::size_t i = 0; i < size; ++i) keep[i] = active[tile_of(i)];
-    // Where nothing better is known, the inner solver begins with it.
+    // Without a warm start the inner solver starts from the coarser grid's pressure.
     if (std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) p_ = p;
     return keep;
   }
@@ -180,10 +180,9 @@ class Cascade {
     return count > 0 ? std::sqrt(squares / count) : 0.0;
   }
 
-  // Points of the next finer grid within the area of influence of a contact: distances in cells of the coarse grid. Empty if
-  // there is no contact.
+  // Points of the next finer grid that lie in the area of influence of a coarse contact. Empty if there is no contact.
   Mask near_contacts(const Level& level, const Vector& p, std::int64_t nx, std::int64_t ny) const {
-    // A coarse point stands where its one fine point is, or in the middle of the block it was made of.
+    // Lengths in cells of the finer grid. A subsampled coarse point lies at its fine point, others in the middle of their block.
     const double offset = filter_ == Filter::subsample ? 0 : 0.5, reach = 2 * radius_;
     const auto rows = std::min(static_cast<std::int64_t>(std::ceil(reach + offset)), ny);
     Mask near(static_cast<std::size_t>(nx * ny), 0);
@@ -203,7 +202,7 @@ class Cascade {
     return any ? near : Mask{};
   }
 
-  // Points first .. last of a row, which may lie beyond the grid.
+  // Marks the points first .. last of a row. Both may lie beyond the grid: they are wrapped if it is periodic, else cut off.
   void mark_row(Mask& near, std::int64_t nx, std::int64_t ny, std::int64_t row, std::int64_t first, std::int64_t last) const {
     const auto fill = [&](std::int64_t from, std::int64_t to) {
       if (from <= to) std::fill(near.begin() + row * nx + from, near.begin() + row * nx + to + 1, std::uint8_t{1});
@@ -221,7 +220,7 @@ class Cascade {
     fill(first, nx - 1);
   }
 
-  // The candidates of the trial set only; product: null, or H p over all unknowns.
+  // Solves with pressure on the trial set only. product: null, or receives H p over all unknowns.
   rc_status solve(const Mask& trial, Vector* product) {
     Positions kept;
     for (std::int64_t i = 0; i < n_; ++i)

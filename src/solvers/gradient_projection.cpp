@@ -12,12 +12,12 @@ namespace rc {
 
 namespace {
 
-constexpr double progress = 0.9;         // of the residual: a fall by a tenth
-constexpr std::int64_t patience = 1000;  // iterations without it
-constexpr double visible = 1e-6;         // steps, relative to p, whose curvature is above round-off
+constexpr double progress = 0.9;         // the residual falls when it is below this share of its value at the last fall
+constexpr std::int64_t patience = 1000;  // iterations without such a fall, after which the solver has stalled
+constexpr double visible = 1e-6;         // least size of a step, relative to p, whose curvature is above round-off
 
-// Moves v to the nearest point of { p >= 0 } or, in load control, of { p >= 0, sum p = load }: p = max(0, v + shift), where the
-// shift is found by leaving out what it makes negative (Michelot 1986).
+// Moves v to the nearest point of { p >= 0 } or, in load control, of { p >= 0, sum p = load }: p = max(0, v + shift). The shift
+// is found by leaving out the components that it makes negative, again and again (Michelot 1986).
 void project(const Problem& problem, Vector& v) {
   double shift = 0;
   if (problem.load_control()) {
@@ -33,7 +33,7 @@ void project(const Problem& problem, Vector& v) {
     }
   }
   for (double& value : v) value = std::max(0.0, value + shift);
-  scale_to_load(problem, v);  // what round-off left of the sum
+  scale_to_load(problem, v);  // removes the round-off in the sum
 }
 
 class Descent {
@@ -48,7 +48,7 @@ class Descent {
     if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) problem_.apply(p_, hp_);
     Vector previous = p_, h_previous = hp_;
     Stall stalls(progress, patience);
-    // H s follows from the products with p, so the gap of p is at hand without a further product.
+    // H s is combined from products with p: the residual of p needs no product of its own.
     for (std::int64_t k = 0, i = 0; k < settings_.steps; ++k, ++i) {
       const Residual residual = residual_of(problem_, p_, hp_);
       d_ = residual.approach;
@@ -74,7 +74,7 @@ class Descent {
   }
 
  private:
-  // The step just made shows its curvature: an estimate of L that was too small is raised.
+  // Raises L if the curvature along the last step shows that the estimate was too small. Returns whether it did.
   bool raise_lipschitz() {
     const double size = sum_of(n_, [&](std::size_t j) { return (p_[j] - s_[j]) * (p_[j] - s_[j]); });
     const double curvature = sum_of(n_, [&](std::size_t j) { return (p_[j] - s_[j]) * (hp_[j] - hs_[j]); });

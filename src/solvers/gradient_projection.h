@@ -13,10 +13,10 @@ struct GradientSettings {
   double lipschitz = 0;  // L
   bool restart = true;
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
-  bool polls = true;  // not where the steps are part of another solver's iteration
+  bool polls = true;  // false where the steps are part of another solver's iteration
 };
 
-// p >= 0 at every exit. RC_STOP_STALLED if the residual no longer falls, or after all steps.
+// p >= 0 at every exit. Returns RC_STOP_STALLED if the residual stops falling, or after all steps.
 rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings);
 
 }  // namespace rc

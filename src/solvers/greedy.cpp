@@ -1,12 +1,12 @@
-// The greedy method: Bemporad & Paggi (2015), Algorithm 1. From all points being in contact, solve, drop the points that pull,
-// and solve again, until none pulls. No point comes back.
+// The greedy method: Bemporad & Paggi (2015), Algorithm 1. It starts with all points in contact, solves, drops the points that
+// pull (have negative pressure) and solves again, until none pulls. No point comes back.
 //
-// Against the printed algorithm: the loop ends when a solve leaves nothing to drop, the tolerances are relative, the conjugate
-// gradients keep their product, and the gap of the points that were dropped is checked.
+// Changes to the printed algorithm: the loop ends when a solve leaves nothing to drop; the tolerances are relative; conjugate
+// gradients update their residual instead of computing it anew; and the gap of the points that were dropped is checked.
 //
-// It finds the solution for every surface exactly if H^-1 has no positive entry off its diagonal (Chandrasekaran 1970). That
-// holds for the kernels love and disc with free boundaries; elsewhere dropped points may overlap, and then the answer is not
-// certified unless greedy.repair hands it over.
+// The method finds the solution for every surface if and only if H^-1 has no positive entry off its diagonal (Chandrasekaran
+// 1970). That holds for the kernels love and disc with free boundaries. Elsewhere dropped points may overlap: the answer is then
+// not certified, or with greedy.repair is corrected by nnls.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,8 +24,8 @@ namespace {
 
 constexpr int patience = 40;                    // iterations of a solve without a new smallest residual
 constexpr double accuracy = 1e-3;               // of a solve, relative to tol
-constexpr double attained = 1e-15;              // residual at which a double precision product has nothing more to give
-constexpr std::int64_t most_entries_of = 4096;  // points whose matrix Gauss & Seidel's method may store
+constexpr double attained = 1e-15;              // least residual that products in double precision can reach
+constexpr std::int64_t most_entries_of = 4096;  // most points for which Gauss & Seidel's method stores the matrix
 constexpr double round_off = 1e-12;
 
 class Greedy {
@@ -61,15 +61,15 @@ class Greedy {
   }
 
  private:
-  // Only a start that is the solution spares anything: from any other, all points have to come into contact first.
+  // A start helps only if it is the solution: from any other, the method begins with all points in contact.
   bool start_is_solution() {
     if (std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) return false;
     problem_.apply(p_, hp_);
     return residual_of(problem_, p_, hp_).worst <= problem_.tol();
   }
 
-  // Where the mean is the null space of H, as of a periodic one, full contact has no solution in displacement control: the point
-  // with the largest gap is left out.
+  // A periodic H gives 0 for uniform pressure, so full contact has no solution in displacement control. The point with the
+  // largest gap is then left out.
   void leave_null_space() {
     if (problem_.positive() || n_ < 2) return;
     const auto farthest = static_cast<std::size_t>(std::min_element(u_, u_ + n_) - u_);
@@ -83,7 +83,7 @@ class Greedy {
     if (size(of_ones) <= round_off * static_cast<double>(n_) * size(of_one)) kept_[farthest] = 0;
   }
 
-  // On the points that are kept: the others have no residual, so directions are 0 there.
+  // Conjugate gradients on the points that are kept. The residuals of the others are set to 0, so directions are 0 there.
   void iterate() {
     Vector r(n_);
     problem_.apply(p_, hp_);
@@ -158,7 +158,7 @@ class Greedy {
     problem_.poll(++iterations_, std::max(0.0, -*std::min_element(solution.begin(), solution.end())));
   }
 
-  // True if points pulled, so that the rest has to be solved again.
+  // Drops the points that pull. True if the rest must be solved again.
   bool drop() {
     bool any = false, left = false;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -203,10 +203,10 @@ class Greedy {
   const std::size_t n_;
   Vector& p_;
   Vector hp_;                // H p
-  std::vector<char> kept_;   // in contact as far as we know
-  const double enough_;      // largest residual of a solve
+  std::vector<char> kept_;   // not dropped so far
+  const double enough_;      // residual to which a set is solved
   const std::string inner_;  // greedy.inner
-  Vector matrix_;            // row by row, for Gauss & Seidel's method
+  Vector matrix_;            // H, row by row, for Gauss & Seidel's method
   std::int64_t iterations_ = 0;
 };
 

@@ -1,14 +1,14 @@
 // Non-negative least squares: Bemporad & Paggi (2015), Algorithm 3. Finite and exact: the answer solves H_CC p_C = u_C on the
 // final contact set C.
 //
-// nnls.pivoting = block exchanges all infeasible points at once (block principal pivoting: Kostreva 1978; Judice & Pires 1994): a
-// handful of solves. Where the blocks stop making progress, which they need not, the other method goes on from their pressures.
-// nnls.pivoting = single adds the point of the largest overlap (Lawson & Hanson 1974), as published: each solve lowers the
-// energy, so no set comes twice, but there is one for every point of the contact set. Against the printed algorithm the
-// tolerances are relative, all points that reach zero leave at once and are set to zero, and a point that would not take up
-// pressure is not tried again before another one has.
+// nnls.pivoting = block exchanges all infeasible points at once (block principal pivoting: Kostreva 1978; Judice & Pires 1994).
+// It needs a handful of solves. It may fail to make progress; then the other method goes on from its pressures.
+// nnls.pivoting = single adds the point of the largest overlap (Lawson & Hanson 1974), as published. Each solve lowers the
+// energy, so no set comes twice; but every point of the contact set costs a solve. Changes to the printed algorithm: the
+// tolerances are relative; all points that reach zero leave at once and are set to zero; and a point that was refused, because it
+// would pull, is not tried again before another one has been accepted.
 //
-// Its iterations are the solves, each on one contact set.
+// Iterations are counted in solves, each on one contact set.
 #include <algorithm>
 #include <cmath>
 
@@ -20,15 +20,15 @@ namespace rc {
 
 namespace {
 
-constexpr int block_attempts = 10;           // exchanges without a smaller number of infeasible points
-constexpr std::int64_t start_directly = 64;  // up to so many points the first set is {u > 0}; beyond, gradient steps find it
+constexpr int block_attempts = 10;           // exchanges that do not lower the number of infeasible points
+constexpr std::int64_t start_directly = 64;  // most points for which the first set is {u > 0}; with more, gradient steps find it
 constexpr std::int64_t gradient_steps = 30, warm_gradient_steps = 25;
-constexpr double round_off = 1e-15;  // of a pressure that has vanished, relative to the largest
+constexpr double round_off = 1e-15;  // relative to the largest pressure: below, a pressure has vanished
 
 class Pivoting {
  public:
   Pivoting(const Problem& problem, Vector& p) : problem_(problem), n_(p.size()), p_(p), w_(n_), in_contact_(n_) {
-    // Round-off of an exact solve, or a twentieth of what is asked.
+    // A twentieth of what is asked, but no less than the round-off of an exact solve.
     tolerance_ = std::clamp(0.05 * problem.tol(), 2e-14, 1e-9);
     for (double& value : p_) value = std::max(value, 0.0);
   }
@@ -87,7 +87,7 @@ class Pivoting {
   void first_set() {
     const double* u = problem_.u();
     const bool cold = std::none_of(p_.begin(), p_.end(), [](double value) { return value > 0; });
-    // Where a solve costs many products, gradient steps pay even from a warm start.
+    // Where a solve costs many products, gradient steps save time even from a warm start.
     if ((cold || !problem_.factors()) && problem_.size() > start_directly) {
       GradientSettings settings;
       settings.lipschitz = largest_eigenvalue(problem_);
@@ -99,8 +99,8 @@ class Pivoting {
     for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = cold && problem_.size() <= start_directly ? u[i] > 0 : p_[i] > 0;
   }
 
-  // Moves p, with pressure on the contact set only, to the solution on as much of the set as has none that pulls: along the way
-  // to the solution points leave where their pressure vanishes. `entered` is the point just added, or n.
+  // Moves p towards the solution on the contact set. Points whose pressure vanishes on the way leave the set, and the rest is
+  // solved again, until no point pulls. `entered` is the point just added, or n.
   rc_status settle(std::size_t entered, bool& accepted) {
     for (bool first = true;; first = false) {
       if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
@@ -109,7 +109,7 @@ class Pivoting {
       for (std::size_t k = 0; k < contact_.size(); ++k) {
         const auto i = static_cast<std::size_t>(contact_[k]);
         if (solution_[k] > 0) continue;
-        if (first && i == entered) {  // round-off: the gap says that it pushes, the solution that it pulls
+        if (first && i == entered) {  // round-off: by its gap it must push, by the solution it pulls
           in_contact_[i] = 0;
           accepted = false;
           return RC_OK;
@@ -142,12 +142,12 @@ class Pivoting {
       solution_.clear();
       for (const std::int64_t i : contact_) {
         right_.push_back(u[i]);
-        solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start, where it is found by iteration
+        solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start of an iterative solve
       }
       const rc_status status = problem_.try_subset(contact_, right_, solution_);
       if (status == RC_OK) return RC_OK;
-      // The mean of a periodic operator is its null space: full contact has no solution in displacement control, so the point
-      // with the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
+      // A periodic operator gives 0 for uniform pressure, so full contact has no solution in displacement control: the point with
+      // the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
       const bool singular = status == RC_ERR_NUMERIC || status == RC_STOP_STALLED;
       if (!singular || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
       const auto farthest = static_cast<std::size_t>(std::min_element(u, u + n_) - u);
@@ -190,7 +190,7 @@ class Pivoting {
   Vector right_, solution_;
   double tolerance_ = 0, largest_ = 0, worst_ = 1;
   std::int64_t solves_ = 0;
-  int full_sets_ = 0;  // of all points, which could not be solved
+  int full_sets_ = 0;  // failed solves with all points in contact
 };
 
 constexpr rc_option_spec pivoting =

@@ -1,7 +1,7 @@
 // Constrained conjugate gradients: Polonsky & Keer (1999), the corrected form of Bemporad & Paggi (2015), Algorithm 2.
 //
-// Against the printed algorithm: directions are restricted to the contact set and conjugate on it, every point (not only those of
-// the contact set) is clipped and checked for overlap, and the stop test is the KKT residual.
+// Changes to the printed algorithm: directions are restricted to the contact set and conjugate on it; every point (not only those
+// of the contact set) is clipped and checked for overlap; and the stop test is the KKT residual.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,10 +14,10 @@ namespace rc {
 
 namespace {
 
-constexpr int refresh_every = 25;    // updates of H p between products that wash out its drift
-constexpr double progress = 0.9;     // of the residual: a fall by a tenth
-constexpr int patience = 300;        // iterations without it
-constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to the largest |H t| |t| seen
+constexpr int refresh_every = 25;    // updates of H p between products that remove its drift
+constexpr double progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
+constexpr int patience = 300;        // iterations without such a fall, after which the solver has stalled
+constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Iteration {
@@ -58,8 +58,8 @@ class Iteration {
       }
       return balance();
     }
-    // A start that is worse than no pressure at all, as after a much heavier step, is reduced to its best multiple; the
-    // compenetration serves where that is none.
+    // A start may have more energy than zero pressure, for instance after a much heavier step. It is then replaced by its
+    // multiple of least energy, or by a multiple of the compenetration if that would be zero.
     if (warm && 0.5 * dot(p_, hp_) <= dot_u(p_)) return;
     if (!warm || !(dot_u(p_) > 0)) {
       for (std::size_t i = 0; i < n_; ++i) p_[i] = std::max(u_[i], 0.0);
@@ -84,7 +84,7 @@ class Iteration {
     }
   }
 
-  // Load control: the pressures are scaled to the load that is wanted.
+  // Load control: scales the pressures to the prescribed load.
   void balance() {
     if (!problem_.load_control()) return;
     const double sum = sum_of(n_, [&](std::size_t i) { return p_[i]; });
@@ -98,8 +98,8 @@ class Iteration {
     problem_.fail("polonsky-keer: the operator is not positive definite: t'Ht <= 0 along a search direction t");
   }
 
-  // The largest violation of the KKT conditions relative to the largest compenetration. In load control the approach is the one
-  // that makes the mean gap of the contact set zero.
+  // The largest violation of the KKT conditions, relative to the largest compenetration. In load control the approach becomes the
+  // one at which the contact set has a mean gap of 0.
   double residual() {
     double scale = 1;
     if (problem_.load_control()) {
@@ -116,14 +116,13 @@ class Iteration {
     return largest / scale;
   }
 
-  // Mean over the contact set of a vector; 0 in displacement control. In load control only what differs from it counts: the
-  // approach takes the mean up.
+  // Load control: the mean of a vector over the contact set; a change of the approach absorbs it. Displacement control: 0.
   double datum(const Vector& v, double count) const {
     return problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? v[i] : 0.0; }) / count : 0.0;
   }
 
-  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the contact set. Where the set has not changed this is
-  // the ratio of squared norms of the paper; where it has, it still knows which part of t remains.
+  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the contact set, at least 0. While the set stays the
+  // same this equals the paper's ratio of squared norms. After a change of the set it still holds for the part of t that remains.
   double conjugacy(double count) const {
     const double mean = datum(q_, count);
     const double overlap = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? gap(i) * (q_[i] - mean) : 0.0; });
@@ -143,7 +142,7 @@ class Iteration {
     const double beta = conjugate_ ? conjugacy(count) : 0;
     for (std::size_t i = 0; i < n_; ++i) t_[i] = p_[i] > 0 ? gap(i) + beta * t_[i] : 0;
     if (problem_.load_control()) {
-      // The step keeps the load.
+      // A direction with sum 0 keeps the load.
       const double mean = datum(t_, count);
       for (std::size_t i = 0; i < n_; ++i)
         if (p_[i] > 0) t_[i] -= mean;
@@ -159,7 +158,7 @@ class Iteration {
     return first_bound();
   }
 
-  // Along a direction without curvature, the mean of a periodic operator, the pressures fall until the first one vanishes.
+  // The step length along a direction without curvature, the mean of a periodic operator: until the first pressure vanishes.
   double first_bound() const {
     double length = infinite;
     for (std::size_t i = 0; i < n_; ++i)
@@ -167,7 +166,7 @@ class Iteration {
     return length < infinite ? length : 0;
   }
 
-  // Moves along t, clips at zero, admits points that overlap. True if a bound was met, so that H p must be computed afresh.
+  // Moves along t, clips at zero, admits points that overlap. True if the contact set changed: H p must then be computed anew.
   bool step(double length) {
     if (length > 0) last_length_ = length;
     bool bounded = false;
@@ -212,13 +211,13 @@ class Iteration {
   const double* const u_;
   const std::size_t n_;
   Vector& p_;               // pressure
-  double& d_;               // approach, as an answer of load control
+  double& d_;               // load control: the approach, an answer
   Vector hp_, t_, q_;       // H p, direction, H t
   const double highest_;    // largest u
   double approach_ = 0;     // the gap is H p - u - approach; 0 in displacement control, where u contains it
   double steepest_ = 0;     // largest |H t| / |t| seen
-  double last_length_ = 1;  // step length for admitted points where the contact set gives none
-  bool conjugate_ = false;  // the last step had a length: the next direction is made conjugate to it
+  double last_length_ = 1;  // the last positive step length, which admitted points take
+  bool conjugate_ = false;  // the last step had a length, so the next direction is made conjugate to it
   int since_refresh_ = 0;
 };
 

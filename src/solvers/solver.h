@@ -1,4 +1,4 @@
-// What a solver of this source tree is written against: the problem of <roughcontact/plugin.h> in the terms of the mathematics.
+// The interface that the solvers of this source tree use: the problem of <roughcontact/plugin.h> in mathematical terms.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -13,7 +13,7 @@ namespace rc {
 using Vector = std::vector<double>;
 using Positions = std::vector<std::int64_t>;
 
-// Leaves a solver from any depth with this status: a stop that was asked for, or a failed product.
+// Thrown to leave a solver from any depth with this status: a requested stop, or the status of a failed product.
 struct Leave {
   rc_status status;
 };
@@ -28,7 +28,7 @@ class Problem {
   const double* u() const { return problem_.u; }  // null: (approach - gap) / length_unit()
   double load() const { return problem_.load; }
   double tol() const { return problem_.tol; }
-  // What residuals are at least relative to: in full periodic contact the compenetration may vanish under any load.
+  // The least scale of residuals: in full periodic contact the compenetration, the usual scale, may vanish under any load.
   double least_scale() const {
     const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;
     return periodic && load_control() ? 0.25 * problem_.load / static_cast<double>(problem_.n) : 0.0;
@@ -55,7 +55,7 @@ class Problem {
   double lambda_min() const { return problem_.lambda_min; }  // a lower bound of the eigenvalues; 0: none is known
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
-  // Another solver, with pressure on the positions `a` only; product: null, or H p out.
+  // Runs another solver, with pressure on the positions `a` only. product: null, or receives H p.
   rc_status inner(const char* solver, const Positions& a, double tol, double* p, Vector* product) const {
     return problem_.inner(&problem_, solver, static_cast<std::int64_t>(a.size()), a.data(), tol, p,
                           product ? product->data() : nullptr);
@@ -75,7 +75,7 @@ class Problem {
   double length_unit() const { return problem_.length; }
   double pressure_unit() const { return problem_.pressure; }
   void note(const std::string& text) const { problem_.note(&problem_, text.c_str()); }
-  // Once an iteration.
+  // Call it once an iteration.
   void poll(std::int64_t iteration, double kkt) const { check(problem_.poll(&problem_, iteration, kkt)); }
 
   std::int64_t option_int(const char* key) const;
@@ -111,8 +111,8 @@ constexpr rc_option_spec real_option(const char* key, const char* value, double 
   return {sizeof(rc_option_spec), key, value, nullptr, help, RC_TYPE_REAL, 0, minimum, maximum};
 }
 
-// Two declarations per line of solvers.def. The function improves p (and, in load control, d) until problem.tol() is met; one in
-// place works on the caller's array.
+// Declares the function and the options of every line of solvers.def. The function improves p (and, in load control, d) until
+// problem.tol() is met. With IN_PLACE it works on the caller's array.
 #define RC_SOLVER(function, name, summary, needs, controls)         \
   rc_status function(const Problem& problem, Vector& p, double& d); \
   extern const Options function##_options;

@@ -1,4 +1,4 @@
-// What no coarser grid shows: the given one is looked at before an answer of a coarser one is within its goal.
+// Detail that no coarser grid shows: the library looks at the given grid before it calls a coarser answer within its goal.
 #include <algorithm>
 #include <cmath>
 

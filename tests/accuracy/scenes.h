@@ -1,4 +1,4 @@
-// Surfaces for option accuracy, and what a coarser grid makes of a problem.
+// Problems for option accuracy, and the same problem on a coarser grid.
 #pragma once
 
 #include <cstdint>

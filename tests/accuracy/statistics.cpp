@@ -1,4 +1,4 @@
-// Over many surfaces: at least 95 % of the runs are within their goal of the answer on the whole grid.
+// Over many surfaces, at least 95 % of the runs differ from the answer on the whole grid by no more than their goal.
 #include <array>
 #include <cmath>
 #include <functional>

@@ -41,7 +41,7 @@ void result_says_what_was_modelled() {
 
     check(r.area_estimate > 0, "area_estimate");
 
-    // All but the estimates is what the pressures have on the grid given.
+    // Everything but the estimates follows from the pressures on the given grid.
     const Answer judged = Contact(problem, automatic, {{RC_OPT_TOL, text(wanted)}}).certify(problem.step(), found.p);
     check_near(found.gap, judged.gap, 1e-5, "gap");
     check_near(r.kkt_dual, judged.result.kkt_dual, 1e-4, "kkt_dual");

@@ -1,4 +1,4 @@
-// Maps of contact and what the library says of them.
+// Maps of contact, and the library's analyses of them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A batch is its contacts: the same bits as a contact of its own for each, whatever the number of threads.
+// A batch gives each of its contacts the same bits as a contact of its own does, with any number of threads.
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -1,4 +1,4 @@
-// A batch with every output, and what came of it.
+// A batch with every output, and its outcome.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace batch {
 
 using pairs::Field;
 
-// What no contact has written.
+// The value of outputs that no contact has written.
 inline constexpr double blank = -7;
 
 struct Outcome {
@@ -38,7 +38,7 @@ struct Study {
   std::size_t points() const { return problem.points(); }
   double* gap(std::int64_t i) { return gaps.data() + static_cast<std::size_t>(i) * points(); }
   double& target(std::int64_t i, std::int64_t k) { return targets[static_cast<std::size_t>(i * steps + k)]; }
-  // Contact i as a problem of its own.
+  // The first problem of contact i, for a contact of its own.
   pairs::Problem single(std::int64_t i) const;
   Outcome solve(int threads, const std::function<void(rc_batch&)>& change = {}) const;
 };

@@ -60,7 +60,14 @@ def main() -> int:
             f"call check('{struct}%{member}', distance(c_loc(x%{member}), c_loc(x)), {offset})" for member, offset in members
         ]
         if f"{struct}_init" in functions and f"#define {struct.upper()}_INIT" in headers:
-            lines += [
+            lines = [
+                "interface",
+                f"  subroutine {struct}_init(x, struct_size) bind(c); import",
+                f"    type({struct}), intent(inout) :: x",
+                "    integer(c_size_t), value :: struct_size",
+                "  end subroutine",
+                "end interface",
+                *lines,
                 "ours = transfer(x, ours)",
                 f"call {struct}_init(x, {size}_c_size_t)",
                 "theirs = transfer(x, theirs)",

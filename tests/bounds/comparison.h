@@ -1,4 +1,4 @@
-// An answer's proofs against the exact solution at its approach.
+// Compares an answer's proven bounds with the exact solution at its approach.
 #pragma once
 
 #include "contact.h"

@@ -1,4 +1,4 @@
-// What the result proves, against trusted and exact solutions.
+// The bounds that results prove, compared with trusted and exact solutions.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

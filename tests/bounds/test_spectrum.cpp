@@ -1,4 +1,4 @@
-// What the proofs take for granted about H: its smallest eigenvalue, and the stiffness of flat punches.
+// The facts about H that the proofs rely on: a bound of its smallest eigenvalue, and of the stiffness of flat punches.
 #include <algorithm>
 #include <cmath>
 #include <random>

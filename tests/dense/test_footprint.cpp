@@ -1,5 +1,5 @@
-// What the dense backend takes at 20000 points, and how it refuses what it cannot take. Through the C interface; each solve is a
-// process of its own, whose peak is what the kernel counted.
+// The memory that the dense backend takes at 20000 points, and its refusal of sizes beyond the limit. Through the C interface;
+// each solve is a process of its own, whose peak the kernel counts.
 #include <roughcontact/roughcontact.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-// What needs no fixture to be built; the rest is in tests/plugins.
+// Cases that need no plugin to be built for them; the others are in tests/plugins.
 #include <roughcontact/plugin.h>
 #include <sys/stat.h>
 #include <unistd.h>

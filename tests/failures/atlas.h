@@ -1,4 +1,4 @@
-// What the tests of this folder share.
+// Problems, trusted answers and checks that the tests of this folder share.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace failures {
 using namespace pairs;
 
 Problem problem_of(const Scene& scene);
-// By nnls on the dense backend, to 1e-12.
+// The trusted answer: by nnls on the dense backend, to 1e-12.
 Answer truth_of(const Problem& problem);
 
 // Every solver of the registry that runs on this backend.

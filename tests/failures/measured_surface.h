@@ -1,4 +1,4 @@
-// Surfaces from files, and the library's verdict on how well a cascade can see them.
+// Surfaces from files, and the library's verdict on whether a cascade finds their contacts.
 #pragma once
 
 #include <string>

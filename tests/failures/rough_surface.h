@@ -1,4 +1,4 @@
-// Heights of rough and textured surfaces over the unit square, by libroughcontact-surface, and the gaps they leave.
+// Heights of rough and textured surfaces over the unit square, by libroughcontact-surface, and their gaps to a plane.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Gaps that lie far from zero: nothing depends on where heights are counted from, but for the digits that the approach has.
+// Gaps far from zero: answers do not depend on the datum of the heights, except for the digits that the approach has.
 #include <algorithm>
 #include <cmath>
 

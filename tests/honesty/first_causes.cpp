@@ -1,4 +1,4 @@
-// Where "auto" goes through several backends and none can, the first one's reason comes first.
+// If "auto" tries several backends and none can solve, the message begins with the first one's reason.
 #include "contact.h"
 #include "honesty_tests.h"
 

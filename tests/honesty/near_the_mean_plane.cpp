@@ -1,5 +1,5 @@
-// Periodic boundaries, an approach just below the mean plane: gaps are small whatever the load, so a certificate must not be had
-// from them alone.
+// Periodic boundaries, an approach just below the mean plane: gaps are small under any load, so small gaps alone must not make a
+// certificate.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -33,7 +33,7 @@ Problem two_points() {
 
 Problem waves() { return rough_problem(32, 32, RC_BOUNDARY_PERIODIC); }
 
-// What is certified has the load of the exact solution; what is not is told.
+// A certified answer has the load of the exact solution; any other has a status that says so.
 void check_load(const Problem& problem, const Pair& pair, double tol, const Field* start) {
   const double exact = solved(problem, {"nnls", "dense"}, {{RC_OPT_TOL, "1e-11"}, {RC_OPT_BOUNDS, "0"}}).result.load;
   const Contact contact(problem, pair, {{RC_OPT_TOL, text(tol)}, {RC_OPT_MAX_ITER, "20000"}});
@@ -66,7 +66,7 @@ void two_points_at_loose_tolerances() {
     for_all_solvers(below_the_mean(two_points(), share), tol);
 }
 
-// Any pressure more everywhere leaves the gaps as they are.
+// A uniform pressure added everywhere leaves the gaps as they are.
 void more_pressure_is_not_certified() {
   const Problem problem = below_the_mean(waves(), 1e-6);
   const Contact contact(problem, {"nnls", "dense"}, {{RC_OPT_TOL, "1e-4"}});

@@ -1,4 +1,4 @@
-// A caller's product or matrix that takes work from a pressure is refused, whichever solver meets it.
+// A caller's product or matrix with p'Hp <= 0 for a pressure p is refused, whichever solver meets it.
 #include <cmath>
 
 #include "contact.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t n = 12;
 
-// Positive on constants, so that the first look passes, and negative on what alternates: H = 1 1' + c diag.
+// Positive on constant vectors, so that the first check passes, and negative on alternating ones: H = 1 1' + c I.
 struct Indefinite {
   double diagonal;
   static std::int32_t apply(const double* x, double* y, std::int64_t points, void* user) {

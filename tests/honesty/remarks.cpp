@@ -1,4 +1,4 @@
-// Blunders in units and heights are remarked and solved all the same; ordinary scenes have no remark.
+// Blunders in units and heights get a remark, and are solved all the same. Ordinary scenes get no remark.
 #include <cmath>
 
 #include "contact.h"

@@ -1,5 +1,5 @@
-// What the certificate and the bounds say of small problems, to the last digits. `--write FILE` writes the figures, after a
-// change that is meant to alter them; tests/bounds holds that such figures are true.
+// Figures of the certificate and of the bounds on small problems, to the last digits. `--write FILE` writes them after a change
+// that is meant to alter them. That such figures are right is tested in tests/bounds.
 #include "known_answers.h"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// Figures with names, printed in full or compared with those that were written once.
+// Named figures, written to a file in full or compared with those of a file.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ class Figures {
   void section(const std::string& name) { section_ = name; }
   // Equal but for the last digit.
   void exact(const std::string& name, double value) { put(name, value, 'e'); }
-  // Equal to eight digits: figures behind another library's sums.
+  // Equal to eight digits, for figures that depend on another library's sums.
   void near(const std::string& name, double value) { put(name, value, 'n'); }
 
   void write(const std::string& file) const;
-  // Prints what differs; how many do.
+  // Prints the figures that differ, and returns their number.
   int compare(const std::string& file) const;
 
  private:

@@ -1,4 +1,4 @@
-// Small problems as the insides of the library see them.
+// Small problems in the library's internal types.
 #pragma once
 
 #include <roughcontact/roughcontact.h>

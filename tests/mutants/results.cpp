@@ -1,4 +1,4 @@
-// Through the interface: what is done with certificate and bounds.
+// Results through the C interface: how they carry the certificate and the bounds.
 #include <cmath>
 
 #include "known_answers.h"
@@ -15,7 +15,7 @@ std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagon
   return 0;
 }
 
-// Tells texts apart.
+// A number that differs between texts.
 double sum_of(const char* text) {
   double sum = 0;
   for (const char* c = text; *c; ++c) sum = std::fmod(31 * sum + *c, 1e9);
@@ -262,7 +262,7 @@ void figures_of_results(Figures& figures) {
                 status = rc_contact_certify(contact, &step, &r);
                 put(figures, status, r, p, deformed, false);
               }
-              // A pressure more everywhere.
+              // A uniform pressure is added everywhere.
               p = right;
               for (std::size_t i = 0; i < p.size(); ++i)
                 if (!masked || mask[i]) p[i] += 3;

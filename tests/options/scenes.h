@@ -1,4 +1,4 @@
-// A small system of each kind, and what a user does with it.
+// A small system of each kind, and a user's calls on it.
 #pragma once
 
 #include <roughcontact/roughcontact.h>

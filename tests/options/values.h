@@ -1,4 +1,4 @@
-// What is put into an option, by the schema that the registry gives.
+// The values that are tried for an option, from the registry's schema.
 #pragma once
 
 #include <roughcontact/roughcontact.h>

@@ -1,4 +1,4 @@
-// The C interface with owners: a problem, the options as text, a contact, an answer that holds its arrays.
+// The C interface with ownership: a problem, options as text, a contact, an answer that holds its arrays.
 #pragma once
 
 #include <roughcontact/roughcontact.h>
@@ -60,8 +60,8 @@ using Context = std::unique_ptr<rc_context, DestroyContext>;
 /** Solver and backend of the pair, tol 1e-12, then the settings. */
 Options make_options(const Pair& pair, const std::string& kernel, const Settings& settings = {}, rc_context* context = nullptr);
 
-/** Where a solver may fail, see may_fail() of registry.h, it is given the means to repair it, unless the settings say otherwise.
- */
+/** A solver that may fail, see may_fail() of registry.h, gets the option with which it repairs its answer, unless the settings
+ *  say otherwise. */
 class Contact {
  public:
   Contact(const Problem& problem, const Pair& pair, const Settings& settings = {}, rc_context* context = nullptr);

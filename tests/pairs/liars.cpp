@@ -1,4 +1,4 @@
-// Solvers from outside that claim success and are wrong, beside an honest one that shows the way they are called is right.
+// Solvers of a plugin that claim success with wrong pressures. An honest one beside them shows that they are called correctly.
 #include <roughcontact/plugin.h>
 
 #include <algorithm>

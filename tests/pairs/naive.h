@@ -1,4 +1,4 @@
-// The mathematics a second time, by plain sums over pairs of points and closed forms for near offsets. Nothing of the library.
+// The mathematics a second time, without the library: plain sums over pairs of points, and closed forms for near offsets.
 #pragma once
 
 #include <string>

@@ -27,7 +27,7 @@ std::string group_name(const Pair& pair, const rc_system& system, std::int32_t c
 
 /** First-order methods and those that solve without a factor: too slow for large stored matrices. */
 bool multiplies_often(const Pair& pair);
-/** Not the greedy method, which brings all points into contact first, unless the start is the solution. */
+/** False for the greedy method, which begins with all points in contact unless the start is the solution. */
 bool gains_from_a_start(const Pair& pair);
 /** The greedy method is exact only where H^-1 has no positive entry off its diagonal: love and disc with free boundaries. */
 bool may_fail(const Pair& pair, const Problem& problem);

@@ -1,4 +1,4 @@
-// The same question again: from the same contact, another contact, with other numbers of threads, into a result of any contents.
+// The same step again: on the same contact, on another one, with other numbers of threads, into a result of any contents.
 #include <cmath>
 #include <cstring>
 

@@ -1,4 +1,4 @@
-// Warm-ups, hand-overs and refusals: what the core does around a solver.
+// The core's services around a solver: warm-ups, hand-overs and refusals.
 #include <cmath>
 #include <cstring>
 #include <limits>

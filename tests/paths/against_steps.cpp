@@ -1,4 +1,4 @@
-// A path is its steps: the same bits as rc_contact_solve called for each, for every solver on every backend.
+// A path gives the same bits as rc_contact_solve called for each of its steps, for every solver on every backend.
 #include <algorithm>
 #include <cmath>
 

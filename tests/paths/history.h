@@ -1,4 +1,4 @@
-// A path with every output, and what its fn saw.
+// A path with every output, and the results that its callback got.
 #pragma once
 
 #include <functional>

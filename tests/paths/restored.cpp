@@ -1,4 +1,4 @@
-// A history that is cut and goes on in a new contact gives the bits of the one that is not.
+// A history that is continued in a new contact gives the bits of one that is not interrupted.
 #include "pairs/registry.h"
 #include "pairs/surfaces.h"
 #include "paths/history.h"

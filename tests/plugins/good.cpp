@@ -51,7 +51,7 @@ void a_shorter_vtable_of_an_older_header_works(void**) {
   assert_near(registry.load("nnls", "old_minor"), registry.load("nnls", "dense"));
 }
 
-// Of the header before backends had shifted() and norm().
+// A backend built with the header in which backends had no shifted() and norm().
 void a_lower_minor_version_works(void**) {
   const Scratch scratch;
   scratch.put({"minor_zero"});

@@ -34,12 +34,12 @@ std::string residuals(const pairs::Answer& answer) {
          " " + text(r.kkt_control);
 }
 
-// What repeats the scene, then what it is.
+// The arguments that repeat the scene, then its name and what happened.
 std::string line(const Scene& scene, const std::string& what) {
   return "--scenes " + std::to_string(scene.number) + ":" + std::to_string(scene.number + 1) + "  " + scene.name + ", " + what;
 }
 
-// What is learnt beside passes and failures; one for all jobs.
+// Findings besides passes and failures, shared by all jobs.
 class Record {
  public:
   explicit Record(std::int64_t above) : above_(above) {}
@@ -49,7 +49,7 @@ class Record {
       std::fprintf(stderr, "%s\n", line(scene, step.name + ": " + residuals(answer)).c_str());
     products_[pairs::group_name(scene.pair, scene.problem.system, step.control)].push_back(
         {answer.result.applications, scene.number});
-    // By what they say before their first number.
+    // Notes are counted by their text before the first number.
     std::string_view note = answer.result.note;
     for (std::size_t end = 0; !note.empty(); note.remove_prefix(std::min(end + 2, note.size()))) {
       end = std::min(note.find("; "), note.size());

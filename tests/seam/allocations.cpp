@@ -8,7 +8,7 @@
 
 namespace seam {
 
-// Until a run gets through, one allocation later each time.
+// Lets a later allocation fail each time, until a run succeeds.
 void any_allocation_may_fail(const rc_backend& backend) {
 #ifdef RC_SEAM_SUITESPARSE
   let_dependencies_use_operator_new();

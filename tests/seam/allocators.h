@@ -3,7 +3,7 @@
 
 namespace seam {
 
-// From now on, so that their allocations can be made to fail as well. Nothing that they allocated before may be released later.
+// From this call on their allocations can be made to fail as well. Nothing that they allocated before may be released later.
 void let_dependencies_use_operator_new();
 
 }  // namespace seam

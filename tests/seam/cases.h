@@ -1,4 +1,4 @@
-// What every backend has to satisfy. Each takes a backend and fails by cmocka's assertions.
+// The tests that every backend must pass. Each takes a backend and fails by cmocka's assertions.
 #pragma once
 
 #include <roughcontact/plugin.h>

@@ -1,4 +1,4 @@
-// An operator that forgot what it served, and one that never served.
+// An operator that was told to forget gives the bits of a new one.
 #include <cstdint>
 #include <cstring>
 

@@ -1,4 +1,4 @@
-// H written out: the reference that every backend's products are compared with.
+// H as a full matrix: the reference for every backend's products.
 #pragma once
 
 #include <roughcontact/plugin.h>

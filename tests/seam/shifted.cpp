@@ -1,4 +1,4 @@
-// Shifted systems and the norm against the written-out matrix.
+// Shifted systems and the norm, compared with the full matrix.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// The production solver: its precisions, threads and starts lead to one answer, its counts of products hold at every occupancy,
-// and where it gives up something exact takes over and is named.
+// haar-cg: all precisions, numbers of threads and starts lead to one answer; its counts of products stay within limits for every
+// share of contact; and where it stalls an exact solver takes over and is named.
 #include <algorithm>
 #include <random>
 
@@ -110,13 +110,13 @@ void pivoting_takes_over() {
   check(std::string(answer.result.note).find("haar-cg: stalled; nnls finished") != std::string::npos,
         std::string("note: ") + answer.result.note);
   check_near(answer.p, solved(problem, {"nnls", "fft"}).p, 1e-6, "pressures");
-  // Without leave to replace anything it says that it stalled.
+  // With allow_fallback = 0 nothing takes over, and the status says that it stalled.
   Settings strict = impatient;
   strict.push_back({RC_OPT_ALLOW_FALLBACK, "0"});
   check_status(solve(problem, haar, strict), RC_STOP_STALLED);
 }
 
-// What "auto" would take has too little memory.
+// The first choice of "auto" has too little memory.
 void auto_goes_on_to_the_next() {
   const Problem problem = rugged(48, 48, 0.9);
   const Settings exact = {{RC_OPT_TOL, "9e-13"}};

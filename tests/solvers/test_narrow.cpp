@@ -1,4 +1,4 @@
-// Surfaces of few columns: what they take does not depend on which way round they lie.
+// Surfaces of few columns: pressures and memory are the same when x and y are exchanged.
 #include <algorithm>
 #include <cstdlib>
 #include <new>

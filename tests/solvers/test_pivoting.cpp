@@ -1,5 +1,5 @@
-// Block pivoting never cycles: random problems with ties, without scale, near singular, each judged by other means. By default a
-// few thousand; the environment variable RC_TEST_PROBLEMS gives another number.
+// Block pivoting never cycles: random problems with ties, without scale, near singular, each checked without the library. There
+// are a few thousand; the environment variable RC_TEST_PROBLEMS sets another number.
 #include <algorithm>
 #include <cstdlib>
 #include <map>

@@ -28,7 +28,7 @@ rc_status all_operations(const rc_host& host, const rc_operator_spec& spec, cons
 
 }  // namespace
 
-// Until a run gets through, one allocation later each time; on a grid that needs coarse grids.
+// Lets a later allocation fail each time, until a run succeeds; on a grid that needs coarse grids.
 void any_allocation_may_fail(void**) {
   rc_system system = RC_SYSTEM_INIT;
   system.nx = 200;

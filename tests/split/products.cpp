@@ -1,4 +1,4 @@
-// Products against sums over all sources.
+// Products compared with sums over all sources.
 #include <algorithm>
 #include <cmath>
 

@@ -125,7 +125,7 @@ void check_scene(const Scene& scene, const char* spacing) {
 
 }  // namespace
 
-// Random scenes: no point is missed, none is there that does not overlap.
+// Random scenes: every point that overlaps is found, and no other.
 void screen_finds_what_overlaps(void**) {
   const int scenes = static_cast<int>(200 * effort());
   for (int seed = 0; seed < scenes; ++seed) {
@@ -137,7 +137,7 @@ void screen_finds_what_overlaps(void**) {
   }
 }
 
-// A plain but for one point, far from the pressure, where the bound is almost the product itself.
+// A flat surface with one other point far from the pressure, where the bound is almost the product itself.
 void screen_proves_no_more_than_holds(void**) {
   const Grid grid{400, 310, 1.0, 1.0, "love"};
   const Index domain{5 * 400 + 7, 5 * 400 + 8, 20 * 400 + 3};
@@ -226,7 +226,7 @@ void known_lowest_gaps_change_nothing(void**) {
   }
 }
 
-// The gap of such a tile is not read; a caller that does not know the member is not taken at its word.
+// Gaps of a tile whose lowest gap is given are not read. The member is ignored if the caller's struct_size does not cover it.
 void tiles_known_to_lie_apart_are_not_looked_at(void**) {
   const Grid grid{200, 170, 1.0, 1.0, "love"};
   const std::int64_t point = 150 * grid.nx + 180;

@@ -1,4 +1,4 @@
-// Bad input: a status and a message that names it, nothing written, and GSL never hears of it.
+// Bad input gives a status and a message that names it. Nothing is written, and GSL's error handler is not called.
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>

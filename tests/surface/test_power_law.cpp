@@ -1,4 +1,4 @@
-// What is found in spectra of surfaces whose spectrum is known, and the advice on cascade multi-resolution.
+// Power laws and textures found in surfaces whose spectrum is known, and the advice on cascade multi-resolution.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>

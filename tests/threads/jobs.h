@@ -1,4 +1,4 @@
-// What the threads solve: every combination of solver, backend, boundary and control differs from its neighbours.
+// The problems that the threads solve: neighbours differ in solver, backend, boundary and control.
 #pragma once
 
 #include <roughcontact/roughcontact.h>

@@ -26,7 +26,7 @@ bool has_fft() {
   return known;
 }
 
-// Alone first, for what must come out; then all at once, each set of options read by two threads.
+// First one after the other, for the expected results; then all at once, each set of options read by two threads.
 void eight_contacts_at_once_give_the_bits_of_each_alone(void**) {
   if (!has_fft()) skip();
   std::vector<Options> shared;

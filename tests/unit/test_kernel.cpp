@@ -132,7 +132,7 @@ void a_window_is_a_part_of_the_table(void**) {
     rc::kernel::window_coefficients(k, 0.5, 0.5, {3, 4, 7, 5}, part.data());
     for (std::int64_t iy = 0; iy < 5; ++iy)
       for (std::int64_t ix = 0; ix < 7; ++ix) assert_true(part[static_cast<std::size_t>(iy * 7 + ix)] == whole(3 + ix, 4 + iy));
-    // Whatever is computed side by side with it.
+    // A coefficient does not depend on those computed side by side with it.
     const Table wide = table(k, 0.5, 0.5, 150, 3);
     std::vector<double> tail(101);
     for (const std::int64_t first : {31, 32, 49}) {

@@ -19,7 +19,7 @@ int number_of_terms(Form form) {
   return form == Form::plane ? 3 : 1;
 }
 
-// -1 .. 1 over the grid.
+// The position of a point on -1 .. 1.
 double centred(std::int64_t index, std::int64_t count) {
   return count > 1 ? (2 * static_cast<double>(index) - static_cast<double>(count - 1)) / static_cast<double>(count - 1) : 0;
 }
@@ -55,7 +55,7 @@ void remove_form(Form form, Surface& surface) {
   if (form == Form::none) return;
   const int count = number_of_terms(form);
 
-  // A second pass takes off what the first one's rounding left, where heights are small beside their mean.
+  // A second pass removes what rounding in the first one left, if heights are small beside their mean.
   for (int pass = 0; pass < 2; ++pass) {
     Eigen::Matrix<double, most_terms, most_terms> products = decltype(products)::Zero();
     Terms moments = Terms::Zero();
@@ -63,7 +63,7 @@ void remove_form(Form form, Surface& surface) {
       products += terms * terms.transpose();
       moments += surface.heights[i] * terms;
     });
-    // Of least norm where a grid of one or two rows leaves terms undetermined.
+    // The solution of least norm, because a grid of one or two rows leaves terms undetermined.
     const Terms coefficients = products.completeOrthogonalDecomposition().solve(moments);
     for_each_valid(surface, count, [&](std::size_t i, const Terms& terms) { surface.heights[i] -= coefficients.dot(terms); });
   }

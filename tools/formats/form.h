@@ -1,4 +1,4 @@
-// Form removal: what a polynomial of low degree explains is taken off the heights.
+// Form removal: subtracts a polynomial of low degree from the heights.
 #pragma once
 
 #include <string_view>

@@ -13,7 +13,7 @@ namespace cli {
 
 namespace {
 
-// The factor of so many unknowns takes some gigabytes.
+// Most points that are filled: the factor of so many unknowns takes some gigabytes.
 constexpr std::size_t most_filled = std::size_t{1} << 23;
 
 struct Neighbour {
@@ -33,7 +33,7 @@ struct Neighbours {
 class Grid {
  public:
   explicit Grid(const Surface& surface) : nx_(static_cast<std::size_t>(surface.nx)), ny_(static_cast<std::size_t>(surface.ny)) {
-    // A ratio beyond these makes lines that know nothing of each other, and rounds weights to zero.
+    // With a ratio beyond these limits, weights would round to zero and neighbouring lines would not be connected.
     const double ratio = std::clamp(*surface.hx / *surface.hy, 1e-4, 1e4);
     weight_x_ = 1 / (1 + ratio * ratio);
     weight_y_ = ratio * ratio / (1 + ratio * ratio);

@@ -37,7 +37,7 @@ struct Dimension {
   std::uint64_t length;
 };
 
-// Takes the header apart from its beginning to its end. The version sets how wide counts and offsets are.
+// Reads the header from its beginning to its end. The version sets how wide counts and offsets are.
 class Header {
  public:
   Header(std::string_view file, int version) : file_(file), wide_counts_(version == 5), wide_offsets_(version != 1) {}
@@ -55,7 +55,7 @@ class Header {
   }
   std::string_view name() { return bytes(count()); }
 
-  // The number of entries in a list. Each takes some bytes of the file, so there cannot be more than that.
+  // The number of entries in a list. Every entry takes some bytes of the file, which bounds the number.
   std::uint64_t list(Tag expected) {
     const std::uint32_t tag = word();
     const std::uint64_t entries = count();
@@ -124,7 +124,7 @@ NetcdfFile::Variable read_variable(Header& header, const std::vector<Dimension>&
   variable.type = header.word();
   header.count();  // the size in bytes, which overflows for large variables and follows from the shape
   const std::uint64_t begin = header.offset();
-  if (record) return variable;  // records are scattered over the file and hold no map: without values
+  if (record) return variable;  // without values: records are scattered over the file and hold no map
 
   std::uint64_t size = size_of_type(variable.type);
   for (const auto length : variable.shape) {

@@ -25,7 +25,7 @@ class NetcdfFile {
     std::string_view values;  // all of them
   };
 
-  // Reads the header of the file, which must outlive this. Throws where it is damaged or of another kind.
+  // Reads the header of the file, which must outlive this. Throws if it is damaged or of another kind.
   explicit NetcdfFile(std::string_view file);
 
   const std::vector<Variable>& variables() const { return variables_; }
@@ -44,7 +44,7 @@ std::vector<double> netcdf_numbers(std::uint32_t type, std::string_view values, 
 std::string_view netcdf_text(const NetcdfFile::Variable* variable, std::string_view attribute);
 std::optional<double> netcdf_number(const NetcdfFile::Variable* variable, std::string_view attribute);
 
-// What stands for missing values of that type where no attribute says it.
+// The value that marks missing values of that type if no attribute names one.
 double netcdf_default_fill(std::uint32_t type);
 
 }  // namespace cli

@@ -19,7 +19,7 @@ struct Header {
   std::string_view shape;
 };
 
-// Splits "{'key': value, ...}", where a value is a quoted text, a word or a flat tuple: all that a plain array needs.
+// Splits "{'key': value, ...}". A value may be a quoted text, a word or a flat tuple, which is all that a plain array needs.
 class Dictionary {
  public:
   explicit Dictionary(std::string_view text) : rest_(text) {}
@@ -55,7 +55,7 @@ class Dictionary {
     if (!accept(c)) throw Error("the header has " + in_quotes(rest_.substr(0, 20)) + " where '" + c + "' should be");
   }
 
-  // The text up to `end`, which is taken too.
+  // Takes the text up to `end`, and `end` itself.
   std::string_view until(char end) {
     const auto length = rest_.find(end);
     if (length == std::string_view::npos) throw Error("the header ends within " + in_quotes(rest_.substr(0, 20)));

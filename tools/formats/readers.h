@@ -1,6 +1,6 @@
-// Readers of single formats and what they share. A reader gets the whole file and metres per unit of lengths for which the file
-// names none. It throws an Error that says what is wrong with the file, and allocates nothing that the file's size does not
-// justify. Missing heights are NaN.
+// Readers of single formats and what they share. A reader gets the whole file, and the metres per unit of lengths for which the
+// file names no unit. It throws an Error that says what is wrong with the file, and allocates no more than the file's size
+// justifies. Missing heights are NaN.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_nu
 // The same where nothing may follow the data.
 void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
 
-// How many bytes are unpacked from a file of that size: a sixty-fourth is taken as the most to which measured heights shrink
-// (deflate shrinks zeros to a thousandth), while the smallest file may hold any map up to 4096 x 4096.
+// How many bytes may be unpacked from a file of that size. Measured heights are taken to shrink to a sixty-fourth at most
+// (deflate shrinks zeros to a thousandth), but the smallest file may hold any map up to 4096 x 4096.
 constexpr std::uint64_t most_unpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 27) + 64 * file_size; }
 
 // Throws unless nx, ny >= 1 and a packed file of that size may hold nx*ny numbers; returns their size in bytes.

@@ -25,8 +25,9 @@ std::vector<double> spacings(const std::vector<double>& sorted) {
   return found;
 }
 
-// What the pitch may be: the least spacing; the median one, where a few are odd; the first one after the largest jump, where
-// coordinates of the same line differ by rounding. The largest first, as all fit on a grid that is fine enough.
+// What the pitch may be: the least spacing; the median, if a few spacings are odd; the first one after the largest jump, if
+// coordinates of the same line differ by rounding. The largest comes first, because everything fits on a grid that is fine
+// enough.
 std::vector<double> candidates(const std::vector<double>& spacing) {
   std::size_t jump = 0;
   for (std::size_t i = 1; i < spacing.size(); ++i) {

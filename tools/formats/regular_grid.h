@@ -13,8 +13,8 @@ struct GridAxis {
   std::vector<std::int64_t> index;  // of each coordinate, 0 .. count-1
 };
 
-// Coordinates may be off their line by a tenth of the pitch (they are rounded in files), and lines may be missing. `most_lines`
-// bounds the number of lines. Throws an Error that names the axis where there is no such grid.
+// Coordinates may be off their line by a tenth of the pitch, because files round them, and lines may be missing. `most_lines`
+// bounds the number of lines. Throws an Error that names the axis if there is no such grid.
 GridAxis find_grid_axis(const std::vector<double>& coordinates, std::int64_t most_lines, std::string_view name);
 
 }  // namespace cli

@@ -34,7 +34,7 @@ struct EndInflate {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
-// Appends what the stream holds if that is `expected` bytes. In blocks: what a header claims takes no memory.
+// Appends what the stream holds if that is `expected` bytes. It works in blocks, so that a wrong header cannot claim memory.
 bool inflate_stream(std::string_view packed, std::size_t expected, std::string& out) {
   z_stream state{};
   state.next_in = reinterpret_cast<const Bytef*>(packed.data());
@@ -63,7 +63,7 @@ std::string inflate_streams(std::string_view data, std::size_t expected) {
     const auto raw = field<std::uint32_t>(data, 4 + 8 * k, "the table of compressed streams");
     const auto packed = field<std::uint32_t>(data, 8 + 8 * k, "the table of compressed streams");
     piece(data, at, packed, "compressed stream " + std::to_string(k + 1));
-    // zlib shrinks to no less than a thousandth, so nothing large is taken for a small file.
+    // zlib shrinks data to no less than a thousandth, which bounds what a small file may hold.
     if (raw > 1032 * std::uint64_t{packed} + 64) {
       throw Error("compressed stream " + std::to_string(k + 1) + " claims " + std::to_string(raw) + " bytes, more than " +
                   std::to_string(packed) + " compressed ones can hold; the file is damaged");

@@ -59,7 +59,7 @@ std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_nu
   const std::string grid = std::to_string(nx) + " x " + std::to_string(ny);
   if (nx < 1 || ny < 1) throw Error("the header says " + grid + " points, at least 1 x 1 are needed");
 
-  // Divides instead of multiplying: nx*ny of a wrong header may be beyond any integer.
+  // Divides, because nx*ny of a wrong header may overflow.
   const auto columns = static_cast<std::uint64_t>(nx), rows = static_cast<std::uint64_t>(ny);
   const std::uint64_t numbers = available / bytes_per_number;
   if (rows > numbers / columns) {

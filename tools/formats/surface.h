@@ -17,9 +17,8 @@ struct Surface {
   std::string note;              // what the user should know about the file; "" if nothing
 };
 
-// Reads a file of any format in the registry: the one that is named, or the one that the contents or else the extension say.
-// `unit` is metres per unit of lengths for which the file names no unit. Throws an Error that begins with the file's name;
-// heights are finite or NaN.
+// Reads a file in the named format, or in the one that its contents or else its extension show. `unit` is metres per unit of
+// lengths for which the file names no unit. Heights are finite or NaN. Throws an Error that begins with the file's name.
 Surface read_surface(const std::filesystem::path& path, double unit, const std::optional<std::string>& format = std::nullopt);
 
 }  // namespace cli

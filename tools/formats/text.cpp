@@ -40,7 +40,7 @@ void read_comment(std::string_view line, double unit, Comments& comments) {
   if (key == "Value units") comments.value_units = value;
 }
 
-// "key=value" before the first row. The size and the unit of the raw data are read off the rows and the conversion factor.
+// Reads a line "key=value" before the first row. The size and the unit of the raw data follow from the rows and the factor.
 bool read_header_line(std::string_view line, double unit, Comments& comments) {
   const auto equals = line.find('=');
   if (equals == std::string_view::npos) return false;

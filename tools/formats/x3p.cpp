@@ -82,7 +82,7 @@ HeightAxis height_axis(const xml_node& axes) {
   return axis;
 }
 
-// Before the document is parsed, which takes many times its length.
+// Bounds the number of tags and attributes before the document is parsed, which takes many times its length.
 void check_marks(std::string_view xml) {
   const auto marks = std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; });
   if (marks <= most_marks) return;
@@ -124,7 +124,7 @@ void read_binary(std::string_view data, const HeightAxis& z, Surface& surface) {
   if (width == 8) append_numbers<double>(data, std::endian::little, surface.heights, height);
 }
 
-// Datum: coordinates separated by semicolons, of which those of incremental axes are left out; empty: missing.
+// Datum: coordinates separated by semicolons, without those of incremental axes. An empty one is missing.
 void read_list(const xml_node& list, const HeightAxis& z, std::size_t points, Surface& surface) {
   for (const xml_node& datum : list.children()) {
     if (local_name(datum) != "Datum") continue;
@@ -150,7 +150,7 @@ Surface read_x3p(std::string_view file, double) {
 
   std::string xml = archive.contents(main, std::min(longest_xml, small_xml + most_xml_ratio * file.size()));
   check_marks(xml);
-  pugi::xml_document document;  // its text is that of `xml`
+  pugi::xml_document document;  // it keeps pointers into `xml`
   if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed) {
     throw Error(std::string("main.xml is not XML: ") + parsed.description() + " at byte " + std::to_string(parsed.offset));
   }

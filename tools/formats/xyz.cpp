@@ -16,7 +16,7 @@ namespace cli {
 
 namespace {
 
-// A diagonal line of points would span a grid of their number squared.
+// Limits the grid: a diagonal line of n points would span n^2 nodes.
 constexpr std::int64_t most_nodes_per_point = 10;
 
 struct Points {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view zip_magic = "PK\3\4";
 
-// Deflate codes at most 258 bytes in 2 bits.
+// Deflate codes at most 258 bytes in 2 bits, a ratio of 1032.
 constexpr std::uint64_t largest_ratio = 1032, slack = 1024;
 
 std::string message(zip_error_t& error) {
@@ -20,7 +20,7 @@ std::string message(zip_error_t& error) {
   return text;
 }
 
-// Archivers of one system put files of their own beside the others.
+// macOS archivers add files of their own.
 bool is_resource_fork(std::string_view name) { return name.find("__MACOSX") != std::string_view::npos; }
 
 bool has_entry(std::string_view file, bool (*wanted)(const std::vector<std::string>&)) {

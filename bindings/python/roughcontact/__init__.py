@@ -49,9 +49,8 @@ from .context import (
     solvers,
     version,
 )
-from ._path import path
 from .result import BatchResult, Grid, Level, PathResult, Result
-from ._solve import solve
+from ._solve import path, solve
 from .system import HalfSpace, Matrix, Product, System, supported
 
 __version__ = "0.1.0"

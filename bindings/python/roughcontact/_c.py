@@ -1,7 +1,9 @@
 """Types of C as annotations; structs and prototypes for ctypes from classes that are annotated with them."""
 
+import ast
 import ctypes
 import dataclasses
+import sys
 from ctypes import POINTER
 from typing import Annotated, Any, ClassVar, Dict, Iterator, List, Tuple, Type, TypeVar, get_args
 
@@ -12,6 +14,7 @@ uint32_t = Annotated[int, ctypes.c_uint32]
 uint64_t = Annotated[int, ctypes.c_uint64]
 size_t = Annotated[int, ctypes.c_size_t]
 rc_status = int32_t
+char = Annotated[bytes, ctypes.c_char]
 text = Annotated[Any, ctypes.c_char_p]
 texts = Annotated[Any, POINTER(ctypes.c_char_p)]
 handle = Annotated[Any, ctypes.c_void_p]
@@ -35,9 +38,12 @@ def callback(result: Any, *arguments: Any) -> Any:
 
 
 class Sized(ctypes.Structure):
-    """A struct whose first member is its size. A new one has the values that its class gives to members, and zeros."""
+    """A struct whose first member is its size. A new one has the values that its class gives to members, and zeros.
 
-    struct_size: size_t
+    members: "type member=value member; type*extent member; ...", the names of types and values as the class's module has them.
+    """
+
+    members: ClassVar[str] = ""
     initial: ClassVar[Dict[str, Any]]
 
     def __init__(self) -> None:
@@ -51,10 +57,18 @@ S = TypeVar("S", bound=Sized)
 
 
 def struct(cls: Type[S]) -> Type[S]:
-    """The annotations of a class as members of a struct."""
-    members = cls.__annotations__
-    cls.initial = {name: vars(cls)[name] for name in members if name in vars(cls)}
-    cls._fields_ = [(name, ctype(annotation)) for name, annotation in members.items()]
+    """Makes the members of a class."""
+    known, cls.initial = vars(sys.modules[cls.__module__]), {}
+    fields: List[Tuple[str, Any]] = []
+    for kind, *members in map(str.split, cls.members.split(";")):
+        base, _, extent = kind.partition("*")
+        element = known[base] if isinstance(known[base], type) else ctype(known[base])
+        for member in members:
+            name, _, value = member.partition("=")
+            fields.append((name, element * int(extent) if extent else element))
+            if value:
+                cls.initial[name] = known[value] if value in known else ast.literal_eval(value)
+    cls._fields_ = fields
     return cls
 
 

@@ -4,6 +4,8 @@ from typing import Any, Dict, Optional, Type
 
 from ._status import Status
 
+_BY_STATUS: Dict[int, "Type[RoughContactError]"] = {}
+
 
 class RoughContactError(Exception):
     """A call that failed, or with `NotCertifiedError` one that stopped early.
@@ -13,92 +15,71 @@ class RoughContactError(Exception):
 
     default_status = Status.ERR_INTERNAL
 
+    def __init_subclass__(cls, status: Optional[Status] = None) -> None:
+        if status is not None:
+            cls.default_status = status
+            _BY_STATUS[int(status)] = cls
+
     def __init__(self, message: str, status: Optional[Status] = None, result: Any = None) -> None:
         super().__init__(message)
         self.status = self.default_status if status is None else status
         self.result = result
 
 
-class ArgumentError(RoughContactError, ValueError):
+class ArgumentError(RoughContactError, ValueError, status=Status.ERR_ARGUMENT):
     """A value that is not finite, out of range or missing."""
 
-    default_status = Status.ERR_ARGUMENT
 
-
-class ShapeError(RoughContactError, ValueError):
+class ShapeError(RoughContactError, ValueError, status=Status.ERR_SHAPE):
     """Arrays whose shapes do not fit, or too many points."""
 
-    default_status = Status.ERR_SHAPE
 
-
-class OptionError(RoughContactError, ValueError):
+class OptionError(RoughContactError, ValueError, status=Status.ERR_OPTION):
     """An option's key, type or value that is not in the schema."""
 
-    default_status = Status.ERR_OPTION
 
-
-class NoBackendError(RoughContactError, LookupError):
+class NoBackendError(RoughContactError, LookupError, status=Status.ERR_NO_BACKEND):
     """No backend of that name, or none that can do this."""
 
-    default_status = Status.ERR_NO_BACKEND
 
-
-class NoSolverError(RoughContactError, LookupError):
+class NoSolverError(RoughContactError, LookupError, status=Status.ERR_NO_SOLVER):
     """No solver of that name."""
 
-    default_status = Status.ERR_NO_SOLVER
 
-
-class IncompatibleError(RoughContactError, ValueError):
+class IncompatibleError(RoughContactError, ValueError, status=Status.ERR_INCOMPATIBLE):
     """Solver, backend, kernel, boundary and control that do not go together."""
 
-    default_status = Status.ERR_INCOMPATIBLE
 
-
-class PluginError(RoughContactError):
+class PluginError(RoughContactError, status=Status.ERR_PLUGIN):
     """A plugin was found but is refused."""
 
-    default_status = Status.ERR_PLUGIN
 
-
-class OutOfMemoryError(RoughContactError, MemoryError):
+class OutOfMemoryError(RoughContactError, MemoryError, status=Status.ERR_MEMORY):
     """Out of memory, or a request that cannot fit."""
 
-    default_status = Status.ERR_MEMORY
 
-
-class InfeasibleError(RoughContactError, ValueError):
+class InfeasibleError(RoughContactError, ValueError, status=Status.ERR_INFEASIBLE):
     """The problem has no solution."""
 
-    default_status = Status.ERR_INFEASIBLE
 
-
-class NumericError(RoughContactError, ArithmeticError):
+class NumericError(RoughContactError, ArithmeticError, status=Status.ERR_NUMERIC):
     """The operator is not positive definite or returned values that are not finite."""
 
-    default_status = Status.ERR_NUMERIC
 
-
-class ExternalError(RoughContactError):
+class ExternalError(RoughContactError, status=Status.ERR_EXTERNAL):
     """The caller's product reported failure. An exception that it raised is raised again instead."""
 
-    default_status = Status.ERR_EXTERNAL
 
-
-class BusyError(RoughContactError):
+class BusyError(RoughContactError, status=Status.ERR_BUSY):
     """The contact is in use, by another thread or by the call that a callback belongs to."""
 
-    default_status = Status.ERR_BUSY
 
-
-class InternalError(RoughContactError):
+class InternalError(RoughContactError, status=Status.STOP_UNCERTIFIED):
     """A defect in the library or a plugin."""
 
 
 class NotCertifiedError(RoughContactError):
     """The call stopped before its answer was certified; `result` holds it all the same. check=False returns it instead."""
-
-    default_status = Status.STOP_UNCERTIFIED
 
 
 class LibraryNotFoundError(RoughContactError, ImportError):
@@ -111,11 +92,6 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, result: Any = None) -> None:
         super().__init__()
         self.result = result
-
-
-_BY_STATUS: Dict[int, Type[RoughContactError]] = {
-    int(kind.default_status): kind for kind in RoughContactError.__subclasses__() if "default_status" in vars(kind)
-}
 
 
 def as_status(number: int) -> Status:

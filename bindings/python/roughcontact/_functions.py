@@ -7,7 +7,6 @@ from typing import Annotated, Any, Callable, Protocol
 
 from ._c import *  # noqa: F403
 from ._structs import *  # noqa: F403
-from ._surface_structs import *  # noqa: F403
 
 rc_greedy_like = Callable[[int64_t, doubles, int64_t, doubles, doubles, doubles, double, int64_t, rc_direct], rc_status]
 

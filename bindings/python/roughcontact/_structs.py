@@ -1,10 +1,7 @@
-"""The structs of <roughcontact/roughcontact.h>, member by member, with the values of the RC_..._INIT macros.
+"""The structs of the headers, member by member, with the values of the RC_..._INIT macros.
 
 Written by scripts/bindings.py.
 """
-
-from ctypes import c_char
-from typing import Annotated, Any
 
 from ._c import *  # noqa: F403
 from ._constants import *  # noqa: F403
@@ -14,106 +11,46 @@ rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 
 @struct
 class rc_system(Sized):
-    struct_size: size_t
-    op: int32_t = RC_OPERATOR_HALFSPACE
-    boundary: int32_t = RC_BOUNDARY_FREE
-    nx: int64_t = 1
-    ny: int64_t = 1
-    hx: double = 1.0
-    hy: double = 1.0
-    modulus: double = 1.0
-    dense: doubles
-    dense_ld: int64_t
-    apply: Annotated[Any, rc_apply_fn]
-    user: handle
+    members = """
+    size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx=1 ny=1;
+    double hx=1.0 hy=1.0 modulus=1.0; doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user
+    """
 
 
 @struct
 class rc_step(Sized):
-    struct_size: size_t
-    control: int32_t = RC_CONTROL_DISPLACEMENT
-    warm_start: int32_t = 1
-    target: double
-    gap: doubles
-    p0: doubles
-    mask: bytes_
-    borrow: int32_t
-    reserved: int32_t
+    members = """
+    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; double target; doubles gap p0; bytes_ mask;
+    int32_t borrow reserved
+    """
 
 
 @struct
 class rc_result(Sized):
-    struct_size: size_t
-    p: doubles
-    gap: doubles
-    status: rc_status
-    reserved: int32_t
-    iterations: int64_t
-    applications: int64_t
-    points: int64_t
-    candidates: int64_t
-    modelled: int64_t
-    contacts: int64_t
-    load: double
-    displacement: double
-    mean_pressure: double
-    contact_area: double
-    energy: double
-    stiffness: double
-    kkt_primal: double
-    kkt_dual: double
-    kkt_complementarity: double
-    kkt_control: double
-    seconds: double
-    setup_seconds: double
-    solver: Annotated[bytes, c_char * 32]
-    backend: Annotated[bytes, c_char * 32]
-    kernel: Annotated[bytes, c_char * 32]
-    note: Annotated[bytes, c_char * 160]
-    duality_gap: double
-    load_lower: double
-    load_upper: double
-    area_lower: double
-    area_upper: double
-    proven_contacts: int64_t
-    proven_open: int64_t
-    undecided: int64_t
-    levels: int64_t
-    tolerance: double
-    model_nx: int64_t
-    model_ny: int64_t
-    error_estimate: double
-    left_out: double
-    area_estimate: double
+    members = """
+    size_t struct_size; doubles p gap; rc_status status; int32_t reserved;
+    int64_t iterations applications points candidates modelled contacts;
+    double load displacement mean_pressure contact_area energy stiffness kkt_primal kkt_dual;
+    double kkt_complementarity kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
+    double duality_gap load_lower load_upper area_lower area_upper; int64_t proven_contacts proven_open undecided levels;
+    double tolerance; int64_t model_nx model_ny; double error_estimate left_out area_estimate
+    """
 
 
 @struct
 class rc_level(Sized):
-    struct_size: size_t
-    p: doubles
-    status: rc_status
-    reserved: int32_t
-    nx: int64_t
-    ny: int64_t
-    hx: double
-    hy: double
-    displacement: double
-    load: double
-    candidates: int64_t
-    contacts: int64_t
+    members = """
+    size_t struct_size; doubles p; rc_status status; int32_t reserved; int64_t nx ny; double hx hy displacement load;
+    int64_t candidates contacts
+    """
 
 
 @struct
 class rc_state(Sized):
-    struct_size: size_t
-    gap: doubles
-    mask: bytes_
-    p: doubles
-    displacement: double
-    load: double
-    p_before: doubles
-    displacement_before: double
-    load_before: double
+    members = """
+    size_t struct_size; doubles gap; bytes_ mask; doubles p; double displacement load; doubles p_before;
+    double displacement_before load_before
+    """
 
 
 rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
@@ -121,22 +58,11 @@ rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
 
 @struct
 class rc_path(Sized):
-    struct_size: size_t
-    control: int32_t = RC_CONTROL_DISPLACEMENT
-    warm_start: int32_t = 1
-    n: int64_t
-    targets: doubles
-    gap: doubles
-    mask: bytes_
-    load: doubles
-    displacement: doubles
-    contact_area: doubles
-    stiffness: doubles
-    certificate: doubles
-    applications: integers
-    fn: Annotated[Any, rc_path_fn]
-    user: handle
-    completed: int64_t
+    members = """
+    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n; doubles targets gap; bytes_ mask;
+    doubles load displacement contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
+    int64_t completed
+    """
 
 
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
@@ -144,98 +70,50 @@ rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 
 @struct
 class rc_batch(Sized):
-    struct_size: size_t
-    control: int32_t = RC_CONTROL_DISPLACEMENT
-    warm_start: int32_t = 1
-    n: int64_t
-    steps: int64_t
-    targets: doubles
-    target_stride: int64_t
-    gap: doubles
-    gap_stride: int64_t
-    mask: bytes_
-    mask_stride: int64_t
-    p0: doubles
-    p: doubles
-    load: doubles
-    displacement: doubles
-    contact_area: doubles
-    stiffness: doubles
-    certificate: doubles
-    status: statuses
-    iterations: integers
-    applications: integers
-    fn: Annotated[Any, rc_batch_fn]
-    user: handle
-    written: int64_t
-    certified: int64_t
-    first: int64_t = -1
+    members = """
+    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n steps; doubles targets;
+    int64_t target_stride; doubles gap; int64_t gap_stride; bytes_ mask; int64_t mask_stride;
+    doubles p0 p load displacement contact_area stiffness certificate; statuses status; integers iterations applications;
+    rc_batch_fn fn; handle user; int64_t written certified first=-1
+    """
 
 
 @struct
 class rc_direct(Sized):
-    struct_size: size_t
-    status: rc_status
-    reserved: int32_t
-    iterations: int64_t
-    applications: int64_t
-    contacts: int64_t
-    load: double
-    energy: double
-    kkt: double
-    duality_gap: double
-    load_lower: double
-    load_upper: double
-    note: Annotated[bytes, c_char * 160]
+    members = """
+    size_t struct_size; rc_status status; int32_t reserved; int64_t iterations applications contacts;
+    double load energy kkt duality_gap load_lower load_upper; char*160 note
+    """
 
 
 @struct
 class rc_area(Sized):
-    struct_size: size_t
-    contacts: int64_t
-    area: double
-    perimeter: double
-    corrected_area: double
+    members = """
+    size_t struct_size; int64_t contacts; double area perimeter corrected_area
+    """
 
 
 @struct
 class rc_patches(Sized):
-    struct_size: size_t
-    neighbours: int32_t = 4
-    reserved: int32_t
-    room: int64_t
-    label: integers
-    cells: integers
-    area: doubles
-    perimeter: doubles
-    load: doubles
-    mean_pressure: doubles
-    max_pressure: doubles
-    peak: integers
-    count: int64_t
+    members = """
+    size_t struct_size; int32_t neighbours=4 reserved; int64_t room; integers label cells;
+    doubles area perimeter load mean_pressure max_pressure; integers peak; int64_t count
+    """
 
 
 @struct
 class rc_histogram(Sized):
-    struct_size: size_t
-    bins: int64_t
-    upper: double
-    counts: integers
-    density: doubles
-    width: double
-    contacts: int64_t
-    above: int64_t
-    mean_pressure: double
-    max_pressure: double
+    members = """
+    size_t struct_size; int64_t bins; double upper; integers counts; doubles density; double width; int64_t contacts above;
+    double mean_pressure max_pressure
+    """
 
 
 @struct
 class rc_progress(Sized):
-    struct_size: size_t
-    iteration: int64_t
-    applications: int64_t
-    kkt: double
-    seconds: double
+    members = """
+    size_t struct_size; int64_t iteration applications; double kkt seconds
+    """
 
 
 rc_progress_fn = callback(int32_t, rc_progress, handle)
@@ -246,31 +124,74 @@ rc_log_fn = callback(None, int32_t, text, handle)
 
 @struct
 class rc_context_config(Sized):
-    struct_size: size_t
-    flags: uint32_t
-    reserved: uint32_t
-    plugin_path: text
-    log: Annotated[Any, rc_log_fn]
-    log_user: handle
+    members = """
+    size_t struct_size; uint32_t flags reserved; text plugin_path; rc_log_fn log; handle log_user
+    """
 
 
 @struct
 class rc_component(Sized):
-    struct_size: size_t
-    name: text
-    summary: text
-    license: text
-    origin: text
+    members = """
+    size_t struct_size; text name summary license origin
+    """
 
 
 @struct
 class rc_option_spec(Sized):
-    struct_size: size_t
-    key: text
-    default_value: text
-    choices: text
-    help: text
-    type: int32_t
-    fixed: int32_t
-    minimum: double
-    maximum: double
+    members = """
+    size_t struct_size; text key default_value choices help; int32_t type fixed; double minimum maximum
+    """
+
+
+@struct
+class rc_surface_rmd_spec(Sized):
+    members = """
+    size_t struct_size; uint64_t seed=1; int32_t levels=8 additions; double hurst=0.7 sigma=1.0 rms_height
+    """
+
+
+@struct
+class rc_surface_spectral_spec(Sized):
+    members = """
+    size_t struct_size; uint64_t seed=1; int64_t nx=256 ny=256;
+    double hx=1.0 hy=1.0 hurst=0.8 q_low q_rolloff q_high rms_height=1.0 rms_slope; int32_t fixed_amplitudes reserved
+    """
+
+
+@struct
+class rc_surface_shape_spec(Sized):
+    members = """
+    size_t struct_size; int32_t shape=RC_SURFACE_PARABOLOID reserved; uint64_t seed=1; int64_t nx=256 ny=256;
+    double hx=1.0 hy=1.0 radius=1.0 height=1.0 period_x period_y
+    """
+
+
+@struct
+class rc_surface_map(Sized):
+    members = """
+    size_t struct_size; int64_t nx=1 ny=1; double hx=1.0 hy=1.0; doubles heights; int32_t periodic trend=RC_SURFACE_TREND_AUTO
+    """
+
+
+@struct
+class rc_surface_statistics(Sized):
+    members = """
+    size_t struct_size;
+    double rms_height skewness kurtosis highest lowest rms_slope rms_slope_x rms_slope_y rms_curvature m0 m2 m4; double nayak
+    """
+
+
+@struct
+class rc_surface_power_law(Sized):
+    members = """
+    size_t struct_size; double hurst hurst_error slope prefactor q_min q_max q_rolloff q_cutoff; int64_t peaks;
+    double*4 peak_qx peak_qy peak_share
+    """
+
+
+@struct
+class rc_surface_cmr(Sized):
+    members = """
+    size_t struct_size; int32_t trustworthy levels safe_levels reserved;
+    double unresolved limit unresolved_overall peak_loss approach coarsest_pitch; char*400 reason
+    """

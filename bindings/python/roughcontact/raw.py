@@ -12,4 +12,3 @@ a pointer to one. Shapes, units and who keeps what: see the headers.
 from ._constants import *  # noqa: F401,F403
 from ._library import contact_library, library_file, surface_library  # noqa: F401
 from ._structs import *  # noqa: F401,F403
-from ._surface_structs import *  # noqa: F401,F403

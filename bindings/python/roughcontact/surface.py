@@ -20,7 +20,7 @@ from ._calls import check_surface
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
 from ._maps import Surface, as_surface
-from ._surface_structs import (
+from ._structs import (
     rc_surface_cmr,
     rc_surface_map,
     rc_surface_power_law,

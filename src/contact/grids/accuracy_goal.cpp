@@ -20,7 +20,7 @@ namespace {
 constexpr std::int64_t least_side = 16;  // of a coarser grid
 constexpr std::size_t most_grids = 12;
 
-// Halved without a remainder where the period must stay what it is.
+// A periodic grid must halve without a remainder, or its period would change.
 bool can_be_halved(const rc_system& system) {
   const bool even = system.nx % 2 == 0 && system.ny % 2 == 0;
   return std::min(system.nx, system.ny) >= 2 * least_side && (even || system.boundary != RC_BOUNDARY_PERIODIC);
@@ -30,7 +30,7 @@ double relative(double difference, double value) {
   return value > 0 ? std::abs(difference) / value : std::numeric_limits<double>::infinity();
 }
 
-// Difference of an answer's load from the next coarser grid's; in load control that of the loads at their approaches.
+// Relative difference of load to the next coarser grid; in load control from the difference of approach and the stiffness.
 double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) {
   if (control == RC_CONTROL_DISPLACEMENT) return relative(fine.load - coarse.load, fine.load);
   const double difference = coarse.stiffness * (fine.displacement - coarse.displacement);
@@ -54,7 +54,7 @@ Blocks AccuracyGoal::blocks_of(const Workspace& given, std::size_t k) {
   return {given.system.given.nx, given.system.given.ny, std::int64_t{1} << k};
 }
 
-// The given surface on every coarser grid.
+// Puts the given surface on every coarser grid.
 void AccuracyGoal::halve(GridContact& given) {
   const Workspace* finer = &given.work();
   for (std::size_t k = 0; can_be_halved(finer->system.given) && k < most_grids; ++k) {
@@ -72,7 +72,7 @@ rc_status AccuracyGoal::solve_on(std::size_t k, const Workspace& given, const rc
   Grid& grid = grids_[k - 1];
   GridContact& contact = grid.halved.contact();
   rc_options options = coarse_options(given.options, monitor);
-  // The stiffness turns the next finer grid's change of approach into a change of load.
+  // difference() needs the stiffness.
   if (k > 1 && step.control == RC_CONTROL_LOAD) options.set(RC_OPT_STIFFNESS, std::int64_t{1});
   contact.set_options(options);
   contact.watched_by(monitor, true);
@@ -96,20 +96,20 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
   try {
     if (surface_ != given.surfaces()) halve(given);
   } catch (const Error&) {
-    return {};  // means or cells that double precision does not hold
+    return {};  // a coarser grid's gaps or cells are beyond double precision
   }
   const auto work = [&](std::size_t k) -> const Workspace& {
     return k > 0 ? grids_[k - 1].halved.contact().work() : given.work();
   };
   Found found;
-  std::vector<GridLevel> levels;  // up to the coarsest that touches
+  std::vector<GridLevel> levels;  // up to the coarsest grid with contact
   for (std::size_t k = grids_.size(); k >= 1; --k) {
     Grid& grid = grids_[k - 1];
     rc_status status = RC_STOP_UNCERTIFIED;
     try {
       status = solve_on(k, given.work(), step, monitor, std::exchange(found.estimate, {}), with_gap);
     } catch (const Error&) {
-      // What a coarser grid cannot do, the whole one may.
+      // The whole grid may succeed where a coarser one failed.
     }
     if (const rc_status asked = monitor.ask(); asked != RC_OK || status == RC_STOP_CANCELLED) {
       // The last grid that was solved is better than nothing.
@@ -135,7 +135,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
         levels[j].texture = texture_below(approach, approach - lowest, work(j).surface, work(j).system.given);
     const GridErrors errors = guessed_errors(levels, k);
     if (errors.here <= goal) return {k, RC_WITHIN_GOAL, spread_to(0, blocks_of(given.work(), k))};
-    if (k > 1 && !(errors.finest <= goal)) return {};  // near starts that the whole grid makes for itself
+    if (k > 1 && !(errors.finest <= goal)) return {};  // no coarser grid will do; the whole grid makes its own start
   }
   return found;
 }
@@ -148,7 +148,7 @@ void AccuracyGoal::add_work(rc_result& result) const {
   }
 }
 
-// The last coarser grid that was solved, each block with its pressure.
+// Writes the answer of the last coarser grid that was solved, spread to the given grid.
 void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
                                    rc_result& result) {
   const Grid& grid = grids_[found.grid - 1];

@@ -1,5 +1,5 @@
-// No more than the scene needs: where an accuracy of load or area is asked for, grids are solved from coarse to fine until one
-// may be within the goal, which a look at the given grid then decides.
+// An accuracy goal of load or area: grids are solved from coarse to fine until one may be within the goal. A look at the given
+// grid then decides whether it is.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,14 @@ class AccuracyGoal {
   AccuracyGoal();
   ~AccuracyGoal();
 
-  // Of a step on the given grid that has begun; some point touches. True: the result is written, within the goal or as a stop
-  // left it, and result.status tells which. False: the whole grid must be solved, from the estimate if there is one.
+  // Solves a step that has begun on the given grid, with some point in contact. True: the result is written; result.status tells
+  // whether it is within the goal or stopped. False: the whole grid must be solved, from the estimate if there is one.
   bool solve(GridContact& given, const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate>& estimate);
-  // Adds what the coarser grids of this step took.
+  // Adds the iterations, products and seconds of this step's coarser grids.
   void add_work(rc_result& result) const;
 
   void clear() { grids_.clear(); }
-  void forget();  // earlier steps, and what operators remember of them
+  void forget();  // earlier steps, also in the operators
 
  private:
   struct Grid {
@@ -34,13 +34,13 @@ class AccuracyGoal {
     std::vector<double> gap;
   };
   struct Found {
-    std::size_t grid = 0;              // the last that was solved, if it is of use; 0: none
-    rc_status status = RC_OK;          // a stop, or RC_WITHIN_GOAL: it is worth a look at the given grid
+    std::size_t grid = 0;              // the last grid that was solved, if it is of use; 0: none
+    rc_status status = RC_OK;          // a stop, or RC_WITHIN_GOAL: worth a look at the given grid
     std::optional<Estimate> estimate;  // for the whole grid
   };
 
   void halve(GridContact& given);
-  // Grid k: each of its cells stands for 2^k x 2^k of the given grid's. 1: the finest of the coarser ones.
+  // The blocks of the given grid that are the cells of grid k, 2^k x 2^k each. k = 1 is the finest of the coarser grids.
   static Blocks blocks_of(const Workspace& given, std::size_t k);
   rc_status solve_on(std::size_t k, const Workspace& given, const rc_step& step, const Monitor& monitor,
                      std::optional<Estimate> estimate, bool with_gap);
@@ -50,7 +50,7 @@ class AccuracyGoal {
                        rc_result& result);
 
   std::vector<Grid> grids_;    // the finest first
-  std::int64_t surface_ = -1;  // of the given contact's, the one that they show
+  std::int64_t surface_ = -1;  // number of the given contact's surface that the grids show
 };
 
 }  // namespace rc

@@ -1,5 +1,5 @@
-// A look at the given grid: a few steps of the solve there, from a coarser grid's answer, correct it. How much they change is an
-// upper estimate of how far off it was, since they see all of the surface, and what they leave is much less.
+// A look at the given grid: a few steps of the solve there correct a coarser grid's answer. They see all of the surface, so how
+// much they change estimates the coarser answer's error from above. The error that they leave is much smaller.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,13 +17,13 @@ namespace rc {
 namespace {
 
 constexpr std::int64_t look_steps = 4;  // the pressures are cut at zero after the second and the last
-constexpr double left_of_change = 0.5;  // share of what the steps changed that they may still lack
-constexpr double softest = 2;           // a gap calls for at most this pressure on its cell alone, times E* over the cell's side
+constexpr double left_of_change = 0.5;  // share of the steps' change of load that may still be missing
+constexpr double softest = 2;           // largest change of pressure that closes a gap on one cell, over E* gap / side
 
-// What pressures on the given grid still lack, from the gap where they stand.
+// Estimates how far pressures on the given grid are from the solution, by the gap where they act.
 struct Remaining {
   double load = 0;  // of the pressures
-  double gap = 0;   // mean of its size, over that of the deflection: a relative error of the load
+  double gap = 0;   // mean |gap| over mean deflection, weighted by pressure: a relative error of the load
   double contacts = 0;
   double changes = 0;  // points that come into contact or out of it when the gap closes
 };
@@ -43,7 +43,7 @@ Remaining remaining_of(const Deflected& found, const StepSurface& surface, doubl
     open += p * std::abs(gap);
     deflected += p * deflection;
   });
-  // A gap that all have in common closes with the load, the rest of it at each point for itself.
+  // The load closes the mean gap. Each point closes the rest of its own gap by itself.
   const double common = std::max(0.0, work / force);
   each([&](double p, double, double gap) {
     rest.changes += p > 0 ? p * system.length_per_pressure < softest * (gap - common) : gap < 0;
@@ -55,7 +55,7 @@ Remaining remaining_of(const Deflected& found, const StepSurface& surface, doubl
 
 }  // namespace
 
-// Whether the corrected answer is within the goal: then it is the result. If not, it is the start of the whole grid's.
+// True if the corrected answer is within the goal: it is then the result. If not, the whole grid starts from it.
 bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, Monitor& monitor, rc_result& result) {
   const bool by_load = step.control == RC_CONTROL_LOAD;
   Workspace& work = given.work();
@@ -63,7 +63,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   const System& system = work.system;
   const Grid& grid = grids_[found.grid - 1];
   const Workspace& coarse = grid.halved.contact().work();
-  // In load control at the coarser grid's approach: what the goal is of is the load that belongs to it.
+  // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
   rc_step at = RC_STEP_INIT;
   at.target = found.estimate->approach;
   at.warm_start = 0;
@@ -97,7 +97,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   const Remaining rest = remaining_of(corrected, surface, depth, system);
   if (!(rest.load > 0)) return false;
 
-  // In load control the area is that of a load as far off as the one at the coarser grid's approach.
+  // In load control the load at that approach is off by `change`, and the area is taken to be off by as much.
   const Blocks blocks = blocks_of(work, found.grid);
   const double change = std::abs(rest.load - grid.result.load) / rest.load;
   const double of_load = left_of_change * change + rest.gap;
@@ -111,7 +111,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
     for (double& p : corrected.pressures.p) p *= factor;
     for (double& deflection : corrected.product) deflection *= factor;
     depth = fitting_compression(work, corrected);
-    // The points that a larger approach reaches.
+    // A larger approach reaches points that are not listed.
     const bool all = static_cast<std::int64_t>(corrected.size()) == system.points();
     if (!all && depth > answer.compression + (screened ? corrected.beyond : 0)) corrected = deflected(work, answer, true);
   }

@@ -8,8 +8,8 @@ namespace rc {
 
 namespace {
 
-constexpr double slowest_decay =
-    0.5;  // of the difference from grid to grid, for what the roughness does not show: ends of contacts
+// Differences are not taken to fall faster than this from grid to grid: the roughness does not show the ends of contacts.
+constexpr double slowest_decay = 0.5;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Texture texture_below(double limit, double length, const StepSurface& surface, c
   return found;
 }
 
-// The load follows the heights that a finer grid adds: differences of finer grids are taken to be to each other as these are.
+// Extrapolates the differences of load to finer grids: they are taken as proportional to the roughness that the grids show.
 GridErrors guessed_errors(std::span<const GridLevel> levels, std::size_t k) {
   const auto weight = [&](std::size_t j) { return levels[j].texture.roughness; };
   const auto ratio = [&](std::size_t fine, std::size_t coarse) {
@@ -47,7 +47,7 @@ GridErrors guessed_errors(std::span<const GridLevel> levels, std::size_t k) {
     const double found = weight(fine) / weight(coarse);
     return std::isfinite(found) ? std::max(least, found) : std::numeric_limits<double>::infinity();
   };
-  // Either difference may be small by chance.
+  // Takes the larger of two, because either difference may be small by chance.
   const double difference = std::max(levels[k].difference, levels[k + 1].difference * ratio(k, k + 1));
   double sum = 0;
   for (std::size_t j = 0; j < k; ++j) sum += ratio(j, k);

@@ -1,5 +1,5 @@
-// How far an answer on a coarser grid may be from the one on the grid given, guessed from two coarser grids and from what they do
-// not show of the surface: enough to tell which grid is worth a look at the given one, which decides.
+// A guess of how far a coarser grid's answer is from the given grid's, from the answers on two coarser grids and from the
+// surface's roughness on all. It only decides when a look at the given grid is worth while.
 #pragma once
 
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace rc {
 
-// What a grid shows of the surface where the approach exceeds the gap.
+// The surface as one grid shows it, where the approach exceeds the gap.
 struct Texture {
-  double roughness = 0;  // rms of second differences of neighbouring gaps, over a length; infinite: not known
+  double roughness = 0;  // rms of the second differences of the gap, over a length; infinite: not known
   std::int64_t points = 0;
 };
 
 // One grid of 2^k times the cell size, k from 0.
 struct GridLevel {
   Texture texture;
-  double difference = 0;  // of the load from the next coarser grid's, relative
+  double difference = 0;  // relative, of the load from the next coarser grid's
 };
 
-// Of the points with a gap below the limit.
+// The texture of the points with a gap below the limit.
 Texture texture_below(double limit, double length, const StepSurface& surface, const rc_system& system);
 
-// Relative errors of the load.
+// Relative errors of the load, guessed from grid k.
 struct GridErrors {
   double here = 0;
-  double finest = 0;  // what that of grid 1 will be
+  double finest = 0;  // of grid 1, once it is solved
 };
 
-// From grid k >= 1: needs the differences of grids k and k+1 and the roughness of all up to k+1.
+// Needs the differences of grids k >= 1 and k+1, and the roughness of all grids up to k+1.
 GridErrors guessed_errors(std::span<const GridLevel> levels, std::size_t k);
 
 }  // namespace rc

@@ -73,7 +73,7 @@ std::int64_t Blocks::included(std::int64_t block, const StepSurface& fine) const
   return count;
 }
 
-// Blocks come in rows, and points go out in rows.
+// Blocks come row by row, and points go out row by row.
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurface& fine, Cut cut) {
   Pressures result;
   const auto loaded = std::count_if(coarse.p.begin(), coarse.p.end(), [](double p) { return p > 0; });
@@ -113,7 +113,7 @@ double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fin
     if (!(p.p[k] > 0)) continue;
     const std::int64_t point = p.on.point(static_cast<std::int64_t>(k));
     const double detail = fine.gap()[static_cast<std::size_t>(point)] - coarse_gap[static_cast<std::size_t>(blocks.of(point))];
-    // In units of the largest, so that squares stay within double precision.
+    // Squares are summed in units of the largest detail, so that they stay within double precision.
     if (const double size = std::abs(detail); size > largest) {
       sum *= (largest / size) * (largest / size);
       largest = size;

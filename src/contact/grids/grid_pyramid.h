@@ -18,18 +18,18 @@ class Workspace;
 
 // The system on nx x ny cells, each `factor` cells wide and high.
 rc_system coarser_system(const rc_system& fine, std::int64_t nx, std::int64_t ny, std::int64_t factor);
-// A coarser grid proves no bounds, and ends when the finest grid's time is over.
+// Options of a coarser grid: no bounds, and the time that the finest grid has left.
 rc_options coarse_options(const rc_options& fine, const Monitor& monitor);
 
 // A grid of half as many points a side, each the mean of 2 x 2.
 class HalvedGrid {
  public:
-  // finer: the grid that is halved.
+  // Halves the grid `finer`.
   HalvedGrid(const Workspace& finer, const rc_options& options);
   HalvedGrid(HalvedGrid&&) noexcept;
   ~HalvedGrid();
 
-  // The finer grid has another surface.
+  // Takes over a new surface of the finer grid.
   void renew(const Workspace& finer);
   GridContact& contact() const { return *contact_; }
 
@@ -38,7 +38,7 @@ class HalvedGrid {
   std::unique_ptr<GridContact> contact_;
 };
 
-// Points of a grid by the blocks of factor x factor that are the cells of a coarser one.
+// The blocks of factor x factor points of a grid that are the cells of a coarser one.
 struct Blocks {
   std::int64_t nx = 0, ny = 0;  // of the fine grid
   std::int64_t factor = 1;
@@ -46,19 +46,19 @@ struct Blocks {
   std::int64_t coarse_nx() const { return (nx + factor - 1) / factor; }
   std::int64_t coarse_ny() const { return (ny + factor - 1) / factor; }
   std::int64_t of(std::int64_t point) const { return point / nx / factor * coarse_nx() + point % nx / factor; }
-  // How many of a block's points count.
+  // How many of a block's points are not masked.
   std::int64_t included(std::int64_t block, const StepSurface& fine) const;
 };
 
-enum class Cut {  // of blocks at the end of the grid or of the mask
+enum class Cut {  // what blocks keep that the end of the grid or the mask cuts
   same_pressure,
   same_force
 };
 
-// Positive pressures of blocks, each on its included points.
+// Puts the positive pressure of each block on the block's included points.
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurface& fine, Cut cut);
 
-// Rms of gap less that of its block, over the points that carry pressure.
+// Rms of the difference between the gap and its block's gap, over the points that carry pressure.
 double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, std::span<const double> coarse_gap);
 
 }  // namespace rc

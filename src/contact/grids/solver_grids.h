@@ -1,4 +1,4 @@
-// Solutions on coarser grids that a solver asks for: each is a contact of its own, and the next step needs it again.
+// Solutions on coarser grids that a solver asks for. Each grid is a contact of its own and is kept for the next step.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -19,14 +19,14 @@ class SolverGrids {
   SolverGrids();
   ~SolverGrids();
 
-  // work: of the finest grid, whose step `monitor` watches.
+  // work: of the finest grid. monitor: of its step.
   rc_status solve(rc_coarse& request, const Workspace& work, const Monitor& monitor);
   // Solution i of the current step, the coarsest first. Throws Error(ARGUMENT).
   void describe(std::int64_t i, rc_level& out) const;
   std::int64_t current() const;  // how many there are
 
-  void begin_step();  // what there is belongs to an earlier step
-  void forget();      // contacts stay, as new
+  void begin_step();  // from here on the present solutions belong to an earlier step
+  void forget();      // keeps the contacts, in the state of new ones
   void clear();
 
  private:

@@ -1,6 +1,6 @@
-// Contact at few of the points: a coarser grid tells where, whole tiles around become the unknowns, and the operator screens all
-// other points, with no product over the grid. What overlaps is added and the step solved again, so the answer is that of all
-// points.
+// Contact at few of the points. A coarser grid estimates where, and the tiles there become the unknowns. The operator screens all
+// other points for overlap, without a product over the whole grid. Tiles that overlap are added and the step is solved again, so
+// the answer is that of all points.
 #include "contact/grids/sparse_contact.h"
 
 #include <algorithm>
@@ -20,19 +20,19 @@ namespace rc {
 
 namespace {
 
-constexpr double coarse_tol = 1e-2;  // of an estimate: more digits are lost when the pressures are spread
-constexpr double halo = 0.02;        // of the depth: tiles that are no further apart under the estimate become unknowns
-constexpr double headroom = 0.1;     // of the depth, by which the approach may exceed its estimate in load control
+constexpr double coarse_tol = 1e-2;  // of an estimate: spreading the pressures loses further digits
+constexpr double halo = 0.02;        // of the depth: tiles with a smaller gap under the estimate become unknowns
+constexpr double headroom = 0.1;     // of the depth: room for an approach above its estimate, in load control
 constexpr int most_rounds = 8;       // of adding tiles
-constexpr double near = 0.02;        // relative change of the target for which the last step serves as an estimate
+constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
 constexpr std::int64_t least_side = 64;
-constexpr std::int64_t compact = 16;  // boxes of one part in so many of the grid are served best by transforms of the box
+constexpr std::int64_t compact = 16;  // boxes of at most 1/compact of the grid's points are solved whole, by transforms
 
 std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
 }
 
-// Keeps `tiles` ascending.
+// Adds the tiles of the points. Keeps `tiles` ascending.
 void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points, const Workspace& work) {
   const std::int64_t nx = work.system.given.nx;
   for (const std::int64_t point : points) {
@@ -43,7 +43,7 @@ void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
 }
 
-// The points at which the answer deflects the surface, and those outside that stay apart by less than the margin.
+// H p on the trial set, and at the points outside it whose gap is below the margin.
 Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
   const StepSurface& surface = work.surface;
   const TrialSet& trial = answer.op->trial();
@@ -86,7 +86,7 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   const auto put_found_below = [&](std::int64_t limit) {
     for (; next < order.size() && found[order[next]] < limit; ++next) {
       const std::int64_t point = found[order[next]];
-      // As the backend took it, so that the approach and its round-off drop out.
+      // Inverts what the backend computed, so that the approach and its round-off drop out.
       put(point, 0, request.approach - surface.gap()[static_cast<std::size_t>(point)] - depth[order[next]]);
     }
   };
@@ -101,13 +101,13 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   return result;
 }
 
-// Unknowns around an estimated contact that lies in a small part of the grid: every point that the approach can reach.
+// Every point that the approach can reach, where these lie in a small part of the grid; else nothing.
 TrialSet reachable(const Workspace& work, const Estimate& estimate, double limit) {
   const std::int64_t box = work.surface.extent_below(limit).box();
   return estimate.pressures.empty() || compact * box > work.system.points() ? TrialSet{} : work.surface.below(limit);
 }
 
-// Tiles that carry pressure or overlap under an estimate.
+// Tiles that carry pressure, or have a small gap, under an estimate.
 std::vector<std::int64_t> tiles_under(Workspace& work, const Estimate& estimate, const Choice& choice) {
   Answer guess;
   guess.choice = choice;
@@ -121,7 +121,7 @@ std::vector<std::int64_t> tiles_under(Workspace& work, const Estimate& estimate,
   return tiles;
 }
 
-// What overlaps by more than the certificate allows at points without pressure.
+// Points without pressure that overlap by more than the certificate allows.
 std::vector<std::int64_t> overlapping(const Workspace& work, const Deflected& found, double compression) {
   const double allowed = 0.9 * work.options.real(RC_OPT_TOL) * compression;
   std::vector<std::int64_t> points;
@@ -180,7 +180,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     const std::vector<std::int64_t> more = overlapping(work, all, answer.compression);
     const std::size_t before = tiles.size();
     add_tiles(tiles, more, work);
-    // Points of the tiles that a larger approach reaches are unknowns of the next round.
+    // A larger approach reaches more points of the same tiles: they are unknowns of the next round.
     const bool new_unknowns = tiles.size() > before || answer.compression > limit - lowest;
     if (more.empty() || last || !new_unknowns) {
       answer.checked = std::move(all);
@@ -200,7 +200,7 @@ std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep
   return estimate;
 }
 
-// From a grid of half as many points a side, which has its own from a coarser one where it is large itself.
+// The estimate from a grid of half as many points a side. Where that grid is large itself, it has its own from a coarser one.
 std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor) {
   const rc_system& system = work.system.given;
   if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;

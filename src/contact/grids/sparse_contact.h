@@ -1,4 +1,4 @@
-// Steps whose contact is far sparser than the grid.
+// Solves steps whose contact is far sparser than the grid.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace rc {
 
-// Nothing where contact is not sparse, or the options leave no backend that screens. estimate: what a coarser grid tells.
+// Nothing where contact is not sparse, or the options leave no backend that screens. estimate: that of a coarser grid.
 std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
                                      std::optional<Estimate> estimate);
 

@@ -35,7 +35,7 @@ std::int64_t resolved_stride(std::int64_t stride, std::int64_t values, std::int6
   return result;
 }
 
-// The batch with its strides resolved, and where its outputs go.
+// The batch with its strides resolved; it makes the steps and writes the outputs.
 struct Request {
   rc_batch given;
   std::int64_t points;
@@ -64,7 +64,7 @@ struct Request {
     step.control = given.control;
     step.warm_start = given.warm_start;
     step.target = target(i, k);
-    if (k > 0) return step;  // later steps find the surface as this one left it
+    if (k > 0) return step;  // later steps keep the surface of the first
     step.gap = given.gap + i * given.gap_stride;
     step.mask = given.mask ? given.mask + i * given.mask_stride : nullptr;
     step.borrow = 1;  // the caller's arrays outlive the contacts
@@ -89,7 +89,7 @@ struct Request {
     rc_result none{};
     none.status = status;
     none.load = none.displacement = none.contact_area = none.stiffness = nan;
-    none.kkt_primal = nan;  // the first of a maximum that compares false with all others
+    none.kkt_primal = nan;  // std::max keeps a NaN that comes first, so the certificate is NaN
     none.iterations = none.applications = -1;
     for (; k < given.steps; ++k) write(i, k, none);
   }
@@ -100,7 +100,7 @@ struct Request {
   }
 };
 
-// What the threads share: the next contact, why the batch ends early, and whose message the call returns.
+// What the threads share: the number of the next contact, why the batch ends early, and the message that the call returns.
 class Progress {
  public:
   Progress(std::int64_t n, double time_limit)
@@ -120,7 +120,7 @@ class Progress {
   }
   const char* why_stopped() const { return stop_ == RC_STOP_TIME ? out_of_time_.c_str() : "rc_batch.fn ended the batch"; }
 
-  // Contact i, which is one thread's, ended at step k. Free of allocations: it may be one that failed.
+  // Contact i ended at step k, not certified. Allocates nothing, because an allocation may be what failed.
   void ended(std::int64_t i, std::int64_t k, double target, rc_status status, const char* message) {
     endings_[static_cast<std::size_t>(i)] = status;
     const std::lock_guard lock(mutex_);
@@ -133,10 +133,10 @@ class Progress {
     std::snprintf(first_message_, sizeof first_message_, "%s", message);
   }
 
-  // Contact i, every step of which is certified, on a coarser grid where its goal of accuracy allowed that.
+  // Every step of contact i is certified or within its accuracy goal, and some step is the latter.
   void ended_within_goal(std::int64_t i) { endings_[static_cast<std::size_t>(i)] = RC_WITHIN_GOAL; }
 
-  // When all threads have ended.
+  // Call it when all threads have ended.
   BatchOutcome outcome() const {
     BatchOutcome result;
     std::map<rc_status, std::int64_t> counts;
@@ -170,14 +170,14 @@ class Progress {
   const Clock::time_point start_ = Clock::now();
   std::atomic<std::int64_t> next_{0};
   std::atomic<rc_status> stop_{RC_OK};
-  std::mutex mutex_;  // of the rest
+  std::mutex mutex_;  // guards the members below
   std::int64_t first_ = -1, first_step_ = 0;
   double first_target_ = 0;
   rc_status first_status_ = RC_OK;
   char first_message_[most_text] = "";
 };
 
-// One thread's contact, which serves one history after the other.
+// One thread's contact, which solves one history after the other.
 class Worker {
  public:
   Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress)
@@ -210,7 +210,7 @@ class Worker {
     if (within_goal) progress_.ended_within_goal(i);
   }
 
-  // At step k, with no answer from step `unanswered` on.
+  // History i ends at step k; from step `unanswered` on it has no answers.
   void end(std::int64_t i, std::int64_t k, std::int64_t unanswered, rc_status status, const char* message) {
     request_.write_none(i, unanswered, status);
     progress_.ended(i, k, request_.target(i, k), status, message);
@@ -259,10 +259,10 @@ class Worker {
   char message_[most_text] = "";
 };
 
-// Helpers, joined whatever happens to the calling thread.
+// Helper threads. They are joined even if the calling thread leaves by an exception.
 class Helpers {
  public:
-  // As many as the system allows.
+  // Starts `count` helpers, or as many as the system allows.
   template <class Body> Helpers(std::int64_t count, Progress& progress, const Body& body) : progress_(progress) {
     threads_.reserve(static_cast<std::size_t>(count));
     try {
@@ -301,7 +301,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   each.set(RC_OPT_THREADS, std::int64_t{1});
   each.set(RC_OPT_TIME_LIMIT, 0.0);
   if (batch.stiffness) each.set(RC_OPT_STIFFNESS, std::int64_t{1});
-  if (!batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{0});  // nobody would see them
+  if (!batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{0});  // no output shows them
 
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };
   std::unique_ptr<Contact> first = contact();  // checks the system and the options
@@ -314,7 +314,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
     } catch (const abi::__forced_unwind&) {
       throw;
     } catch (...) {
-      // It had no memory to begin with: the others do its share.
+      // No memory for its contact: the others do its share.
     }
   });
   own.work();

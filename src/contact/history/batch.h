@@ -1,4 +1,4 @@
-// Many contacts on one system: their histories, shared out over threads.
+// Many contacts on one system: threads share their histories.
 #pragma once
 
 #include <cstdint>

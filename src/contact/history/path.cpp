@@ -26,7 +26,7 @@ rc_step step_of(const rc_path& path, std::int64_t i) {
   step.control = path.control;
   step.warm_start = path.warm_start;
   step.target = path.targets[i];
-  if (i == 0) {  // later steps find the surface as this one left it
+  if (i == 0) {  // later steps keep the surface of the first
     step.gap = path.gap;
     step.mask = path.mask;
   }
@@ -66,7 +66,7 @@ class StiffnessAsked {
 rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& completed) {
   check_path(path);
   if (path.n == 0) return RC_OK;
-  // Set between two steps, a cancellation must reach the next one; so it is cleared only when the path ends.
+  // A cancellation between two steps must reach the next one, so it is cleared only when the path ends.
   const Contact::Cancellation cancellation(contact);
   std::optional<StiffnessAsked> stiffness;
   if (path.stiffness) stiffness.emplace(contact);

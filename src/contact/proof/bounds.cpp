@@ -11,11 +11,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double product_error = 4;  // round-off of a product, in units of epsilon log2(n) times its size
-constexpr int most_rounds = 3;       // of leaving out what the round before proved open
+constexpr int most_rounds = 3;       // each leaves out the points that the round before proved open
 
 double square(double x) { return x * x; }
 
-// |sum of x| <= by_distance |x|_H + by_work x'w.
+// The bound |sum of x| <= by_distance |x|_H + by_work x'w.
 struct SumBound {
   double by_distance = infinity, by_work = 0;
 };
@@ -33,8 +33,8 @@ struct Distance {
   }
 };
 
-// In units of `length` and of the dimensionless operator: p >= 0, the given one without its negative entries; u = d - h; w = H p
-// - u.
+// In units of length_ and of the dimensionless operator: p = max(given p, 0), u = d - h, w = H p - u. docs/certificate.md has the
+// derivation.
 class Proof {
  public:
   Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer)
@@ -76,7 +76,7 @@ class Proof {
   static double rounding_of(double lowest, double compression) { return std::abs(lowest + compression - lowest - compression); }
   static double points_of(const Extent& support) { return static_cast<double>(support.n); }
 
-  // Of the points listed, by their place in the list.
+  // Quantities at point i of the list.
   double height(std::size_t i) const { return surface_.height(answer_.point(i)); }
   bool included(std::size_t i) const { return surface_.included(answer_.point(i)); }
   double p(std::size_t i) const { return std::max(0.0, given_[i] * system_.length_per_pressure / length_); }
@@ -86,8 +86,8 @@ class Proof {
   // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0.
   bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ > height(i)); }
 
-  // Sizes, and the doubt about every w_i: round-off of the product, that of the approach as it is returned, and what the negative
-  // entries of the given pressures would have changed in the product (no entry of H is larger than its largest diagonal entry).
+  // Sizes, and doubt_, a bound of the error of every w_i: round-off of the product, round-off of the approach as it is returned,
+  // and the product of the negative pressures that were cut off (no entry of H is larger than its largest diagonal entry).
   void measure() {
     double largest_product = 0, largest_w = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
@@ -120,7 +120,7 @@ class Proof {
     doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
   }
 
-  // x'w <= beta + delta'x: a point with w > 0 gives at most w p, and none with w >= 0 where p is 0.
+  // x'w <= beta + delta'x: a point with w > 0 adds at most w p, so one with w >= 0 and p = 0 adds nothing.
   void residual() {
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
@@ -136,15 +136,15 @@ class Proof {
     }
   }
 
-  // |(Hx)_i| <= |x|_H sqrt(H_ii).
+  // Points with a larger gap are open, since |(Hx)_i| <= |x|_H sqrt(H_ii).
   double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
 
-  // Points that may carry pressure or were given one, but for those proven open: outside x is 0.
+  // Points that were given a pressure, or may carry one and are not proven open. Outside this set x is 0.
   Extent not_proven_open() const {
     const double reach = open_beyond();
     const std::int64_t nx = system_.unit.nx;
     Extent support;
-    if (!(reach < answer_.beyond) && !all_listed()) {  // the points that are not listed may be any candidates
+    if (!(reach < answer_.beyond) && !all_listed()) {  // any candidate may be among the points that are not listed
       support = candidates_;
       for (std::size_t i = 0; i < given_.size(); ++i)
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
@@ -166,7 +166,7 @@ class Proof {
     const auto point = static_cast<std::int64_t>(answer_.point(i));
     support.add(point % system_.unit.nx, point / system_.unit.nx);
   }
-  // Of the bounding box, cells included.
+  // Diagonal of the bounding box of the support's cells.
   double diagonal(const Extent& support) const {
     return std::hypot(static_cast<double>(support.width()) * system_.unit.hx,
                       static_cast<double>(support.height()) * system_.unit.hy);
@@ -176,14 +176,14 @@ class Proof {
   double flat_punch(const Extent& support) const {
     double least = points_of(support) / spectrum_.lowest;
     if (spectrum_.flat_punch > 0) least = std::min(least, spectrum_.flat_punch);
-    // A flat punch on cells of the kernel galerkin is a constrained state of a disc around them, whose stiffness is its diameter.
+    // With the kernel galerkin a flat punch on cells is no stiffer than a disc around them, whose stiffness is its diameter.
     if (spectrum_.galerkin_share > 0) least = std::min(least, diagonal(support) / spectrum_.galerkin_share);
     return least;
   }
 
   SumBound sum_bound_of(const Extent& support) const {
     if (!system_.periodic()) return {std::sqrt(flat_punch(support)), 0};
-    // x is 0 off the support, so its part without mean has the mean's size there.
+    // x is 0 off the support, so x less its mean has the size of the mean there.
     const double free = n() - points_of(support);
     return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
   }
@@ -208,7 +208,7 @@ class Proof {
   }
   static SumBound better(const SumBound& a, const SumBound& b) { return a.by_distance < b.by_distance ? a : b; }
 
-  // |x|_H^2 <= x'w <= beta + R |x|_H + a x'w, R and a from delta's constant part c and the rest.
+  // |x|_H^2 <= x'w <= beta + R |x|_H + a x'w; R and a follow from delta's mean c and from the rest of delta.
   Distance distance(const SumBound& sum_bound, const Extent& support, double beta, double stray) const {
     const double root = std::sqrt(spectrum_.lowest), points = system_.periodic() ? n() : points_of(support);
     const double noise = doubt_ * std::sqrt(points);
@@ -226,8 +226,8 @@ class Proof {
     return result;
   }
 
-  // The points in beta may also be taken out of p: without them it is at the distance that R alone gives, and their pressures y
-  // change H p by H y, whose dual norm is |y|_H <= sum(y) sqrt(max H_ii). Of first order in y where sqrt(beta) is of order 1/2.
+  // Another bound: takes the pressures y of the points in beta out of p. That changes H p by H y, whose dual norm is |y|_H <=
+  // sum(y) sqrt(max H_ii); R alone bounds the rest. It is of first order in y, where sqrt(beta) is of order 1/2.
   Distance distance_without_stray(SumBound sum_bound, const Extent& support) const {
     const double norm = stray_ * std::sqrt(spectrum_.diagonal);
     sum_bound.by_distance += norm * sum_bound.by_work;
@@ -257,7 +257,7 @@ class Proof {
   }
 
   void convert(const Extent& support, Bounds& result) const {
-    // One factor after the other: their product may be less than the least double where the load is not.
+    // Multiplies one factor after the other: the product of the factors may underflow where the load does not.
     const double pressure = length_ / system_.length_per_pressure, area = system_.cell_area();
     const double sum_error = distance_.sum + 4 * epsilon * sum_;
     double most = sum_ + sum_error;
@@ -265,7 +265,7 @@ class Proof {
     result.load_lower = std::max(0.0, sum_ - sum_error) * pressure * area;
     result.load_upper = most < infinity ? most * pressure * area : infinity;
     if (distance_.energy == infinity) return;
-    // What the negative entries change, and the round-off of the energy itself.
+    // Adds what the negative pressures change, and the round-off of the energy itself.
     const double energy = distance_.energy + negative_ * (largest_w_ + doubt_ + spectrum_.diagonal * negative_) + doubt_ * sum_ +
                           (4 + std::sqrt(n())) * epsilon * work_;
     result.duality_gap = energy * length_ * pressure * area;
@@ -275,12 +275,12 @@ class Proof {
   const Spectrum& spectrum_;
   const StepSurface& surface_;
   const double compression_;
-  const double rounding_;  // [length] of the approach, which is a double, against the lowest gap and the compression
+  const double rounding_;  // [length] round-off of the approach, which is the lowest gap plus the compression
   const Deflected& answer_;
   const std::span<const double> given_, product_;
   Extent candidates_;                                               // points that may carry pressure
   double length_ = 1, depth_ = 0;                                   // [length]; largest compenetration
-  double sum_ = 0, negative_ = 0, largest_w_ = 0, doubt_ = 0;       // of p; of what was cut off; of |w|; about every w_i
+  double sum_ = 0, negative_ = 0, largest_w_ = 0, doubt_ = 0;       // sum of p; of the negative p; largest |w|; error of w_i
   double beta_ = 0, stray_ = 0, delta_sum_ = 0, delta_square_ = 0;  // see residual(); stray: the pressures in beta
   double work_ = 0;                                                 // p'|Hp| + p'|u|
   Distance distance_;

@@ -20,8 +20,8 @@ struct Bounds {
   void write(rc_result& result) const;
 };
 
-// compression: the approach less the lowest gap. p is 0 on excluded points. Where not all points are listed, H has no negative
-// entries.
+// compression: the approach less the lowest gap. p must be 0 on excluded points. If the answer does not list all points, H must
+// have no negative entries.
 Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer);
 
 }  // namespace rc

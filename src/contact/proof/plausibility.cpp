@@ -8,7 +8,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t most_samples = 32;  // a side
+constexpr std::int64_t most_samples = 32;  // along each side
 constexpr std::size_t least_points = 16;
 constexpr double most_mean_pressure = 0.1;  // over E*
 constexpr double most_tilt = 0.5;

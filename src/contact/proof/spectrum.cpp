@@ -57,8 +57,8 @@ class Cholesky {
   bool positive_ = true;
 };
 
-// An estimate by inverse iteration, which is too large, and a factorisation of H - shift I, which exists only if no eigenvalue is
-// smaller than the shift (Sylvester's law of inertia).
+// Estimates the lowest eigenvalue by inverse iteration, from above. A share of the estimate is a lower bound if H - shift I has a
+// factorisation with that shift: it exists only if no eigenvalue is smaller (Sylvester's law of inertia).
 Spectrum factorised(const System& system) {
   const auto n = static_cast<std::size_t>(system.points());
   const Cholesky factor(system.given, system.operator_scale, 0);
@@ -71,14 +71,14 @@ Spectrum factorised(const System& system) {
   result.flat_punch = dot(x.data(), x.data(), n) * (1 + 1e-6);
 
   double estimate = 0;
-  for (std::size_t i = 0; i < n; ++i) x[i] = i % 2 == 0 ? 1 : -0.5;  // no eigenvector of a symmetric arrangement
+  for (std::size_t i = 0; i < n; ++i) x[i] = i % 2 == 0 ? 1 : -0.5;  // not an eigenvector of a symmetric arrangement
   for (int step = 0; step < 40; ++step) {
     const double before = std::sqrt(dot(x.data(), x.data(), n));
     for (double& value : x) value /= before;
     factor.solve(x);
     estimate = 1 / std::sqrt(dot(x.data(), x.data(), n));
   }
-  // What round-off and the allowed asymmetry can move an eigenvalue of a matrix with entries of at most 1.
+  // How far round-off and the allowed asymmetry can move an eigenvalue of a matrix with entries of at most 1.
   const double doubt = static_cast<double>(n) * (1e-12 + 2 * static_cast<double>(n) * epsilon);
   for (const double share : {0.9, 0.5, 0.1})
     if (Cholesky(system.given, system.operator_scale, share * estimate).positive()) {

@@ -1,15 +1,15 @@
-// What the proofs of bounds.h need to know about the operator.
+// Bounds of the operator's spectrum, which the proofs of bounds.h need.
 #pragma once
 
 #include "contact/system.h"
 
 namespace rc {
 
-// Of the dimensionless operator. 0: not known.
+// Bounds for the dimensionless operator. 0: not known.
 struct Spectrum {
-  double lowest = 0;          // no eigenvalue is smaller; periodic: none but the mean's, which is 0
+  double lowest = 0;          // no eigenvalue is smaller; periodic: but the mean's, which is 0
   double diagonal = 0;        // no diagonal entry is larger
-  double flat_punch = 0;      // 1'H^-1 1 is at most that for the whole grid, so for every part of it
+  double flat_punch = 0;      // 1'H^-1 1 is no larger, on the whole grid and so on every part of it
   double galerkin_share = 0;  // x'Hx is at least this times that of the kernel galerkin
 };
 

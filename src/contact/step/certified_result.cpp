@@ -89,7 +89,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
     largest_product = std::max(largest_product, std::abs(answer.product[k]));
   }
   if (!system.halfspace() && largest_p > 0) {
-    // In units that cannot underflow.
+    // Scaled, so that the products do not underflow.
     for (std::size_t k = 0; k < p.size() && largest_product > 0; ++k)
       curved += p[k] / largest_p * (answer.product[k] / largest_product);
     if (curved <= 0)
@@ -98,7 +98,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   }
   const double area = system.cell_area();
   Bounds bounds;
-  // Proofs need more digits than a goal of accuracy leaves.
+  // With an accuracy goal there are too few digits for proofs.
   if (work.options.integer(RC_OPT_BOUNDS) != 0 && work.goal.error == 0) {
     std::optional<Spectrum>& spectrum = work.facts.spectrum;
     if (!spectrum) spectrum = spectrum_of(system);
@@ -202,7 +202,7 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
   double depth = step.control == RC_CONTROL_LOAD ? 0 : compression_of(step, work);
   result.modelled = 0;
   if (answer.op) {
-    // Screening holds for its own approach alone.
+    // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
     const bool stopped = step.control == RC_CONTROL_LOAD && answer.status != RC_OK && !answer.checked;
     depth = stopped ? fitting_compression(work, found) : answer.compression;
     result.modelled = answer.op->modelled();

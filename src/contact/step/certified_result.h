@@ -1,4 +1,4 @@
-// From an answer on a trial set to a certified result.
+// Turns an answer on a trial set into a certified result.
 #pragma once
 
 #include "contact/answer.h"
@@ -9,22 +9,22 @@ namespace rc {
 
 struct Finished {
   rc_status status = RC_OK;  // the result's
-  Pressures pressures;       // of a step that is certified or within its goal; else of no use
+  Pressures pressures;       // of use only if the step is certified or within its goal
 };
 
-// Certifies the answer of a step, writes the result and last the caller's arrays. answer: a default one where nothing touches or
-// a stop came before any answer.
+// Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing
+// touches, or where a stop came before any answer.
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
-// The same of the pressures in result.p.
+// The same for the pressures in result.p.
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result);
 
-// Its parts, for answers that are finished another way.
+// The parts of certified_result, for answers that are finished in another way.
 
-// H p by the certifying operator: over all points, or where not `everywhere` over those that matter.
+// H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs.
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
 // The compression at which the mean of the gap, weighted by the pressures, vanishes.
 double fitting_compression(const Workspace& work, const Deflected& answer);
-// Certificate, bounds, and all of the result that follows from pressures and product. RC_OK or RC_STOP_UNCERTIFIED.
+// Writes certificate, bounds and all that follows from pressures and product. Returns RC_OK or RC_STOP_UNCERTIFIED.
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result);
 void name_components(Workspace& work, const Answer& answer, rc_result& result);
 void count_work(const Workspace& work, const Monitor& monitor, rc_result& result);

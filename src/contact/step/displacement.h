@@ -1,4 +1,4 @@
-// A step with a prescribed approach.
+// Solves a step with a prescribed approach.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace rc {
 
-// nearer: what a coarser grid tells.
+// nearer: the estimate of a coarser grid.
 Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
                        const std::optional<Estimate>& nearer = std::nullopt);
 

@@ -23,14 +23,14 @@ class Monitor {
   Monitor(const std::atomic<bool>& cancelled, const ProgressCallback& progress, double time_limit, std::int64_t max_iter)
       : cancelled_(cancelled), progress_(progress), time_limit_(time_limit), max_iter_(max_iter) {}
 
-  // Before every product.
+  // Asked before every product.
   rc_status ask() const {
     if (cancelled_.load(std::memory_order_relaxed)) return RC_STOP_CANCELLED;
     if (time_limit_ > 0 && seconds() > time_limit_) return RC_STOP_TIME;
     return RC_OK;
   }
 
-  // Once an iteration of a solver that counts from 0 at each of its calls.
+  // Called once an iteration by a solver, which counts from 0 at each of its calls.
   rc_status poll(std::int64_t iteration, double kkt, std::int64_t applications) {
     if (iteration > iteration_) ++iterations_;
     iteration_ = iteration;
@@ -42,7 +42,7 @@ class Monitor {
     if (const rc_status status = ask(); status != RC_OK) return status;
     return iterations_ >= max_iter_ ? RC_STOP_MAX_ITER : RC_OK;
   }
-  // What a solve inside this one reports, to the caller.
+  // Passes the report of a solve inside this one on to the caller.
   std::int32_t report(const rc_progress& inner) const {
     if (!progress_.function || inner.iteration % progress_.every != 0) return 0;
     rc_progress report = inner;
@@ -50,7 +50,7 @@ class Monitor {
     return progress_.function(&report, progress_.user);
   }
   void next_call() { iteration_ = 0; }
-  // Around a solver inside a solver.
+  // begin_call and end_call enclose a solver inside a solver.
   std::int64_t begin_call() {
     const std::int64_t outer = iteration_;
     iteration_ = 0;

@@ -35,7 +35,7 @@ struct BoundProblem : rc_problem {
   ~BoundProblem();
 };
 
-// The problem of a step and those that its solver opens inside it take turns on one operator.
+// A step's problem and the problems that its solver opens inside it take turns on one operator. owner: the one it is bound to.
 struct Session {
   const SolverRun& run;
   const BoundProblem* owner = nullptr;
@@ -52,7 +52,7 @@ struct Session {
   rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d);
 };
 
-// Another problem may come to stand at its address.
+// The next problem may get the same address, and must not pass for the owner.
 BoundProblem::~BoundProblem() {
   if (session && session->owner == this) session->owner = nullptr;
 }
@@ -102,7 +102,7 @@ rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
 }
 
 rc_status coarse(const rc_problem* problem, rc_coarse* request) {
-  // A solver may be older than the members after p.
+  // An older solver's struct may lack the members after p.
   rc_coarse today{};
   today.control = RC_CONTROL_DISPLACEMENT;
   today.keep = 1;
@@ -126,7 +126,7 @@ void note(const rc_problem* problem, const char* text) {
   });
 }
 
-// Pressure at some of the unknowns only, by another solver.
+// Runs another solver, with pressure at some of the unknowns only.
 rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<const std::int64_t> a, double tol, double* p,
                       double* product) {
   Session& session = *outer.session;
@@ -214,7 +214,7 @@ rc_status Session::solve(const rc_solver& solver, BoundProblem& problem, double*
   return solver.solve(&run.work.options.context->host(), &problem, &run.work.options, p, d);
 }
 
-// The steps of another solver that come first. It need not converge.
+// The warm-up: some iterations of another solver come first. They need not converge.
 rc_status warm_up(Session& session, BoundProblem& problem, double* p, double* d) {
   const std::string& name = session.run.work.options.text(RC_OPT_WARMUP);
   if (name == "none" || name == session.run.solver.name) return RC_OK;

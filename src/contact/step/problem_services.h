@@ -12,13 +12,13 @@
 
 namespace rc {
 
-// Whether a run of this solver is without the compenetrations.
+// Whether this solver reads the gap and no other one warms up, so that the run needs no compenetrations.
 bool takes_gap(const rc_solver& solver, const rc_options& options);
 
-// Runs of one solver for one answer: the problem that it sees, and the services behind it.
+// Runs one solver for one answer. It makes the problem that the solver sees, and its services.
 class SolverRun {
  public:
-  // For the answer's choice, on its operator. All three must outlive it.
+  // Runs the solver of answer.choice on answer.op. All three must outlive it.
   SolverRun(Workspace& work, const Answer& answer, Monitor& monitor);
 
   // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
@@ -27,7 +27,7 @@ class SolverRun {
   rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,
                        std::vector<double>& p, double& d);
 
-  // What the services of rc_problem read.
+  // Members that the services of rc_problem read.
   Workspace& work;
   const rc_solver& solver;
   Operator& op;
@@ -37,7 +37,7 @@ class SolverRun {
   const double length_unit, pressure_unit;  // of u and p; 0 without a grid
   const std::int64_t most_iterations;       // of each run
 
-  // A remark takes the place of an earlier one that begins with the same words before a colon.
+  // A remark replaces an earlier one that has the same words before its colon.
   void note(const std::string& text) const;
 
  private:

@@ -12,7 +12,7 @@ namespace rc {
 
 namespace {
 
-// Whether "auto" may stand for another component than this one.
+// Whether "auto" may pass over this component; if so, notes that it did.
 bool pass_over(Workspace& work, const char* name, const char* option, const std::string& reason) {
   if (work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
   work.record.failed.emplace_back(name);
@@ -37,7 +37,7 @@ Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Mon
 Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
                     std::optional<Estimate> nearer) {
   const Choice& choice = work.record.choice;
-  std::optional<Error> first;  // what "auto" passed over a backend for
+  std::optional<Error> first;  // why "auto" passed over the first backend
   bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     work.record.choice = {};

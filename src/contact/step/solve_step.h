@@ -11,8 +11,8 @@
 
 namespace rc {
 
-// Solves with what "auto" chooses first, and goes on to its next choice where that fails. nearer: what a coarser grid tells.
-// Some point touches.
+// Solves with the first choice of "auto", and with the next where that fails. nearer: the estimate of a coarser grid. Some point
+// must touch.
 Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
                     std::optional<Estimate> nearer);
 

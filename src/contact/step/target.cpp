@@ -39,10 +39,10 @@ double compression_of(const rc_step& step, const Workspace& work) {
   return work.surface.included_points() > 0 ? step.target - work.surface.lowest() : 0;
 }
 
-// The scale is the problem's own: an answer must not set the scale that it is judged by. Periodic boundaries, load control: in
-// full contact the compression may vanish under any load. A quarter of what the mean pressure does to one cell then serves; it is
-// less than any kernel gives for cells up to 100 times as long as wide. Periodic boundaries, displacement control: the load stays
-// open if gaps under pressure may be as large as the mean gap, so they are held to half of it.
+// The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
+// full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
+// length_per_pressure; all kernels deflect a cell by more, if it is up to 100 times as long as wide. Periodic, displacement
+// control: gaps under pressure as large as the mean gap would leave the load open, so tol times the scale is half of it at most.
 double residual_scale(const rc_step& step, const Workspace& work, double compression) {
   const System& system = work.system;
   if (!system.periodic()) return compression;

@@ -11,7 +11,7 @@ TrialSet trial_below(double limit, const Workspace& work) {
 }
 
 TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work) {
-  constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost by the point
+  constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost more with every point
   if (!(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !work.surface.whole()) return trial;
   const rc_system& system = work.system.given;
   const std::int64_t box = box_points(trial, system.nx, system.ny);

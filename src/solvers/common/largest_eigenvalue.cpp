@@ -12,7 +12,7 @@ namespace rc {
 namespace {
 
 constexpr int collatz_steps = 4, power_steps = 8;
-constexpr double margin = 1.15;  // power iteration comes from below
+constexpr double margin = 1.15;  // power iteration approaches the eigenvalue from below
 
 // Collatz (1942): for H without negative entries and any x > 0, max_i (Hx)_i / x_i >= lambda_max; it tightens as x nears the
 // Perron vector.
@@ -31,7 +31,7 @@ double collatz_bound(const Problem& problem) {
   return bound;
 }
 
-// |A x| / |x| of the last of a few power steps from a vector of all frequencies; multiply(x, y) sets y = A x.
+// The largest |A x| / |x| of a few power steps, from a vector of all frequencies. multiply(x, y) sets y = A x.
 template <class Multiply> double power_estimate(std::size_t n, const Multiply& multiply) {
   Vector x(n), y(n);
   std::uint32_t noise = 1;

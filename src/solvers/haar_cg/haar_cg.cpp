@@ -1,5 +1,5 @@
 // The solver haar-cg: projected conjugate gradients on the contact set, preconditioned by two multilevel trees. README.md has the
-// method, iteration.h its control flow; here it is run on the threads of this process.
+// method, iteration.h its control flow. This file runs it on the threads of this process.
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -50,7 +50,7 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   const bool mixed = problem.has_float() && problem.option_text("haar-cg.products") == "mixed";
   const rc_status status = mixed ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
-  // Pivoting is finite whatever the surface.
+  // nnls ends after finitely many steps on every surface.
   problem.note("haar-cg: stalled; nnls finished");
   Positions all(p.size());
   std::iota(all.begin(), all.end(), std::int64_t{0});

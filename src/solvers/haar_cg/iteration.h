@@ -1,5 +1,5 @@
-// The method haar-cg, written once for every machine: README.md has it in pseudo-code and explains the constants. Nothing here
-// reads a vector's values; all decisions follow from sums.
+// The method haar-cg, written once for every machine. README.md has it in pseudo-code and explains the constants. The iteration
+// never reads a vector's values: all its decisions follow from sums.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ struct HaarTask {
   bool by_load = false;      // the load is prescribed; otherwise the approach, which u contains
   double load = 0;           // the sum of p that is wanted
   double tol = 0;            // residual to reach, relative to the largest compenetration
-  double least_scale = 0;    // by load: the compenetration that residuals are at least relative to
-  double periodic_mean = 0;  // a constant that every entry of the trees' operator has and H lacks
-  bool elongated = false;    // cells or sides: the trees may misjudge the slope of the load by far
-  int patience = 120;        // bounded steps without half the residual before the iteration gives up
+  double least_scale = 0;    // by load: least compenetration that residuals are relative to
+  double periodic_mean = 0;  // by how much every entry of the trees' operator exceeds that of H
+  bool elongated = false;    // cells or grid are elongated: the trees may misjudge the load's slope by far
+  int patience = 120;        // the iteration stalls after more bounds than this without half the residual
   // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
   std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
 };
@@ -28,7 +28,7 @@ enum class HaarEnding { solved, stalled, not_finite };
 
 struct HaarOutcome {
   HaarEnding ending;
-  double approach;  // by load: the one found
+  double approach;  // by load: the approach found
 };
 
 template <Machine M> class HaarIteration {
@@ -39,7 +39,7 @@ template <Machine M> class HaarIteration {
   HaarOutcome run(double approach) {
     start(approach);
     const HaarEnding ending = iterate();
-    return {ending, datum_ - mean_ * now_.load};  // of the operator as given
+    return {ending, datum_ - mean_ * now_.load};  // without the deflection that the added mean causes
   }
 
  private:
@@ -47,37 +47,37 @@ template <Machine M> class HaarIteration {
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
 
-  // Steps between two bounds, and how strict the admission of new points is: a point without pressure enters the contact set
-  // where it overlaps by more than this share of the residual.
+  // Interval: steps between two bounds. Admission: a point without pressure enters the contact set where it overlaps by more than
+  // this share of the residual.
   static constexpr int first_interval = 2, longest_interval = 16;
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
-  static constexpr double little = 1e-4;    // of the first step's gain of energy: a step that gains less ends its interval
-  static constexpr int refresh_every = 12;  // bounded steps between products of the pressures, which remove drift
+  static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
+  static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
 
-  // The safeguard acts after `patience` bounded steps in which the residual has not halved, or after a rise of the merit.
+  // The safeguard acts after `patience` bounds in which the residual has not halved, or after a rise of the merit.
   static constexpr int patience = 10;
   static constexpr double progress = 0.5;
 
-  // Newton's steps on the load and, with the mean in a periodic operator, on the deflection that the mean adds.
-  static constexpr double usual_excess = 2, elongated_excess = 10;       // most that the trees may be wrong by, either way
-  static constexpr double caution = 0.7, damping = 1.2;                  // in lengthening steps; where steps swing ever wider
+  // Newton's method on the load or, where a mean was added to a periodic operator, on the deflection that this mean causes.
+  static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
+  static constexpr double caution = 0.7, damping = 1.2;                  // lengthens steps less; shortens diverging ones
   static constexpr double settled = 5e-2;                                // residual below which the contact set changes little
   static constexpr double overloaded = 10;                               // relative imbalance: the approach may then fall by more
-  static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration, in one step
+  static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration in a step
   static constexpr double least_stiffening = 1e-2, most_stiffening = 4, least_slope = 1e-4;
-  static constexpr double most_share = 0.99;  // of the deflection under a load that adding its mean may make up
-  static constexpr int tolerated_rises = 2;   // before the search with the mean in the operator is given up
+  static constexpr double most_share = 0.99;  // of the deflection under a load: the added mean makes up less
+  static constexpr int tolerated_rises = 2;   // troubles before the search with the added mean is given up
 
   static constexpr bool single = sizeof(Real) < sizeof(double);
-  static constexpr double drop = single ? 1e-4 : 0;             // of the residual, in which single precision is reliable
-  static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rises of the merit that rounding explains
+  static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
+  static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  // What is known.
+  // The present state.
 
   double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
-  // The datum follows a load: the one prescribed, or the one whose mean deflection was added to the operator.
+  // Whether Newton's method moves the datum: by load, or with an added mean.
   bool follows() const { return task_.by_load || mean_ > 0; }
   double scale() const {
     return task_.by_load ? std::max({datum_ - mean_ * task_.load + highest_, task_.least_scale, 1e-300}) : 1.0;
@@ -89,14 +89,14 @@ template <Machine M> class HaarIteration {
 
   // Operator, preconditioner, contact set.
 
-  // to = (H + mean 11') from. By load the mean only shifts the datum by a multiple of the load. Without it the load of a periodic
-  // contact would have little curvature, in full contact none.
+  // to = (H + mean 11') from. By load the added mean only shifts the datum by a multiple of the load. Without it the energy of a
+  // periodic contact would hardly depend on the mean pressure, and in full contact not at all.
   template <class Handle> void product(Handle from, Handle to) {
     m_.product(from, to);
     if (mean_ != 0) m_.raise(to, mean_ * m_.total(from));
   }
 
-  // z = M g on the contact set, without g of ones. Returns (z, q), where q is given.
+  // z = M g on the contact set; without g: z = M 1. Returns (z, q), where q is given.
   double precondition(Vector g, Vector q) {
     if (!prepared_) m_.set_up_trees(task_.periodic_mean - mean_);
     prepared_ = true;
@@ -107,7 +107,7 @@ template <Machine M> class HaarIteration {
     if (m_.choose_set(threshold)) prepared_ = false;
   }
 
-  // w from a product in double precision.
+  // Computes w anew, from a product in double precision.
   void refresh() {
     prepared_ = false;
     product(m_.p(), m_.wide_spare());
@@ -133,7 +133,7 @@ template <Machine M> class HaarIteration {
     choose(0);
   }
 
-  // Pressures that have more energy than none become their multiple of least energy.
+  // Replaces pressures that have more energy than p = 0 by their multiple of least energy.
   void reduce() {
     const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
     const double curved = now_.moment + work;
@@ -155,7 +155,7 @@ template <Machine M> class HaarIteration {
     curvature_ = m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
-    // Long intervals end where a step gains little beside the first: what is left waits for the contact set.
+    // A long interval ends where a step gains little beside the first: a better contact set then gains more than further steps.
     ++phase_;
     if (phase_ == 1) first_gain_ = slope * slope / curvature_;
     if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = interval_;
@@ -165,7 +165,7 @@ template <Machine M> class HaarIteration {
     return true;
   }
 
-  // The pressures that were cut off no longer deflect the surface: w follows by their product.
+  // Adds to w the product of what the cut added to the pressures.
   void bound() {
     phase_ = 0;
     if (++since_refresh_ >= refresh_every) return refresh();
@@ -183,8 +183,8 @@ template <Machine M> class HaarIteration {
     now_ = m_.add_and_measure(Vector(nullptr), change);
   }
 
-  // The slope of the load over that which the trees tell, sum = 1'z with z = M 1. Of the multiples of z that of least energy is
-  // 1'z / z'Hz: its error is of second order in that of M.
+  // The slope of the load over the trees' slope, sum = 1'z with z = M 1. The multiple of z that has the least energy is
+  // 1'z / z'Hz, with an error of second order in that of M.
   double measured_excess(double sum) {
     prepared_ = false;
     product(m_.z(), m_.y());
@@ -192,21 +192,21 @@ template <Machine M> class HaarIteration {
     return energy > 0 ? std::clamp(sum / energy, 1 / most_excess(), most_excess()) : 1;
   }
 
-  // Newton's step of the approach on the load that is missing once the present gap is closed.
+  // Newton's step of the approach. The missing load is what remains to be added once the present gap is closed.
   void balance() {
     choose(0);
     const double pending = precondition(Vector(nullptr), m_.w());
     const double sum = m_.total(m_.z());
     if (!(sum > 0)) return;
-    // The mean deflects by less than the whole operator: where the trees tell more they have come to overrate the slope.
+    // The added mean causes less than the whole deflection. Where the trees contradict that, they overrate the slope.
     if (excess_ == 0 || (!task_.by_load && mean_ * excess_ * sum > most_share)) excess_ = measured_excess(sum);
     if (!task_.by_load) return deflect(pending, sum);
     const double depth = scale(), missing = task_.load - now_.load + excess_ * pending;
-    // The share that the last step left of the missing load tells the true slope: at once where the step was too long.
+    // The share of the missing load that the last step left corrects the slope: in full where the step was too long.
     const double left = missing / missing_;
     if (last_ < settled && left < 1)
       excess_ = std::clamp(excess_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)), 1 / most_excess(), most_excess());
-    else if (left < -1)  // steps that swing ever wider
+    else if (left < -1)  // the steps diverge
       excess_ = std::min(excess_ * damping, most_excess());
     const double wanted = missing / (excess_ * sum);
     const bool far = imbalance() > overloaded;
@@ -216,7 +216,7 @@ template <Machine M> class HaarIteration {
     lower(change);
   }
 
-  // Newton's step of the datum on the deflection that the mean of the load adds to it, in displacement control.
+  // Newton's step of the datum in displacement control: the datum must become the deflection that the added mean causes.
   void deflect(double pending, double sum) {
     const double missing = mean_ * (now_.load - excess_ * pending) - datum_;
     const double left = missing / missing_;
@@ -231,8 +231,8 @@ template <Machine M> class HaarIteration {
     lower(change);
   }
 
-  // Before a residual is believed: a product in double precision, by load of pressures with exactly that load, and the approach
-  // at which the mean of the gap, weighted by the pressures, vanishes.
+  // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
+  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures, vanishes.
   void settle() {
     if (task_.by_load) m_.multiply(now_.load > 0 ? task_.load / now_.load : 1);
     refresh();
@@ -246,7 +246,7 @@ template <Machine M> class HaarIteration {
 
   // Safeguards.
 
-  // After an interval: the merit rose, or the residual has not halved for long.
+  // After a bound: whether the merit rose, or the residual has not halved for `patience` bounds.
   bool in_trouble() {
     bool trouble = !follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit);
     merit_before_ = now_.merit;
@@ -274,8 +274,8 @@ template <Machine M> class HaarIteration {
     conjugate_ = false;
   }
 
-  // A periodic operator does not resist a change of the mean, and steps may raise the load without end. With the mean in the
-  // operator they cannot: then the datum stands for the deflection that it adds, and is found together with the load.
+  // A periodic operator does not resist a uniform pressure, so steps may raise the load without end. With a mean added to the
+  // operator they cannot. The datum is then the deflection that this mean causes, and is found together with the load.
   void add_mean() {
     refresh();
     reduce();
@@ -287,7 +287,7 @@ template <Machine M> class HaarIteration {
     rises_ = 0;
   }
 
-  // Where nearly all points touch, the load grows so fast with the deflection that it is hard to find.
+  // Gives that search up: where nearly all points touch, the load grows too fast with the datum to be found.
   void drop_mean() {
     mean_ = datum_ = 0;
     conjugate_ = prepared_ = false;
@@ -331,20 +331,20 @@ template <Machine M> class HaarIteration {
   int since_refresh_ = 0;   // bounds since then
 
   double curvature_ = 0;                       // (t, q) of the last step
-  double first_gain_ = 0;                      // of energy, times two, in the first step of an interval
-  int interval_ = first_interval, phase_ = 0;  // steps of an interval, and those made
+  double first_gain_ = 0;                      // twice the energy gained by the first step of the interval
+  int interval_ = first_interval, phase_ = 0;  // steps of the interval; how many were made
   bool conjugate_ = false;                     // the next direction is made conjugate to t
   bool cut_any_ = false;                       // the last bound cut pressures off
-  bool prepared_ = false;                      // the trees stand over the present contact set
+  bool prepared_ = false;                      // the trees are set up for the present contact set
   double admission_ = first_admission;
 
-  double excess_ = 0;      // the slope of the load over that of the trees; 0: not measured yet
-  double missing_ = 0;     // load that the last step of the approach should have added
-  double stiffening_ = 1;  // factor of the datum's slope in displacement control
+  double excess_ = 0;      // slope of the load over the trees' slope; 0: not measured yet
+  double missing_ = 0;     // load, or deflection, that the last Newton's step was to make up; NaN: not known
+  double stiffening_ = 1;  // correction of the datum's slope in displacement control
 
   double best_ = infinite, merit_before_ = infinite;
   int since_best_ = 0, stalled_ = 0,
-      rises_ = 0;  // bounds since the residual halved, since it last did before giving up; troubles
+      rises_ = 0;  // bounds since the residual halved or patience ran out; since it halved; troubles
   bool mean_tried_ = false;
 };
 

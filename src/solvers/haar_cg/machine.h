@@ -1,4 +1,4 @@
-// What the iteration of haar-cg requires of a machine: the place where its vectors live and its sums are made.
+// What the iteration of haar-cg requires of a machine: the place where vectors live and sums are computed.
 //
 // A machine holds one contact problem: the pressures p in double precision; w = H p - u - datum, a direction t, its product
 // q = H t and two spare vectors z and y, all of type Real; the contact set; and the preconditioner M, two multilevel trees. The
@@ -10,7 +10,7 @@
 
 namespace rc {
 
-// Of all unknowns, with the pressures p and the vector w.
+// Sums over all unknowns, of the pressures p and the vector w.
 struct HaarMeasure {
   double largest = 0;  // violation of the complementarity conditions: |w| where p > 0, -w elsewhere
   double load = 0;     // sum of p
@@ -23,8 +23,8 @@ struct HaarStart {
   bool warm;       // some pressure is positive
 };
 
-// Vector and Wide are handles that are cheap to copy: a pointer, or an index of a device's memory. nullptr makes the handle of no
-// vector. Every sum is made in double precision and in an order that does not change between runs.
+// Vector and Wide are handles that are cheap to copy: a pointer, or an index into a device's memory. nullptr is the handle of no
+// vector. Every sum is computed in double precision, in an order that does not change between runs.
 template <class M>
 concept Machine = std::floating_point<typename M::Real> && std::constructible_from<typename M::Vector, std::nullptr_t> &&
     std::constructible_from<typename M::Wide, std::nullptr_t> &&
@@ -40,7 +40,7 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   { m.p() } -> std::same_as<typename M::Wide>;
   { m.wide_spare() } -> std::same_as<typename M::Wide>;
 
-  // Products with the operator as given: b = H a, in the precision of the vectors.
+  // b = H a, in the precision of the vectors.
   m.product(a, b);
   m.product(wide, wide);
   // a += number, in every component.
@@ -51,9 +51,9 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   { m.total(wide) } -> std::same_as<double>;
   { m.inner(a, b) } -> std::same_as<double>;
 
-  // The trees over the contact set. number: a constant that every entry of the trees' operator has and H lacks.
+  // Sets up the trees for the contact set. number: by how much every entry of the trees' table exceeds that of the operator.
   m.set_up_trees(number);
-  // z = M a on the contact set, 0 elsewhere; without a: of ones. Returns (z, b); without b: 0.
+  // z = M a on the contact set, 0 elsewhere; without a: z = M 1. Returns (z, b); without b: 0.
   { m.apply_trees(a, b) } -> std::same_as<double>;
 
   // p = max(p, 0); every unknown is in the contact set; t = 0.
@@ -64,7 +64,7 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   { m.turn(number) } -> std::same_as<double>;
   // p -= number t and w -= number q. With yes: p = max(p, 0), and z is what that added to p; returns whether it added any.
   { m.advance(number, yes) } -> std::same_as<bool>;
-  // w += a - number; without a: w -= number.
+  // w += a, and number is 0; without a: w -= number.
   { m.add_and_measure(a, number) } -> std::same_as<HaarMeasure>;
   // w = wide - u - number; without wide: w = -u - number, for p = 0.
   { m.replace_and_measure(wide, number) } -> std::same_as<HaarMeasure>;

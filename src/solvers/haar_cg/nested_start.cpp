@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::int64_t coarsest_side = 64;
 constexpr std::int64_t chunk = 8192;
-constexpr double coarse_tol = 1e-2;             // of the start: more digits are lost when the pressures are spread
-constexpr std::int64_t remembered = 256 * 256;  // points of a coarse grid whose operator is kept for later steps
+constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
+constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
 // Every point takes the pressure of the coarse cell in which it lies.
 void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressure, std::span<double> p) {
@@ -58,7 +58,7 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
 
   spread(problem, coarse.nx, pressure, p);
   if (!problem.load_control()) return;
-  // u = (datum - gap) / length
+  // The datum from u = (datum - gap) / length.
   const double datum = problem.u() ? grid.gap[grid.index ? grid.index[0] : 0] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
 }

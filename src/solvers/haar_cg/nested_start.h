@@ -1,4 +1,4 @@
-// A start from the solution on a grid of half the resolution, which starts from a coarser one in turn.
+// A start from the solution on a grid of half the resolution. That solution starts from a still coarser grid.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// The machine in its simplest form: one loop after the other, on one thread. It says what the passes in threads/ compute; tests
-// compare the two.
+// The machine in its simplest form: plain loops on one thread. It defines what the passes in threads/ compute; tests compare the
+// two.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ template <class R> class PlainMachine {
   Wide p() { return &p_; }
   Wide wide_spare() { return &wide_; }
 
-  // The result has the precision of the vectors.
+  // The product is computed in double precision and rounded to that of the vectors.
   template <class Value> void product(const std::vector<Value>* from, std::vector<Value>* to) {
     std::vector<double> y(n_);
     multiply_(std::vector<double>(from->begin(), from->end()), y);

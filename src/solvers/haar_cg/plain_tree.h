@@ -1,11 +1,11 @@
-// One multilevel tree over every cell of a grid, in double precision: the text to read before tree.h, which computes the same
-// with vector instructions. Tests alone use it.
+// One multilevel tree over every cell of a grid, in double precision. Read it before tree.h, which computes the same with vector
+// instructions. Tests alone use it.
 //
-// On each level the cells are joined to blocks of 2 x 2, of 2 x 1 where cells are elongated. A block knows the couplings of its
-// children, A: what a unit load on one, spread over it, deflects another. With s = 1'A^-1 1, the children share a load of the
-// block as w = A^-1 1 / s, which has the least energy 1/2s: so 1/s is the block's own coupling as a child of the next level.
-// What A^-1 does besides, A^-1 - s w w', acts on differences between the children; half of it is kept, because two trees
-// are averaged.
+// On each level the cells are joined to blocks of 2 x 2, or 2 x 1 where cells are elongated. A holds the couplings of a block's
+// children: the deflection of one under a unit load spread over another. With s = 1'A^-1 1, the shares w = A^-1 1 / s divide a
+// unit load on the block among its children with the least energy, 1/2s. So 1/s is the block's coupling with itself as a child
+// of the next level. The rest of the inverse, A^-1 - s w w', acts on differences between the children. Half of it is kept,
+// because two trees are averaged.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +23,10 @@ class PlainTree {
  public:
   using Values = std::vector<double>;
 
-  // table: of every offset of the grid. shifted: the blocks of every second level begin one cell earlier.
+  // shifted: the blocks of every second level begin one cell earlier.
   PlainTree(std::int64_t nx, std::int64_t ny, const CouplingTable& table, bool shifted) {
     double hx = table.hx, hy = table.hy, scale = 1;
-    std::int64_t wide = 1, high = 1;  // blocks of the grid's cells between which couplings are averaged
+    std::int64_t wide = 1, high = 1;  // cells of the grid along the sides of a block
     for (int depth = 0; nx * ny > 1 || depth == 0; ++depth) {
       Level level{nx, ny};
       level.x = scale * coupling(table, wide, high, 1, 0);
@@ -45,7 +45,7 @@ class PlainTree {
         ny = (ny + level.shift_y + 1) / 2;
         hy *= 2;
       }
-      // Where few blocks are left, couplings fall with the size of the cells.
+      // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides.
       const bool room =
           (!level.merge_x || table.mx >= least_blocks * wide) && (!level.merge_y || table.my >= least_blocks * high);
       if (room) {
@@ -66,8 +66,8 @@ class PlainTree {
     self_ = table.k[0];
   }
 
-  // The blocks over the contact set. surplus: a constant in every entry of the table that the operator lacks; it only shows in
-  // the coupling of the whole with itself.
+  // Solves the blocks for the contact set. surplus: by how much every entry of the table exceeds that of the operator. It is
+  // taken off the coupling of the whole contact set with itself: it does not act on differences.
   void set_up(const std::vector<std::uint8_t>& active, double surplus) {
     Values self(active.size());  // 0: no contact
     for (std::size_t i = 0; i < self.size(); ++i) self[i] = active[i] ? self_ : 0;
@@ -81,7 +81,7 @@ class PlainTree {
 
   // z += part * M g
   void add(const Values& g, double part, Values& z) const {
-    std::vector<Values> load{g};  // on each level: up to the blocks in the shares of their children
+    std::vector<Values> load{g};  // on each level: a block's load is the sum of its children's by their shares
     for (const Level& level : levels_) {
       Values above;
       for (const Block& block : level.blocks) {
@@ -111,7 +111,7 @@ class PlainTree {
   }
 
  private:
-  static constexpr double anisotropy = 1.5;  // of cells above which only the short side is joined
+  static constexpr double anisotropy = 1.5;  // ratio of a cell's sides above which cells are joined along the short side only
   static constexpr std::int64_t least_blocks = 8;
   static constexpr double kept_detail = 0.5;
   static constexpr double least_top = 0.1;  // of the surplus
@@ -142,13 +142,13 @@ class PlainTree {
     return sum / static_cast<double>(wide * wide * high * high);
   }
 
-  // Shares and differences of a block from the couplings of its children; returns its own coupling, 0 without contact.
+  // Sets a block's shares and details from the couplings of its children. Returns its coupling with itself, 0 without contact.
   static double solve(const Level& level, const Values& self, Block& block) {
     const double between[4][4] = {{0, level.x, level.y, level.xy},
                                   {level.x, 0, level.xy, level.y},
                                   {level.y, level.xy, 0, level.x},
                                   {level.xy, level.y, level.x, 0}};
-    // [A 1] becomes [1 A^-1] by Gauss & Jordan's method; children without contact are a row of the identity.
+    // [A I] becomes [I A^-1] by Gauss & Jordan's method; a child without contact has a row of the identity.
     double a[4][8] = {};
     bool in[4];
     for (std::size_t i = 0; i < 4; ++i) {

@@ -8,9 +8,9 @@ namespace rc {
 
 namespace {
 
-constexpr double anisotropy = 1.5;  // of cells above which only the short side is merged
+constexpr double anisotropy = 1.5;  // ratio of a cell's sides above which cells are merged along the short side only
 
-// Triangle averages along one direction: couplings between pairs of cells from those between cells.
+// Couplings between pairs of cells, from those between cells: averages with triangular weights along one direction.
 std::vector<double> halved(const std::vector<double>& k, std::int64_t mx, std::int64_t my, bool along_x) {
   const std::int64_t n = along_x ? mx : my, half = n / 2, rest = along_x ? my : mx;
   std::vector<double> out(static_cast<std::size_t>(half * rest));
@@ -28,13 +28,13 @@ std::vector<double> halved(const std::vector<double>& k, std::int64_t mx, std::i
 
 }  // namespace
 
-// Blocks of cells that are given by their places; these become the places of the blocks.
+// Joins the cells at the places (x, y) to blocks. x and y become the places of the blocks.
 void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const {
   std::vector<std::int32_t> px, py;
   level.child.clear();
   const auto column = [&](std::size_t i) { return level.merge_x ? (x[i] + level.shift_x) / 2 : std::int64_t{x[i]}; };
   const auto row = [&](std::size_t i) { return level.merge_y ? (y[i] + level.shift_y) / 2 : std::int64_t{y[i]}; };
-  // The rows of a block follow each other; each is in ascending order, so the two are merged.
+  // A row of blocks has up to two rows of cells, which follow each other. Each is in ascending order, so the two are merged.
   for (std::size_t begin = 0; begin < x.size();) {
     const std::int64_t parent_row = row(begin);
     std::size_t middle = begin;
@@ -95,7 +95,7 @@ HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted,
     }
     level.parents = mx * my;
     if (!full_) link(level, x, y);
-    // Beyond the table the couplings fall with the size of the cells.
+    // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides.
     const bool room_x = !level.merge_x || kx >= 8, room_y = !level.merge_y || ky >= 8;
     if (room_x && room_y) {
       if (level.merge_x) {
@@ -133,7 +133,7 @@ void HaarTree::take(const Cells& cells, const std::vector<std::int32_t>& unknown
   if (unknowns.empty()) *this->cells(levels()) = 0;
 }
 
-// Rows of values begin with the cells that a shift leaves out, and are as long as whole groups of blocks read or write.
+// A row of values begins with the empty cells of a shift, and is long enough for whole groups of blocks to be read and written.
 HaarTree::Size HaarTree::lay_out() {
   Size size;
   std::int64_t written = 0;  // values in a row of the level's cells, as the level below writes them
@@ -157,7 +157,7 @@ HaarTree::Size HaarTree::lay_out() {
 }
 
 void HaarTree::tabulate(float self, float finest) {
-  float first[32], second[32];  // of 16 blocks, one of each pattern
+  float first[32], second[32];  // children of 16 blocks, one block for each pattern
   for (unsigned pattern = 0; pattern < 16; ++pattern)
     for (unsigned i = 0; i < 4; ++i) {
       float* const row = i < 2 ? first : second;

@@ -1,5 +1,4 @@
-// One multilevel tree over the unknowns: blocks of 2 x 2 cells, each solved exactly for the loads that its children carry, with
-// the weights of least energy. Everything is in single precision.
+// One multilevel tree over the unknowns: plain_tree.h explains it. It computes in single precision.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +10,7 @@
 
 namespace rc {
 
-// What the finest level works on.
+// The vectors that the finest level reads and writes.
 template <class Real> struct HaarFinestValues {
   const std::uint8_t* active;  // [unknowns] the contact set
   const Real* g;               // [unknowns]; null: 1 everywhere
@@ -23,18 +22,18 @@ template <class Real> struct HaarFinestValues {
   const Real* row(std::int64_t at) const { return g ? g + at : ones; }
 };
 
-// Work on a level is cut into parts, which may be done at the same time.
+// The work on a level is cut into parts, which may run at the same time.
 class HaarTree {
  public:
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
   // `finest`: factor of the differences inside the finest blocks.
   HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest);
 
-  // Where not every cell exists: a tree over some of the unknowns only, in ascending order; after place().
+  // Where not every cell exists: rebuilds the tree over some of the unknowns only, in ascending order. Call place() first.
   void take(const Cells& cells, const std::vector<std::int32_t>& unknowns);
 
-  // The tree's values and blocks live in the caller's memory, aligned for floats. What is there is lost where it moves or is
-  // written by others, and set up anew by solve() from the finest level on.
+  // The tree's values and blocks live in the caller's memory, aligned for floats. After the memory has moved, or others have
+  // written to it, solve again from the finest level on.
   std::size_t bytes() const { return size_.values * sizeof(float) + size_.blocks * sizeof(HaarBlocks); }
   void place(std::byte* memory) {
     value_ = reinterpret_cast<float*>(memory);
@@ -48,12 +47,12 @@ class HaarTree {
   std::int64_t columns() const { return levels_.front().mx; }  // of cells
   static std::int64_t rows_per_part(std::int64_t columns);     // of cells
 
-  // Blocks and self couplings, from the finest level up; then the whole, without a constant in every coefficient that is not in
-  // the operator and only shows at the top.
+  // Solves the blocks of each level, from the finest up, then the whole. surplus: by how much every entry of the table exceeds
+  // that of the operator; it is taken off at the top.
   void solve_finest(std::int64_t part, const std::uint8_t* active);
   void solve(std::size_t level, std::int64_t part);
   void solve_top(float surplus);
-  // Loads up, pressures down.
+  // Loads go up, pressures come down.
   template <class Real> void up_finest(std::int64_t part, const HaarFinestValues<Real>& values);
   void up(std::size_t level, std::int64_t part);
   void turn_top();
@@ -64,15 +63,15 @@ class HaarTree {
  private:
   struct Level {
     std::int64_t mx, my;                    // cells of this level
-    bool merge_x = false, merge_y = false;  // how they join to cells of the next
-    std::int64_t shift_x = 0, shift_y = 0;  // 1: the first block is cut
+    bool merge_x = false, merge_y = false;  // how they join to blocks, the next level's cells
+    std::int64_t shift_x = 0, shift_y = 0;  // 1: the blocks begin one cell earlier
     HaarCouplings coupling{};               // of neighbours
     std::int64_t parents = 0;               // number of blocks
     std::int64_t columns = 0, rows = 0;     // of blocks
     std::int64_t groups = 0;                // of eight blocks in a row
-    std::int64_t lead_x = 0, lead_y = 0;    // empty cells before the first, so that no block is cut
+    std::int64_t lead_x = 0, lead_y = 0;    // empty cells before the first, so that the first block is whole
     std::int64_t pitch = 0, height = 0;     // columns and rows of values of the cells
-    std::size_t values = 0, blocks = 0;     // where they begin; not on the finest level
+    std::size_t values = 0, blocks = 0;     // where those of this level begin; not on the finest level
     std::vector<std::int32_t> child{};      // [4*parents] where not every cell exists; -1: none
   };
   struct Size {

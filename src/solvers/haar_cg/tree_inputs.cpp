@@ -10,8 +10,8 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t table_side = 64;  // couplings are averaged from this many offsets, and extrapolated beyond
-constexpr double most_square = 10;       // ratio of sides: more is elongated
+constexpr std::int64_t table_side = 64;  // offsets along x and y from which couplings are averaged; extrapolated beyond
+constexpr double most_square = 10;       // ratio of sides above which cells or grids are elongated
 
 // The unknowns in their bounding box.
 Cells cells_of(const rc_grid& grid, std::int64_t n) {
@@ -36,11 +36,12 @@ Cells cells_of(const rc_grid& grid, std::int64_t n) {
 
 double ratio(double a, double b) { return std::max(a, b) / std::min(a, b); }
 
-// The mean of the periodic operator counts as its longest wave, so that the couplings are positive.
+// Added to every coefficient of a periodic operator, so that couplings are positive: the mean then deflects like the longest
+// wave.
 double mean_of(const rc_grid& grid) {
   const double unit = std::sqrt(grid.hx * grid.hy);
   const double lx = grid.hx * static_cast<double>(grid.nx) / unit, ly = grid.hy * static_cast<double>(grid.ny) / unit;
-  // More where many waves are long: then the longest alone tells too little of the load's slope.
+  // More on elongated grids, which have many long waves: the longest alone then misjudges the load's slope.
   const double waves = std::max(lx, ly) > most_square * std::min(lx, ly) ? 3 : 1;
   return waves * std::max(lx, ly) / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
 }
@@ -54,7 +55,7 @@ TreeInputs tree_inputs(const rc_grid& grid, std::int64_t n, const Coefficients& 
   if (mean > 0)
     for (double& value : table.k) value += mean;
   Cells cells = cells_of(grid, n);
-  // A column is a row: trees take the cells of a row many at a time.
+  // A single column is treated as a row, because trees take many cells of a row at a time.
   if (cells.full() && cells.mx == 1 && table.mx == 1) {
     std::swap(cells.mx, cells.my);
     std::swap(table.mx, table.my);

@@ -1,4 +1,4 @@
-// What the trees over a grid's unknowns are made from.
+// The input of the trees over a grid's unknowns: couplings, and where the unknowns lie.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -28,7 +28,7 @@ struct TreeInputs {
   Cells cells;
   CouplingTable table;
   double mean = 0;         // periodic: what was added to every coefficient of the table
-  bool elongated = false;  // cells or sides differ so much that the trees may misjudge the slope of the load by far
+  bool elongated = false;  // cells or grid are elongated: the trees may misjudge the load's slope by far
 };
 
 // Coefficients at the offsets (ix, iy), 0 <= ix < mx, 0 <= iy < my.

@@ -8,11 +8,11 @@ namespace rc {
 
 namespace {
 
-constexpr float least_top = 0.1F;  // of what is taken off the top
+constexpr float least_top = 0.1F;  // of the surplus: least coupling of the whole with itself
 constexpr std::int64_t cells_per_part = 32768;
-constexpr std::int64_t groups_per_part = 64;  // where they are scattered
+constexpr std::int64_t groups_per_part = 64;  // where not every cell exists
 
-// What is at those places, 0 where there is none.
+// The values at 16 places, 0 at place -1; 1 for each place without `from`.
 template <class Value> void gather(const Value* from, const std::int64_t* place, Value* to) {
   for (int i = 0; i < 16; ++i) to[i] = place[i] < 0 ? Value{0} : from ? from[place[i]] : Value{1};
 }
@@ -33,7 +33,7 @@ std::int64_t HaarTree::parts(std::size_t level) const {
   return (l.rows + rows - 1) / rows;
 }
 
-// visit(row, first group, end) for the rows of blocks of a part; where not every cell exists there is one long row.
+// visit(row, first group, end) for the rows of blocks in a part. Where not every cell exists there is one long row.
 template <class Visit> void HaarTree::each_row(std::size_t level, std::int64_t part, const Visit& visit) const {
   const Level& l = levels_[level];
   if (!full_) return visit(std::int64_t{0}, part * groups_per_part, std::min((part + 1) * groups_per_part, l.groups));
@@ -41,7 +41,7 @@ template <class Visit> void HaarTree::each_row(std::size_t level, std::int64_t p
   for (std::int64_t row = part * rows; row < std::min((part + 1) * rows, l.rows); ++row) visit(row, std::int64_t{0}, l.groups);
 }
 
-// Where the children of eight blocks are: among the unknowns on the finest level, among the values above it.
+// Where the children of eight blocks are: on the finest level among the unknowns, above it among the level's values.
 HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int64_t group) const {
   const Level& l = levels_[level];
   Places at;
@@ -78,7 +78,7 @@ template <class Run, class Single> void HaarTree::each_group(std::int64_t row, c
     if (group < first || group >= end) single(group);
 }
 
-// What lies around the values of a row that this level writes counts as no cell.
+// Zeroes what lies around the row of values that this level writes: there are no cells.
 void HaarTree::clear_margins(std::size_t level, std::int64_t row) {
   if (!full_) return;
   const Level &l = levels_[level], &next = levels_[level + 1];
@@ -204,7 +204,7 @@ void HaarTree::down(std::size_t level, std::int64_t part) {
   });
 }
 
-// Eight blocks; pressures of the unknowns from begin to end only.
+// Eight blocks; writes the pressures of the unknowns begin .. end-1 only.
 template <class Real>
 void HaarTree::down_group(std::int64_t row, std::int64_t group, std::int64_t begin, std::int64_t end,
                           const HaarFinestValues<Real>& values) {

@@ -12,9 +12,9 @@ namespace rc {
 
 namespace {
 
-// Fewest blocks worth sharing between threads: in rows, and scattered.
+// Fewest blocks worth sharing between threads: where every cell exists, and where only some do.
 constexpr std::int64_t least_shared = 16384, least_scattered = 1024;
-constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where they are not in rows
+constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where not every cell exists
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void HaarTreePair::place(std::byte* memory) {
   tree_[1].place(memory + tree_[0].bytes());
 }
 
-// Levels above the finest that all threads do together; the smaller ones are done by one thread for each tree.
+// The first level above the finest that is too small to be shared: from it on one thread does each tree.
 std::size_t HaarTreePair::shared_levels() const {
   std::size_t level = 1;
   while (level < std::min(tree_[0].levels(), tree_[1].levels()) && worth_sharing(level)) ++level;
@@ -47,7 +47,7 @@ template <class Work> void HaarTreePair::on_level(std::size_t level, const rc_te
   });
 }
 
-// The same for the finest level, where both trees visit the same unknowns one after the other.
+// The same for the finest level: one thread takes the same unknowns for both trees, one tree after the other.
 template <class Work> void HaarTreePair::on_finest(const rc_team& team, const Work& work) {
   const std::int64_t parts[2] = {tree_[0].parts(0), tree_[1].parts(0)};
   const std::int64_t all = std::max(parts[0], parts[1]);
@@ -57,7 +57,7 @@ template <class Work> void HaarTreePair::on_finest(const rc_team& team, const Wo
   });
 }
 
-// Where points are scattered, trees over those in contact alone.
+// Where not every cell exists: rebuilds the trees over the unknowns in contact alone.
 void HaarTreePair::take(const std::uint8_t* active, const rc_team& team) {
   const auto n = static_cast<std::size_t>(unknowns_);
   if (taken_.size() == n && std::memcmp(taken_.data(), active, n) == 0) return;

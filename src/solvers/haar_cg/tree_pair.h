@@ -12,13 +12,13 @@ class HaarTreePair {
   // finest: factor of the differences inside the finest blocks.
   HaarTreePair(Cells cells, const CouplingTable& table, float finest = 1);
 
-  // The caller's memory, in which all of it lives. set_up() anew where it has moved or was written by others.
+  // The trees live in the caller's memory. After it has moved, or others have written to it, call set_up() again.
   std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }
   void place(std::byte* memory);
 
-  // active [unknowns]: the contact set. surplus: a constant in every entry of the table that is not in the operator.
+  // active [unknowns]: the contact set. surplus: by how much every entry of the table exceeds that of the operator.
   void set_up(const std::uint8_t* active, float surplus, const rc_team& team);
-  // z = M g on the contact set, 0 elsewhere; g null: of ones. Returns the sum of z q, where q is given.
+  // z = M g on the contact set, 0 elsewhere; g null: z = M 1. Returns (z, q), where q is given.
   template <class Real> double apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team);
 
  private:
@@ -31,7 +31,7 @@ class HaarTreePair {
   HaarTree tree_[2];
   Cells cells_;
   std::int64_t unknowns_;
-  std::vector<std::uint8_t> taken_;  // the contact set that the trees stand over, where not every cell exists
+  std::vector<std::uint8_t> taken_;  // where not every cell exists: the contact set that the trees were built for
 };
 
 }  // namespace rc

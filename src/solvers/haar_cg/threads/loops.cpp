@@ -30,16 +30,16 @@ template <> struct Eight<double> {
   typedef std::int64_t Mask __attribute__((vector_size(64)));
 };
 
-// A vector at any address: a member of a packed struct, because an alignment that is part of a type's alias can get lost.
+// A vector at any address. It is a member of a packed struct, because compilers may drop the alignment of a type's alias.
 template <class Type> struct __attribute__((packed, may_alias)) Anywhere { Type v; };
 
-// Macros: a function would not have the caller's instructions.
+// Macros, because a function would not be compiled for the caller's vector instructions.
 #define RC_READ(Type, from) (static_cast<Type>(reinterpret_cast<const Anywhere<Type>*>(from)->v))
 #define RC_AT(Type, to) (reinterpret_cast<Anywhere<Type>*>(to)->v)
 #define RC_TOTAL(v) ((((v)[0] + (v)[1]) + ((v)[2] + (v)[3])) + (((v)[4] + (v)[5]) + ((v)[6] + (v)[7])))
 
 constexpr float most_share = 32767;  // in units of HaarBlocks::w
-constexpr float detail = 0.5F;       // damping of the differences inside a block
+constexpr float detail = 0.5F;       // share of the differences inside a block that is kept
 constexpr float least_pivot = 1e-12F;
 
 namespace baseline {
@@ -61,7 +61,7 @@ inline Floats looked_up(const float* table, const Integers& at) {
 
 namespace avx2 {
 #define RC_TARGET __attribute__((target("avx2")))
-// The upper eight where bit 3 is set.
+// Bit 3 of an index chooses between the lower and the upper eight of the 16 floats.
 #define RC_LOOKUP(table, at)                                                                       \
   ((Floats)_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), (__m256i)(at)),       \
                             _mm256_permutevar8x32_ps(_mm256_loadu_ps((table) + 8), (__m256i)(at)), \

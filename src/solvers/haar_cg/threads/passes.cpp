@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t chunk = 8192, piece = 1024;
 constexpr std::int64_t least_shared = 4 * chunk;
 
-// body(begin, count) -> Part for each chunk; parts are added in their order.
+// Adds up body(begin, count) -> Part of all chunks, in their order.
 template <class Part, class Body> Part reduce(std::int64_t n, const rc_team& team, const Body& body) {
   const std::int64_t items = (n + chunk - 1) / chunk;
   std::vector<Part> parts(static_cast<std::size_t>(items));
@@ -57,7 +57,7 @@ struct Nothing {
   Nothing& operator+=(Nothing) { return *this; }
 };
 
-// visit(first, count, u) for pieces of the unknowns, in which u may have to be made.
+// visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack.
 template <class Visit> void with_u(const Compenetration& u, std::int64_t begin, std::int64_t n, const Visit& visit) {
   double room[piece];
   for (std::int64_t i = begin; i < begin + n; i += piece) {

@@ -1,4 +1,4 @@
-// The passes over all unknowns between two products, each fused, in a fixed order of partial sums.
+// The passes over all unknowns between two products. Each is one fused loop, with partial sums in a fixed order.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -11,19 +11,19 @@
 
 namespace rc {
 
-// u as the problem has it, or from the gap where it has none.
+// The compenetration u: the problem's, or computed from the gap where the problem has none.
 struct Compenetration {
   const double* u;
   const rc_grid* grid;
   double length;
 
-  // `count` values from `begin` on; `room` holds them where they are made.
+  // `count` values from `begin` on; `room` holds them if they are computed.
   const double* values(std::int64_t begin, std::int64_t count, double* room) const;
 };
 
-// The state of an iteration: w = H p - u - d, a direction with its product, and the contact set. Residuals and directions are
-// in single or double precision. The spare memory holds two vectors of Real, or one of doubles, or one of Real and what `trees`
-// bytes hold: these come after it.
+// The vectors of an iteration: w = H p - u - datum, a direction t with its product q, and the contact set. w, t and q are in
+// single or double precision. The spare memory holds two vectors of Real, or one of double, or one of Real and after it the
+// `trees` bytes of the trees.
 template <class Real> struct HaarState {
   std::int64_t n;
   Compenetration u;
@@ -33,7 +33,7 @@ template <class Real> struct HaarState {
   std::byte* spare;
   std::unique_ptr<std::byte[]> memory;
 
-  // All in the contact set, no direction.
+  // Every unknown is in the contact set; t = 0.
   HaarState(std::int64_t size, const Compenetration& compenetration, double* pressure, std::size_t trees, const rc_team& team);
 
   Real* first_spare() { return reinterpret_cast<Real*>(spare); }
@@ -42,20 +42,20 @@ template <class Real> struct HaarState {
   std::byte* tree_spare() { return reinterpret_cast<std::byte*>(second_spare()); }
 };
 
-// Cuts negative pressures off.
+// p = max(p, 0).
 template <class Real> HaarStart begin(HaarState<Real>& s, const rc_team& team);
 // p *= factor
 template <class Real> void multiply(HaarState<Real>& s, double factor, const rc_team& team);
 // t = z + beta t on the contact set, 0 elsewhere. Returns (w, t).
 template <class Real> double turn(HaarState<Real>& s, const Real* z, Real beta, const rc_team& team);
-// p -= length t, w -= length q. With `cut` given, negative pressures are cut off into it: returns whether there were any.
+// p -= length t, w -= length q. With `cut`: p = max(p, 0), and cut is what that added to p; returns whether it added any.
 template <class Real> bool advance(HaarState<Real>& s, double length, Real* cut, const rc_team& team);
-// w += change - shift, where given.
+// w += change, and shift is not used; without a change: w -= shift.
 template <class Real> HaarMeasure add_and_measure(HaarState<Real>& s, const Real* change, double shift, const rc_team& team);
-// w = product - u - shift; without a product that of no pressure.
+// w = product - u - shift; without a product: w = -u - shift, for p = 0.
 template <class Real>
 HaarMeasure replace_and_measure(HaarState<Real>& s, const double* product, double shift, const rc_team& team);
-// Points with pressure, and those that overlap by more than the threshold. Returns whether the set changed.
+// The contact set becomes the unknowns with p > 0 or w < -threshold. Returns whether it changed.
 template <class Real> bool choose_set(HaarState<Real>& s, double threshold, const rc_team& team);
 
 // (a, b), where a is 0 off the contact set

@@ -1,5 +1,5 @@
-// The machine of the threads of one process: loops with vector instructions over arrays, shared out in chunks of a fixed size, so
-// that the sums do not depend on the number of threads.
+// The machine of the threads of one process: vectorised loops over arrays. Threads share chunks of a fixed size, so that sums do
+// not depend on the number of threads.
 #pragma once
 
 #include <utility>
@@ -16,7 +16,7 @@ template <class R> class ThreadMachine {
   using Vector = Real*;
   using Wide = double*;
 
-  // problem and p, the pressures, must outlive it.
+  // problem and the pressures p must outlive it.
   ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees)
       : problem_(problem),
         team_(problem.team()),

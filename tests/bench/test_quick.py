@@ -43,6 +43,8 @@ repeated = run('deterministic', '--quick', '--points', '64', '--threads', '2', '
 for row in repeated['deterministic']:
     assert row['choice'] != '1' or row['same_as_one_thread'] == row['same_again'] == 'yes', row
 
+assert len(run('goal-trial', '--kinds', 'dust,terraces', '--points', '32', '--last', '2', '--goals', '0.1', '--times')['rows']) == 3
+
 failures = run('failures', '--quick')
 assert len(failures['atlas']) > 20 and all(all(row.values()) for row in failures['atlas'])
 assert all(row['dishonest'] == 0 for row in failures['data']['greedy'] + failures['data']['cmr'])
