@@ -40,11 +40,13 @@ def run(request):
     for n in [PATCH, *request.sizes]:
         for case in ((b, c, a) for a in request.percents for b in request.boundaries for c in request.controls):
             row = in_child(lambda n=n, case=case: measure(n, case[0], case[1], case[2] / 100, request))
-            rows.append({'n': n, 'step': 'warm' if n == PATCH else 'cold', **dict(zip(('boundary', 'control', 'percent'), case)), **row})
+            names = dict(zip(('boundary', 'control', 'percent'), case))
+            rows.append({'n': n, 'step': 'warm' if n == PATCH else 'cold', **names, **row})
             print(n, *case, file=sys.stderr)
     store.save(stiffness=rows)
     print(f'Products of a step certified to {request.tol:g}, and of its stiffness to the residual that is told')
-    show('n; step; %={percent}; found %={found:.2f}; boundary; control; backend; contact; stiffness; ratio={ratio:.2f}; residual={residual:.0e}', rows)
+    show('n; step; %={percent}; found %={found:.2f}; boundary; control; backend; contact; stiffness; ratio={ratio:.2f}; '
+         'residual={residual:.0e}', rows)
 
 
 question('stiffness', 'products of the stiffness beside those of the contact', run, {

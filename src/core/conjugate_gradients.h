@@ -22,8 +22,8 @@ inline constexpr std::integral_constant<int, 1> no_unit;
 
 // x: start in, answer out; r: its residual b - A x, updated with x. Residuals are divided by `unit`, the size of b, before they
 // are squared, so that squares stay in range. sum(n, term) adds n terms. multiply(t, q) sets q = A t and returns 0 or a status.
-// enough(step, rr) with the sum of squares rr is asked before every step and may look at x and r. turn(step, rr, q, t) makes t the
-// next direction, where t and q = A t are the last, and returns (r / unit)'t.
+// enough(step, rr) with the sum of squares rr is asked before every step and may look at x and r. turn(step, rr, q, t) makes t
+// the next direction, where t and q = A t are the last, and returns (r / unit)'t.
 template <class Unit, class Sum, class Multiply, class Enough, class Turn>
 ConjugateGradientsEnd conjugate_gradients(std::span<double> x, std::span<double> r, const Unit& unit, const Sum& sum,
                                           const Multiply& multiply, const Enough& enough, const Turn& turn) {
