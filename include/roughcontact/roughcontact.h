@@ -145,7 +145,7 @@ typedef struct rc_result {
   double mean_pressure; /* load / (n hx hy) [force/length^2]                                                */
   double contact_area; /* contacts hx hy [length^2]                                                         */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised      */
-  double stiffness;    /* dW/dd of the contact set [force/length], to 1e-10 of its value; infinite in full
+  double stiffness;    /* dW/dd of the contact set [force/length], to about tol / 100 of its value; infinite in full
                           periodic contact; NaN unless option stiffness is 1                                */
   double kkt_primal;   /* max(0, -min p) / max|p|                                                           */
   double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
@@ -373,7 +373,7 @@ typedef struct rc_context_config {
   uint32_t reserved;       /* 0                                                                             */
   const char *plugin_path; /* ':'-separated absolute directories, searched before RC_PLUGIN_PATH and the
                               installed one; relative ones are refused; NULL: none; copied                  */
-  rc_log_fn log;           /* NULL: silent                                                                  */
+  rc_log_fn log;           /* NULL: silent; the threads of a batch call it, too, and at the same time       */
   void *log_user;
 } rc_context_config;
 #define RC_CONTEXT_CONFIG_INIT \

@@ -68,3 +68,8 @@ for row in dilute['dilute']:
 histories = run('histories', '--levels', '6', '--steps', '4')
 for row in histories['histories']:
     assert row['status'] == 'RC_OK' and row['load_difference'] < 1e-6, row
+
+stiffness = run('stiffness', '--quick', '--threads', '1')
+assert len(stiffness['stiffness']) == 8
+for row in stiffness['stiffness']:
+    assert row['residual'] <= 1e-8 and 5 <= row['stiffness'] <= (12 if row['step'] == 'warm' else row['contact'] / 2), row
