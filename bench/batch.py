@@ -29,7 +29,7 @@ class Total:
         """Loads [surfaces, steps]."""
         options = {'solver': self.request.solver, 'backend': self.request.backend, 'tol': self.request.tol, 'threads': self.threads}
         begun, cpu = time.perf_counter(), cpu_seconds()
-        found = rc.batch(gap=gaps, system=unit_square(self.request.points), options=options, check=False, **{control: targets})
+        found = rc.batch(undeformed_gap=gaps, system=unit_square(self.request.points), options=options, check=False, **{control: targets})
         self.seconds += time.perf_counter() - begun
         self.cpu += cpu_seconds() - cpu
         self.certified += found.certified

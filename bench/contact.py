@@ -46,7 +46,7 @@ def status_of(result):
 def solve(system, gap, options, **more):
     """A cold solve; its status says how it ended. more: displacement or load, mask, start, want_pressure."""
     with rc.Contact(system, options=options) as contact:
-        return contact.solve(gap=gap, check=False, borrow=True, **more)
+        return contact.solve(undeformed_gap=gap, check=False, borrow=True, **more)
 
 
 def press(scene, options, start=None):
@@ -81,7 +81,7 @@ def difference(a, b):
 
 
 def record_of(result):
-    same = ('displacement', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
+    same = ('approach', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
             'points', 'candidates', 'modelled', 'contacts', 'iterations')
     return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'products': result.applications,
             'solve_seconds': result.seconds}
@@ -93,7 +93,7 @@ def cold_call(system, gap, options, control, target, pressure=None):
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
     library.rc_step_init(step, ctypes.sizeof(step))
     step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
-    step.gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+    step.undeformed_gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     if pressure is not None:
         answer.p = pressure.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     with OptionSet(options, None) as chosen:

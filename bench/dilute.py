@@ -93,7 +93,7 @@ class Solves:
             correction = self.corrections.setdefault(area, 1.0)
             scene.load = correction * expected
             found = checked(self.solve(scene.gap, 'load', scene.load, self.options(1e-2)))
-            scene.approach, percent = found['displacement'], found['contact_percent']
+            scene.approach, percent = found['approach'], found['contact_percent']
             if k == 3 or n > LARGEST_SEARCH or abs(percent / (100 * area) - 1) < 0.1:
                 return
             self.corrections[area] *= min(max(100 * area / percent, 0.2), 5) if percent > 0 else 5

@@ -28,7 +28,7 @@ class Pressed:
         return solve(self.system, self.gap, {**self.options, 'tol': tol, **more}, mask=self.mask, want_pressure=False, **{control: target})
 
     def target(self, control):
-        return self.exact.load if control == 'load' else self.exact.displacement
+        return self.exact.load if control == 'load' else self.exact.approach
 
     def to_goal(self, control, quantity, goal):
         return self.solve(control, self.target(control), EXACT, accuracy=goal, **{'accuracy.of': quantity})
@@ -40,7 +40,7 @@ class Pressed:
         """Where the load is given, that of the exact answer at the approach found."""
         if quantity == 'area':
             return self.area_error(found)
-        there = self.solve('displacement', found.displacement, EXACT) if control == 'load' else found
+        there = self.solve('displacement', found.approach, EXACT) if control == 'load' else found
         return abs(there.load / self.exact.load - 1)
 
     def compared(self, control, quantity, goal):

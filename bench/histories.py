@@ -24,7 +24,7 @@ class History:
         with rc.Contact(unit_square(self.n), options=options) as contact:
             for k, approach in enumerate(self.approaches):
                 before = cpu_seconds()
-                result = contact.solve(displacement=approach, gap=None if warm and k else self.gap, warm_start=warm, want_pressure=False,
+                result = contact.solve(displacement=approach, undeformed_gap=None if warm and k else self.gap, warm_start=warm, want_pressure=False,
                                        check=False)
                 found.append((result, cpu_seconds() - before))
                 if status_of(result) == 'RC_STOP_TIME':

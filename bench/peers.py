@@ -42,10 +42,10 @@ class Judge:
         pressure = np.array(pressure, dtype=np.float64).reshape(gap.shape)
         if not np.isfinite(pressure).all():
             return {'residual': math.inf, 'reason': 'pressures are not finite'}
-        result = self.contact.certify(pressure, gap=gap, check=False, **{control: target})
+        result = self.contact.certify(pressure, undeformed_gap=gap, check=False, **{control: target})
         values = {key: getattr(result, 'kkt_' + key) for key in ('primal', 'dual', 'complementarity', 'control')}
         worst = math.inf if any(math.isnan(value) for value in values.values()) else result.residual
-        return {'residual': worst, **values, 'area': result.contacts / gap.size, 'load': result.load, 'approach': result.displacement}
+        return {'residual': worst, **values, 'area': result.contacts / gap.size, 'load': result.load, 'approach': result.approach}
 
 
 class Bench:
@@ -130,7 +130,7 @@ class Bench:
         load = near[-1] if near else 0.2 * share
         with rc.Contact(unit_square(case.n, case.boundary), options={'threads': self.threads, 'tol': 1e-3}) as contact:
             for _ in range(8):
-                result = contact.solve(load=load, gap=gap, check=False, warm_start=False)
+                result = contact.solve(load=load, undeformed_gap=gap, check=False, warm_start=False)
                 area = max(result.contacts, 1) / gap.size
                 if abs(area / share - 1) < 0.05:
                     break
@@ -138,10 +138,10 @@ class Bench:
                     exponent = min(max(math.log(load / last[0]) / math.log(area / last[1]), 0.5), 3)
                 last = load, area
                 load *= (share / area)**exponent
-            result = contact.solve(load=load, gap=gap, check=False, warm_start=False)
+            result = contact.solve(load=load, undeformed_gap=gap, check=False, warm_start=False)
         entry = {'title': case.title, 'surface': case.surface, 'maker': surface['maker'], 'digest': surface['digest'], 'n': case.n,
                  'boundary': case.boundary, 'control': case.control, 'percent': case.percent, 'load': load,
-                 'area': result.contacts / gap.size, 'target': load if case.control == 'load' else result.displacement}
+                 'area': result.contacts / gap.size, 'target': load if case.control == 'load' else result.approach}
         document['cases'][case.key] = entry
         document['groups'] = [group for group in document['groups'] if group['case'] != case.key or group['digest'] == surface['digest']]
         return {**entry, 'file': surface['file']}

@@ -42,7 +42,7 @@ def find_load(request, gap, area, guess, most_solves):
     load, exponent, last = guess, 1, None  # exponent: d log load / d log area
     with rc.Contact(unit_square(len(gap)), options=options_of(request, 1e-3)) as contact:
         for k in range(most_solves):
-            result = contact.solve(load=load, gap=gap if k == 0 else None, check=False, want_pressure=False)
+            result = contact.solve(load=load, undeformed_gap=gap if k == 0 else None, check=False, want_pressure=False)
             found = share_in_contact(result)
             if found == 0:
                 load *= 2
@@ -53,7 +53,7 @@ def find_load(request, gap, area, guess, most_solves):
                 exponent = min(max(math.log(load / last[1]) / math.log(found / last[0]), 0.5), 3)
             last = found, load
             load *= (area / found)**exponent
-    return {'load': result.load, 'displacement': result.displacement}
+    return {'load': result.load, 'displacement': result.approach}
 
 
 def measure_solve(request, area, gap, control, target, interpreter):
@@ -66,7 +66,7 @@ def measure_solve(request, area, gap, control, target, interpreter):
     row.update(area_found=share_in_contact(result), peak_bytes=peak - interpreter, bytes_per_point=(peak - before) / points,
                bytes_per_point_in_all=(peak - interpreter) / points)
     if len(gap) <= LARGEST_PROFILE and row['status'] == OK:
-        product = native.time_products(system, gap, result.displacement, result.backend, threads=request.threads, budget=request.budget / 4)
+        product = native.time_products(system, gap, result.approach, result.backend, threads=request.threads, budget=request.budget / 4)
         row.update(product_seconds_best=product['best'], product_seconds_median=product['median'], product_count=product['count'])
     return row
 

@@ -98,7 +98,7 @@ class InternalError(RoughContactError):
 class NotCertifiedError(RoughContactError):
     """The call stopped before its answer was certified; `result` holds it all the same. check=False returns it instead."""
 
-    default_status = Status.STOP_UNCERTIFIED
+    default_status = Status.UNCERTIFIED
 
 
 class LibraryNotFoundError(RoughContactError, ImportError):
@@ -122,7 +122,7 @@ def as_status(number: int) -> Status:
     try:
         return Status(number)
     except ValueError:
-        return Status.ERR_INTERNAL if number < 0 else Status.STOP_UNCERTIFIED
+        return Status.ERR_INTERNAL if number < 0 else Status.UNCERTIFIED
 
 
 def error_for(number: int, message: str, result: Any = None) -> RoughContactError:

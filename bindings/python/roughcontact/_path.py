@@ -19,7 +19,7 @@ def path(
     *,
     displacement: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
-    gap: Optional[ArrayLike] = None,
+    undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
     warm_start: Optional[bool] = None,
@@ -48,7 +48,7 @@ def path(
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
     the others: as in `solve`
     """
-    system, gap, mask = system_for(heights, gap, mask, missing, system, pitch, modulus, boundary, unit)
+    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
-        return path_on(contact, control, targets, gap, mask, warm_start, stiffness, keep_pressure, each, check)
+        return path_on(contact, control, targets, undeformed_gap, mask, warm_start, stiffness, keep_pressure, each, check)

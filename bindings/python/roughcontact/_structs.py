@@ -34,7 +34,7 @@ class rc_step(Sized):
     control: int32_t = RC_CONTROL_DISPLACEMENT
     warm_start: int32_t = 1
     target: double
-    gap: doubles
+    undeformed_gap: doubles
     p0: doubles
     mask: bytes_
     borrow: int32_t
@@ -55,7 +55,7 @@ class rc_result(Sized):
     modelled: int64_t
     contacts: int64_t
     load: double
-    displacement: double
+    approach: double
     mean_pressure: double
     contact_area: double
     energy: double
@@ -97,7 +97,7 @@ class rc_level(Sized):
     ny: int64_t
     hx: double
     hy: double
-    displacement: double
+    approach: double
     load: double
     candidates: int64_t
     contacts: int64_t
@@ -106,13 +106,13 @@ class rc_level(Sized):
 @struct
 class rc_state(Sized):
     struct_size: size_t
-    gap: doubles
+    undeformed_gap: doubles
     mask: bytes_
     p: doubles
-    displacement: double
+    approach: double
     load: double
     p_before: doubles
-    displacement_before: double
+    approach_before: double
     load_before: double
 
 
@@ -126,10 +126,10 @@ class rc_path(Sized):
     warm_start: int32_t = 1
     n: int64_t
     targets: doubles
-    gap: doubles
+    undeformed_gap: doubles
     mask: bytes_
     load: doubles
-    displacement: doubles
+    approach: doubles
     contact_area: doubles
     stiffness: doubles
     certificate: doubles
@@ -151,14 +151,14 @@ class rc_batch(Sized):
     steps: int64_t
     targets: doubles
     target_stride: int64_t
-    gap: doubles
-    gap_stride: int64_t
+    undeformed_gap: doubles
+    undeformed_gap_stride: int64_t
     mask: bytes_
     mask_stride: int64_t
     p0: doubles
     p: doubles
     load: doubles
-    displacement: doubles
+    approach: doubles
     contact_area: doubles
     stiffness: doubles
     certificate: doubles
