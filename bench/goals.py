@@ -35,9 +35,9 @@ class Pressed:
 
     def compared(self, control, quantity, goal, whole_tol=None):
         """whole_tol: of a solve of the whole grid, for its time."""
-        target = self.exact.load if control == 'load' else self.exact.displacement
+        target = self.exact.load if control == 'load' else self.exact.approach
         found, exact = self.solve(control, target, EXACT, accuracy=goal, **{'accuracy.of': quantity}), self.exact
-        there = self.solve('displacement', found.displacement, EXACT) if control == 'load' and quantity == 'load' else found
+        there = self.solve('displacement', found.approach, EXACT) if control == 'load' and quantity == 'load' else found
         area_error = abs(found.contact_area / exact.contact_area - 1)
         row = {'status': status_of(found), 'model': found.model_nx, 'estimate': found.error_estimate,
                'error': area_error if quantity == 'area' else abs(there.load / exact.load - 1), 'left_out': found.left_out,

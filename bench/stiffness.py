@@ -21,14 +21,14 @@ def measure(n, boundary, control, area, request):
         for _ in range(4):
             found = loose.solve(load=load, gap=gap, want_pressure=False, check=False)
             load *= min(max(area / max(share_in_contact(found), area / 4), 0.25), 4)
-    target, depth = (found.load, found.load) if control == 'load' else (found.displacement, found.displacement - gap.min())
+    target, depth = (found.load, found.load) if control == 'load' else (found.approach, found.approach - gap.min())
     context = rc.Context(log=lambda _, text: said.append(text))  # the library logs the residual
     options = {'threads': request.threads, 'tol': request.tol, **({'solver': 'haar-cg', 'backend': 'fft'} if n == PATCH else {})}
     products = []
     for stiffness in (0, 1):
         with rc.Contact(system, options={**options, 'stiffness': stiffness}, context=context) as contact:
             for k in range(2 if n == PATCH else 1):
-                result = certified(contact.solve(gap=gap, want_pressure=False, **{control: target + 1e-3 * k * depth}))
+                result = certified(contact.solve(undeformed_gap=gap, want_pressure=False, **{control: target + 1e-3 * k * depth}))
             products.append(result.applications)
     extra = products[1] - products[0]
     return {'found': 100 * share_in_contact(result), 'contact': products[0], 'stiffness': extra, 'ratio': extra / products[0],

@@ -37,8 +37,8 @@ int main(void) {
   batch.steps = STEPS;
   batch.targets = targets;
   batch.target_stride = RC_BATCH_SHARED; /* the same loads for all; surfaces follow one another */
-  batch.gap = gap[0];
-  batch.displacement = approach[0];
+  batch.undeformed_gap = gap[0];
+  batch.approach = approach[0];
   batch.contact_area = area[0];
   batch.status = status[0];
 

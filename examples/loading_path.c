@@ -7,7 +7,7 @@ enum { N = 64, STEPS = 9 };
 
 static int32_t report(int64_t step, const rc_result* result, void* user) {
   (void)user;
-  printf("step %d: approach %.2f um, load %.4f N, %lld points touch\n", (int)step, 1e6 * result->displacement, result->load,
+  printf("step %d: approach %.2f um, load %.4f N, %lld points touch\n", (int)step, 1e6 * result->approach, result->load,
          (long long)result->contacts);
   return 0; /* anything else ends the path */
 }
@@ -25,7 +25,7 @@ static rc_status press_and_release(void) {
   rc_path path = RC_PATH_INIT;
   path.n = STEPS;
   path.targets = targets;
-  path.gap = gap;
+  path.undeformed_gap = gap;
   path.load = load;
   path.stiffness = stiffness;
   path.fn = report;

@@ -40,7 +40,7 @@ int main(void) {
   system.nx = system.ny = N;
   system.hx = system.hy = h;
   system.modulus = 100e9;
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = advice.approach;
   rc_result_init(&result);
   status = rc_options_create(NULL, &options);

@@ -64,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rc_system system = RC_SYSTEM_INIT;
     system.nx = system.ny = 2;
     rc_step step = RC_STEP_INIT;
-    step.gap = gap;
+    step.undeformed_gap = gap;
     step.target = 0.6;
     rc_result result{};
     rc_result_init(&result);

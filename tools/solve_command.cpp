@@ -49,7 +49,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   rc_step step = RC_STEP_INIT;
   step.control = problem.step_control();
   step.target = problem.step_target(static_cast<std::size_t>(number - 1));
-  step.gap = first ? gap.data() : nullptr;
+  step.undeformed_gap = first ? gap.data() : nullptr;
   step.mask = first && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
@@ -67,16 +67,16 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
 void restore(rc_contact* contact, const Problem& problem, const std::vector<double>& gap, const StepFiles& files) {
   const std::vector<CertifiedStep> certified = files.certified();
   rc_state state = RC_STATE_INIT;
-  state.gap = gap.data();
+  state.undeformed_gap = gap.data();
   state.mask = problem.input.mask.empty() ? nullptr : problem.input.mask.data();
   if (!certified.empty()) {
     state.p = certified[0].pressure.data();
-    state.displacement = certified[0].displacement;
+    state.approach = certified[0].approach;
     state.load = certified[0].load;
   }
   if (certified.size() > 1) {
     state.p_before = certified[1].pressure.data();
-    state.displacement_before = certified[1].displacement;
+    state.approach_before = certified[1].approach;
     state.load_before = certified[1].load;
   }
   check(rc_contact_restore(contact, &state), "--resume");

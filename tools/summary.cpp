@@ -66,7 +66,7 @@ void Summary::add(const StepRecord& step) {
   const rc_result& r = step.result;
   document_.begin(nullptr);
   document_.add({{"status", rc_status_name(r.status)},
-                 {"displacement", r.displacement},
+                 {"approach", r.approach},
                  {"load", r.load},
                  {"mean_pressure", r.mean_pressure},
                  {"area_fraction", step.area_fraction()},

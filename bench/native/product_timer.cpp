@@ -82,7 +82,7 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
     const auto contact =
         made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
     rc_step step = RC_STEP_INIT;
-    step.gap = gap;
+    step.undeformed_gap = gap;
     step.target = approach;
     rc_result result;
     rc_result_init(&result);

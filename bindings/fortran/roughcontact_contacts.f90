@@ -75,11 +75,12 @@ contains
     call rcf_check(rc_contact_on_progress(contact%handle, fn, rcf_or_null(user), interval), stat, errmsg)
   end subroutine
 
-  ! gap and mask absent: as in the step before. p and deformed: pressures and deformed gap, written where the status is >= 0.
-  subroutine rcf_contact_solve(contact, displacement, load, gap, mask, p0, warm_start, p, deformed, result, stat, errmsg)
+  ! undeformed_gap and mask absent: as in the step before. p and deformed: pressures and deformed gap, written where the status
+  ! is >= 0.
+  subroutine rcf_contact_solve(contact, displacement, load, undeformed_gap, mask, p0, warm_start, p, deformed, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: gap(:, :), p0(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
     type(rc_result), intent(out), optional :: result
@@ -89,8 +90,8 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, gap, mask, p0, &
-      warm_start, p, deformed, stat, errmsg)) return
+    if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+      mask, p0, warm_start, p, deformed, stat, errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
@@ -98,11 +99,11 @@ contains
   end subroutine
 
   ! Certifies the pressures p; nothing is solved.
-  subroutine rcf_contact_certify(contact, p, displacement, load, gap, mask, deformed, result, stat, errmsg)
+  subroutine rcf_contact_certify(contact, p, displacement, load, undeformed_gap, mask, deformed, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
     real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: gap(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(inout), optional, target, contiguous :: deformed(:, :)
     type(rc_result), intent(out), optional :: result
@@ -112,8 +113,8 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, gap, mask, &
-      p=p, deformed=deformed, stat=stat, errmsg=errmsg)) return
+    if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+      mask, p=p, deformed=deformed, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
@@ -171,33 +172,33 @@ contains
 
   ! Goes on after a certified step that this contact or another has solved: its surface, pressures, and approach and load as its
   ! result has them; with p_before likewise of the step before it, on the same surface. See option resumable.
-  subroutine rcf_contact_restore(contact, gap, p, displacement, load, p_before, displacement_before, load_before, mask, stat, &
+  subroutine rcf_contact_restore(contact, undeformed_gap, p, approach, load, p_before, approach_before, load_before, mask, stat, &
     errmsg)
     type(rcf_contact), intent(in) :: contact
-    real(c_double), intent(in), target, contiguous :: gap(:, :), p(:, :)
-    real(c_double), intent(in) :: displacement, load
+    real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :), p(:, :)
+    real(c_double), intent(in) :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: p_before(:, :)
-    real(c_double), intent(in), optional :: displacement_before, load_before
+    real(c_double), intent(in), optional :: approach_before, load_before
     logical, intent(in), optional :: mask(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     character(*), parameter :: where = 'rcf_contact_restore'
     type(rc_state) :: state
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    if ((present(p_before) .neqv. present(displacement_before)) .or. (present(p_before) .neqv. present(load_before))) then
-      call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, displacement_before and load_before, or none', stat, errmsg)
+    if ((present(p_before) .neqv. present(approach_before)) .or. (present(p_before) .neqv. present(load_before))) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, approach_before and load_before, or none', stat, errmsg)
       return
     end if
-    if (.not. rcf_shaped(where, 'gap', shape(gap), contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'p', shape(p), contact%nx, contact%ny, stat, errmsg)) return
     if (present(mask)) then
       if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
     end if
-    state = rc_state(gap=rcf_address(gap), p=rcf_address(p), displacement=displacement, load=load)
+    state = rc_state(undeformed_gap=rcf_address(undeformed_gap), p=rcf_address(p), approach=approach, load=load)
     if (present(p_before)) then
       if (.not. rcf_shaped(where, 'p_before', shape(p_before), contact%nx, contact%ny, stat, errmsg)) return
       state%p_before = rcf_address(p_before)
-      state%displacement_before = displacement_before
+      state%approach_before = approach_before
       state%load_before = load_before
     end if
     call rcf_mask_bytes(mask, bytes)
@@ -205,10 +206,10 @@ contains
     call rcf_check(rc_contact_restore(contact%handle, state), stat, errmsg)
   end subroutine
 
-  ! Create, solve, destroy. nx and ny are those of gap, whatever the system says.
-  subroutine rcf_solve(system, gap, displacement, load, mask, p0, p, deformed, options, result, stat, errmsg)
+  ! Create, solve, destroy. nx and ny are those of undeformed_gap, whatever the system says.
+  subroutine rcf_solve(system, undeformed_gap, displacement, load, mask, p0, p, deformed, options, result, stat, errmsg)
     type(rc_system), intent(in) :: system
-    real(c_double), intent(in), target, contiguous :: gap(:, :)
+    real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :)
     real(c_double), intent(in), optional :: displacement, load
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(in), optional, target, contiguous :: p0(:, :)
@@ -223,9 +224,9 @@ contains
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     sized = system
-    sized%nx = size(gap, 1, c_int64_t)
-    sized%ny = size(gap, 2, c_int64_t)
-    if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, gap, mask, p0, p=p, &
+    sized%nx = size(undeformed_gap, 1, c_int64_t)
+    sized%ny = size(undeformed_gap, 2, c_int64_t)
+    if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, p=p, &
       deformed=deformed, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_solve(sized, step, rcf_or_null(options), answer)
@@ -234,15 +235,15 @@ contains
   end subroutine
 
   ! Step and result of the arguments that the solving procedures share; false where the arguments are refused.
-  logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, gap, mask, p0, warm_start, p, deformed, &
-    stat, errmsg) result(ready)
+  logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, warm_start, p, &
+    deformed, stat, errmsg) result(ready)
     character(*), intent(in) :: where
     integer(c_int64_t), intent(in) :: nx, ny
     type(rc_step), intent(out) :: step
     type(rc_result), intent(out) :: answer
     integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
     real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: gap(:, :), p0(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
     integer, intent(inout), optional :: stat
@@ -252,8 +253,8 @@ contains
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacement and load', stat, errmsg)
       return
     end if
-    if (present(gap)) then
-      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
+    if (present(undeformed_gap)) then
+      if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), nx, ny, stat, errmsg)) return
     end if
     if (present(mask)) then
       if (.not. rcf_shaped(where, 'mask', shape(mask), nx, ny, stat, errmsg)) return
@@ -273,7 +274,7 @@ contains
       step%target = load
     end if
     if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
-    step%gap = rcf_address(gap)
+    step%undeformed_gap = rcf_address(undeformed_gap)
     step%p0 = rcf_address(p0)
     call rcf_mask_bytes(mask, bytes)
     call rc_result_init(answer, (answer%struct_size))

@@ -23,7 +23,7 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = 56
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
     real(c_double) :: target = 0
-    type(c_ptr) :: gap = c_null_ptr, p0 = c_null_ptr  ! const double *
+    type(c_ptr) :: undeformed_gap = c_null_ptr, p0 = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
@@ -34,7 +34,7 @@ module roughcontact_structs
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: iterations = 0, applications = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
-    real(c_double) :: load = 0, displacement = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
+    real(c_double) :: load = 0, approach = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
       kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, seconds = 0, setup_seconds = 0
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
     real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
@@ -50,28 +50,28 @@ module roughcontact_structs
     integer(rc_status) :: status = 0
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: nx = 0, ny = 0
-    real(c_double) :: hx = 0, hy = 0, displacement = 0, load = 0
+    real(c_double) :: hx = 0, hy = 0, approach = 0, load = 0
     integer(c_int64_t) :: candidates = 0, contacts = 0
   end type
 
   type, bind(c) :: rc_state
     integer(c_size_t) :: struct_size = 72
-    type(c_ptr) :: gap = c_null_ptr  ! const double *
+    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     type(c_ptr) :: p = c_null_ptr  ! const double *
-    real(c_double) :: displacement = 0, load = 0
+    real(c_double) :: approach = 0, load = 0
     type(c_ptr) :: p_before = c_null_ptr  ! const double *
-    real(c_double) :: displacement_before = 0, load_before = 0
+    real(c_double) :: approach_before = 0, load_before = 0
   end type
 
   type, bind(c) :: rc_path
     integer(c_size_t) :: struct_size = 120
     integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
     integer(c_int64_t) :: n = 0
-    type(c_ptr) :: targets = c_null_ptr, gap = c_null_ptr  ! const double *
+    type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     ! double *
-    type(c_ptr) :: load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
+    type(c_ptr) :: load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
       certificate = c_null_ptr
     type(c_ptr) :: applications = c_null_ptr  ! int64_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
@@ -85,14 +85,14 @@ module roughcontact_structs
     integer(c_int64_t) :: n = 0, steps = 0
     type(c_ptr) :: targets = c_null_ptr  ! const double *
     integer(c_int64_t) :: target_stride = 0
-    type(c_ptr) :: gap = c_null_ptr  ! const double *
-    integer(c_int64_t) :: gap_stride = 0
+    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
+    integer(c_int64_t) :: undeformed_gap_stride = 0
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int64_t) :: mask_stride = 0
     type(c_ptr) :: p0 = c_null_ptr  ! const double *
     ! double *
-    type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, &
-      stiffness = c_null_ptr, certificate = c_null_ptr
+    type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
+      certificate = c_null_ptr
     type(c_ptr) :: status = c_null_ptr  ! rc_status *
     type(c_ptr) :: iterations = c_null_ptr, applications = c_null_ptr  ! int64_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)

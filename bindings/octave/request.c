@@ -117,7 +117,7 @@ rc_status rc_request_solve(rc_request* request, const double* heights, const dou
     return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.hx and opts.hy, the pitch along each index, or neither");
   rc_status status = make_gap(request, heights);
   if (status != RC_OK) return status;
-  request->step.gap = request->gap;
+  request->step.undeformed_gap = request->gap;
   request->step.mask = request->mask;
   request->step.p0 = p0;
   rc_result_init(result);

@@ -43,7 +43,7 @@ ContactLaw::Answer ContactLaw::press(double approach) {
   rc_step step = RC_STEP_INIT;
   step.warm_start = 0;
   step.target = approach;
-  step.gap = gap_.data();
+  step.undeformed_gap = gap_.data();
   step.p0 = state_.empty() ? nullptr : state_.data();
   trial_.resize(gap_.size());
   rc_result result;

@@ -56,13 +56,13 @@ extern "C" {
 typedef int32_t rc_status;
 enum {
   RC_OK = 0,               /* certified: every kkt_* residual is <= rc_result.tolerance                     */
-  RC_STOP_MAX_ITER = 1,    /* max_iter reached before the tolerance                                          */
-  RC_STOP_TIME = 2,        /* time_limit reached                                                             */
-  RC_STOP_CANCELLED = 3,   /* the progress callback or rc_contact_cancel asked to stop                       */
-  RC_STOP_STALLED = 4,     /* no further progress is possible in double precision                            */
-  RC_STOP_UNCERTIFIED = 5, /* the solver claimed success, the library's own check disagrees                  */
-  RC_WITHIN_GOAL = 6,      /* option accuracy is met, by the library's estimate, without a solve of the whole grid:
+  RC_WITHIN_GOAL = 100,      /* option accuracy is met, by the library's estimate, without a solve of the whole grid:
                               a coarser grid's certified answer, corrected on it; see rc_result.model_nx     */
+  RC_STOP_MAX_ITER = 101,    /* max_iter reached before the tolerance                                          */
+  RC_STOP_TIME = 102,        /* time_limit reached                                                             */
+  RC_STOP_CANCELLED = 103,   /* the progress callback or rc_contact_cancel asked to stop                       */
+  RC_STOP_STALLED = 104,     /* no further progress is possible in double precision                            */
+  RC_UNCERTIFIED = 105, /* the solver claimed success, the library's own check disagrees                  */
   RC_ERR_ARGUMENT = -1,    /* a null pointer, NaN, a value out of range, a bad struct_size                   */
   RC_ERR_SHAPE = -2,       /* array shape: nx, ny, dense_ld, or nx*ny too large                              */
   RC_ERR_OPTION = -3,      /* unknown option key, wrong type, value out of range                             */
@@ -105,7 +105,7 @@ typedef struct rc_system {
 #define RC_SYSTEM_INIT \
   { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 1, 1, 1.0, 1.0, 1.0, NULL, 0, NULL, NULL }
 
-/** What changes from step to step. Nothing in it is kept after the call except a copy of gap and mask, or with borrow
+/** What changes from step to step. Nothing in it is kept after the call except a copy of undeformed_gap and mask, or with borrow
  *  the two pointers. */
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                   */
@@ -113,11 +113,11 @@ typedef struct rc_step {
   int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold (factors that a
                           backend keeps still serve: equal to round-off, after rc_contact_reset bitwise)    */
   double target;       /* DISPLACEMENT: approach d [length]; LOAD: normal force W [force], >= 0             */
-  const double *gap;   /* [n] undeformed gap h [length]; NULL: as in the previous step                      */
+  const double *undeformed_gap; /* [n] undeformed gap h [length]; NULL: as in the previous step                      */
   const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none   */
   const uint8_t *mask; /* [n] 0: this point carries no pressure and its gap is ignored (it may be NaN);
-                          NULL with gap given: all points; NULL without gap: as in the previous step        */
-  int32_t borrow;      /* 1: gap and mask are not copied; they stay as they are until a step that brings other
+                          NULL with undeformed_gap given: all points; NULL without undeformed_gap: as in the previous step        */
+  int32_t borrow;      /* 1: undeformed_gap and mask are not copied; they stay as they are until a step that brings other
                           arrays has returned, or the contact is reset or destroyed. 0: copied (default)    */
   int32_t reserved;    /* 0                                                                                 */
 } rc_step;
@@ -141,7 +141,7 @@ typedef struct rc_result {
                           candidates for matrix-free backends, the candidates themselves for dense ones     */
   int64_t contacts;    /* points with p > 0                                                                 */
   double load;         /* hx hy sum(p) [force]                                                              */
-  double displacement; /* approach d [length]                                                               */
+  double approach; /* approach d [length]                                                               */
   double mean_pressure; /* load / (n hx hy) [force/length^2]                                                */
   double contact_area; /* contacts hx hy [length^2]                                                         */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised      */
@@ -173,7 +173,7 @@ typedef struct rc_result {
   int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or with RC_WITHIN_GOAL those of a
                           coarser one whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer
                           after a few steps of a solve of the whole grid, p >= 0. Under load control p is scaled to the load
-                          asked for, and displacement is an estimate: the approach at which the mean of the gap, weighted
+                          asked for, and approach is an estimate: the approach at which the mean of the gap, weighted
                           by p, vanishes. All else is computed from p on the whole grid. So are the kkt_* residuals, which
                           then exceed the tolerance. Stiffness, solver, backend and tolerance are the coarser grid's.
                           A stop among coarser grids gives the last that was solved: all points of a block have its
@@ -193,7 +193,7 @@ typedef struct rc_level {
   int32_t reserved;
   int64_t nx, ny;
   double hx, hy;        /* cell size [length]                                                                  */
-  double displacement;  /* approach on this grid [length]                                                      */
+  double approach;  /* approach on this grid [length]                                                      */
   double load;          /* [force]                                                                             */
   int64_t candidates;   /* points that were allowed pressure                                                   */
   int64_t contacts;     /* points with p > 0                                                                   */
@@ -203,13 +203,13 @@ typedef struct rc_level {
  *  RC_WITHIN_GOAL. All of it is copied. */
 typedef struct rc_state {
   size_t struct_size;
-  const double *gap;    /* [n] undeformed gap of the last step [length]                                        */
+  const double *undeformed_gap; /* [n] undeformed gap of the last step [length]                                        */
   const uint8_t *mask;  /* [n] its mask; NULL: all points                                                      */
   const double *p;      /* [n] its pressures [force/length^2]; NULL: there was no such step                    */
-  double displacement;  /* its approach, rc_result.displacement [length]                                       */
+  double approach;  /* its approach, rc_result.approach [length]                                       */
   double load;          /* rc_result.load [force]                                                              */
   const double *p_before; /* [n] likewise of the step before it; NULL: none, or its gap or mask was another    */
-  double displacement_before, load_before;
+  double approach_before, load_before;
 } rc_state;
 #define RC_STATE_INIT \
   { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0 }
@@ -226,10 +226,10 @@ typedef struct rc_path {
                            that the new approach can reach (default); 0: each step starts cold                 */
   int64_t n;            /* steps                                                                               */
   const double *targets; /* approaches [length] or loads [force]                                               */
-  const double *gap;    /* as rc_step.gap, for all steps                                                       */
+  const double *undeformed_gap; /* as rc_step.undeformed_gap, for all steps                                                       */
   const uint8_t *mask;  /* as rc_step.mask                                                                     */
   double *load;         /* out [force]                                                                         */
-  double *displacement; /* out, approach [length]                                                              */
+  double *approach; /* out, approach [length]                                                              */
   double *contact_area; /* out [length^2]                                                                      */
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is */
   double *certificate;  /* out, the largest kkt_* residual                                                     */
@@ -258,16 +258,16 @@ typedef struct rc_batch {
   int64_t steps;        /* of each history                                                                     */
   const double *targets; /* approaches [length] or loads [force]; step k of contact i at i*target_stride + k   */
   int64_t target_stride; /* 0: steps; RC_BATCH_SHARED; else >= steps                                           */
-  const double *gap;    /* as rc_step.gap; point m of contact i at i*gap_stride + m                            */
-  int64_t gap_stride;   /* 0: nx*ny; RC_BATCH_SHARED; else >= nx*ny                                            */
+  const double *undeformed_gap; /* as rc_step.undeformed_gap; point m of contact i at i*undeformed_gap_stride + m                            */
+  int64_t undeformed_gap_stride;   /* 0: nx*ny; RC_BATCH_SHARED; else >= nx*ny                                            */
   const uint8_t *mask;  /* as rc_step.mask; point m of contact i at i*mask_stride + m; NULL: all points        */
-  int64_t mask_stride;  /* as gap_stride                                                                       */
+  int64_t mask_stride;  /* as undeformed_gap_stride                                                                       */
   const double *p0;     /* [n*nx*ny] as rc_step.p0, for the first step of each contact; may be p; NULL: none   */
   double *p;            /* out [n*nx*ny] pressures of a contact's last step with status >= 0 [force/length^2];
                            untouched for a contact that has none                                               */
   double *load;         /* out [force]; this and the numbers below: NaN (counts: -1) for a step with status < 0
                            and those that were not reached                                                     */
-  double *displacement; /* out, approach [length]                                                              */
+  double *approach; /* out, approach [length]                                                              */
   double *contact_area; /* out [length^2]                                                                      */
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is */
   double *certificate;  /* out, the largest kkt_* residual                                                     */
@@ -516,7 +516,7 @@ RC_API rc_status rc_contact_on_progress(rc_contact *contact, rc_progress_fn fn, 
  *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */
 RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_result *result);
 /** Certifies the pressures the caller puts in result->p (required, [n]) for this step: nothing is solved. In
- *  load control the approach is the one that fits them best. RC_OK or RC_STOP_UNCERTIFIED. */
+ *  load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
 /** Solves the steps of a loading history in order. A step that fails or is not certified ends the path with its
  *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step
@@ -532,7 +532,7 @@ RC_API rc_status rc_contact_points(rc_contact *contact, int64_t room, int64_t *i
  *  bytes that they say they need, or the reason why they cannot. *out: "" where no step has needed a solver; lives until the
  *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
 RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
-/** Forgets gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
+/** Forgets undeformed_gap, mask, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a
  *  certified step: the next steps start from the same pressures and approaches. With option resumable = 1, in the contact that

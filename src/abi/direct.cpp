@@ -79,7 +79,7 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     std::vector<double> gap(u, u + H.n);
     for (double& value : gap) value = -value;
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.undeformed_gap = gap.data();
     step.p0 = p;
     rc_result answer{};
     answer.p = p;
@@ -144,7 +144,7 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     const double highest = *std::max_element(gap.begin(), gap.end());
     for (double& value : gap) value = highest - value;
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.undeformed_gap = gap.data();
     step.target = delta;
     rc_result answer{};
     answer.p = p;

@@ -78,7 +78,7 @@ class Cascade {
     const std::int64_t wanted = problem_.option_int("cmr.levels");
     const auto points = static_cast<std::size_t>(grid_.nx * grid_.ny);
     std::int64_t nx = grid_.nx, ny = grid_.ny;
-    std::span<const double> gap(grid_.gap, points);
+    std::span<const double> gap(grid_.undeformed_gap, points);
     std::span<const std::uint8_t> mask(grid_.mask, grid_.mask ? points : 0);
     for (std::int64_t finer = 1; finer < (wanted > 0 ? wanted : most_levels); ++finer) {
       if (std::max(nx, ny) < 2 || (wanted == 0 && std::min(nx, ny) < 2 * coarsest_side)) break;
@@ -109,7 +109,7 @@ class Cascade {
       request.nx = level.nx;
       request.ny = level.ny;
       request.factor = std::int64_t{2} << k;
-      request.gap = level.gap.data();
+      request.undeformed_gap = level.gap.data();
       request.mask = allowed.empty() ? nullptr : allowed.data();
       request.control = RC_CONTROL_DISPLACEMENT;
       request.approach = lowest + depth;
@@ -129,7 +129,7 @@ class Cascade {
     return keep;
   }
 
-  std::span<const double> fine_gap() const { return {grid_.gap, static_cast<std::size_t>(grid_.nx * grid_.ny)}; }
+  std::span<const double> fine_gap() const { return {grid_.undeformed_gap, static_cast<std::size_t>(grid_.nx * grid_.ny)}; }
   std::span<const std::uint8_t> fine_mask() const { return {grid_.mask, grid_.mask ? fine_gap().size() : 0}; }
 
   static double lowest_gap(std::span<const double> gap, std::span<const std::uint8_t> mask) {
@@ -173,9 +173,9 @@ class Cascade {
     double count = 0, mean = 0, squares = 0;  // of the deviations from the mean so far
     for (std::size_t i = 0; i < fine_gap().size(); ++i) {
       if (grid_.mask && !grid_.mask[i]) continue;
-      const double off = grid_.gap[i] - mean;
+      const double off = grid_.undeformed_gap[i] - mean;
       mean += off / ++count;
-      squares += off * (grid_.gap[i] - mean);
+      squares += off * (grid_.undeformed_gap[i] - mean);
     }
     return count > 0 ? std::sqrt(squares / count) : 0.0;
   }
@@ -255,7 +255,7 @@ class Cascade {
         remark_ = text("trial set %lld of %lld after %lld rounds", kept_, n_, round) +
                   (added > 0 ? ", " + std::to_string(added) + " points added" : "") + (remark_.empty() ? "" : "; " + remark_);
         problem_.note("cmr: " + remark_);
-        return complete ? status : RC_STOP_UNCERTIFIED;
+        return complete ? status : RC_UNCERTIFIED;
       }
     }
   }

@@ -192,7 +192,7 @@ class Greedy {
                   static_cast<long long>(overlapping), repair ? "ped" : "", -deepest,
                   repair ? "nnls has repaired it" : "set greedy.repair or use nnls");
     problem_.note(remark);
-    if (!repair) return RC_STOP_UNCERTIFIED;
+    if (!repair) return RC_UNCERTIFIED;
     Positions all(n_);
     std::iota(all.begin(), all.end(), 0);
     return problem_.inner("nnls", all, problem_.tol(), p_, nullptr);

@@ -45,7 +45,7 @@ void pins_outside_the_coarse_contact_are_seen() {
     check_near(found.result.load, load, goal_of_load * load, "load");
     const Answer by_load = solve(at_load(problem, load), automatic, goal(goal_of_load, "load"));
     Problem same = problem;
-    same.target = by_load.result.displacement;
+    same.target = by_load.result.approach;
     check_near(exact(same).result.load, load, goal_of_load * load, "load of the approach found");
   }
 }

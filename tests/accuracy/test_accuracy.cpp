@@ -235,7 +235,7 @@ void histories_go_on_within_their_goal() {
   rc_path path = RC_PATH_INIT;
   path.n = 3;
   path.targets = targets.data();
-  path.gap = problem.gap.data();
+  path.undeformed_gap = problem.gap.data();
   path.load = load.data();
   check_equal(rc_contact_solve_path(contact.handle(), &path), RC_WITHIN_GOAL, "status of the path");
   check_equal(path.completed, 3, "completed");
@@ -266,7 +266,7 @@ void batches_go_on_within_their_goal() {
   rc_batch batch = RC_BATCH_INIT;
   batch.n = 3;
   batch.steps = 1;
-  batch.gap = gaps.data();
+  batch.undeformed_gap = gaps.data();
   batch.targets = targets.data();
   batch.load = load.data();
   batch.status = status.data();

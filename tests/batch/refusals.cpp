@@ -17,7 +17,7 @@ void refused(const Study& study, const std::function<void(rc_batch&)>& change, r
     const Outcome outcome = study.solve(threads, change);
     check_outcome(outcome, status, 0, 0, -1);
     check(outcome.message.find(says) != std::string::npos, "message: " + outcome.message + ", lacks: " + says);
-    for (const Field* each : {&outcome.load, &outcome.displacement, &outcome.p})
+    for (const Field* each : {&outcome.load, &outcome.approach, &outcome.p})
       for (const double value : *each) check(value == blank, "something was written");
     for (const rc_status each : outcome.statuses) check_equal(each, -7, "status");
   }
@@ -31,17 +31,17 @@ void bad_arguments_are_refused() {
   bad([](rc_batch& b) { b.steps = -3; }, "rc_batch.steps = -3 must be >= 0");
   bad([](rc_batch& b) { b.control = 7; }, "rc_batch.control = 7 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
   bad([](rc_batch& b) { b.targets = nullptr; }, "rc_batch.targets is null but n = 3 and steps = 2");
-  bad([](rc_batch& b) { b.gap = nullptr; }, "rc_batch.gap is null but n = 3");
+  bad([](rc_batch& b) { b.undeformed_gap = nullptr; }, "rc_batch.undeformed_gap is null but n = 3");
   bad([](rc_batch& b) { b.target_stride = 1; },
       "rc_batch.target_stride = 1 must be 0, RC_BATCH_SHARED (-1) or at least steps = 2", RC_ERR_SHAPE);
-  bad([](rc_batch& b) { b.gap_stride = 431; },
-      "rc_batch.gap_stride = 431 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 432", RC_ERR_SHAPE);
+  bad([](rc_batch& b) { b.undeformed_gap_stride = 431; },
+      "rc_batch.undeformed_gap_stride = 431 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 432", RC_ERR_SHAPE);
   bad([](rc_batch& b) { b.mask_stride = -2; }, "rc_batch.mask_stride = -2 must be 0", RC_ERR_SHAPE);
   bad([](rc_batch& b) { b.n = std::numeric_limits<std::int64_t>::max(); }, "are more than", RC_ERR_SHAPE);
   bad(
       [](rc_batch& b) {
         b.n = std::numeric_limits<std::int64_t>::max() / 64;
-        b.gap_stride = b.mask_stride = b.target_stride = RC_BATCH_SHARED;
+        b.undeformed_gap_stride = b.mask_stride = b.target_stride = RC_BATCH_SHARED;
       },
       "are more than", RC_ERR_SHAPE);
 }

@@ -21,7 +21,7 @@ int main(int count, char** arguments) {
   for (size_t i = 0; i < n; ++i) z[i] = highest - z[i];
   rc_step step = RC_STEP_INIT;
   step.target = strtod(arguments[6], NULL);
-  step.gap = z;
+  step.undeformed_gap = z;
   rc_result result;
   rc_result_init(&result);
   result.p = p;

@@ -52,7 +52,7 @@ void nothing_is_violated() {
       const Answer answer = contact.certify(problem.step(), p);
       const std::string what = "scene " + std::to_string(k) + " (" + scene.name + "), perturbation 1e-" + std::to_string(digits);
       check(answer.status >= 0, what + ": " + answer.message);
-      const Answer same_approach = repeat == 3 ? exact_at(problem, answer.result.displacement) : exact;
+      const Answer same_approach = repeat == 3 ? exact_at(problem, answer.result.approach) : exact;
       ++answers;
       if (same_approach.status < 0) {
         ++no_solution;

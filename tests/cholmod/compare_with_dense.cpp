@@ -32,7 +32,7 @@ double loading_sequence(const char* solver, const char* backend, std::int64_t si
   const double begin = processor_seconds();
   for (int k = 1; k <= 8; ++k) {
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.undeformed_gap = gap.data();
     step.target = 0.7 * k;
     rc_result result;
     rc_result_init(&result);

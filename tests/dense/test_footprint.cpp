@@ -56,7 +56,7 @@ Outcome solve(const char* solver, std::int64_t nx, std::int64_t ny, double appro
   system.nx = nx;
   system.ny = ny;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   step.target = approach;
   rc_result result;
   rc_result_init(&result);

@@ -102,12 +102,12 @@ Outcome refused_step_forgotten() {
   const double load = answer().result()->load;
   const std::vector<double> other(points, 0.0);
   rc_step bad = scene.step;
-  bad.gap = other.data();
+  bad.undeformed_gap = other.data();
   bad.target = nan;
   answer().prepare();
   assert_int_equal(rc_contact_solve(contact.get(), &bad, answer().result()), RC_ERR_ARGUMENT);
   assert_true(answer().untouched());
-  scene.step.gap = nullptr;
+  scene.step.undeformed_gap = nullptr;
   const Outcome outcome = solve(contact.get(), scene);
   assert_true(answer().result()->load == load);
   return outcome;
@@ -119,7 +119,7 @@ Outcome after_reset() {
   assert_int_equal(solve(contact.get(), scene), RC_OK);
   assert_int_equal(rc_contact_reset(contact.get()), RC_OK);
   answer().prepare();
-  scene.step.gap = nullptr;
+  scene.step.undeformed_gap = nullptr;
   return solve(contact.get(), scene);
 }
 
@@ -220,9 +220,9 @@ Section order_of_calls() {
               {"step without a gap after a refused step", RC_OK, {}, refused_step_forgotten},
               {"step without a gap after a reset",
                RC_ERR_ARGUMENT,
-               {"rc_step.gap is null and no earlier step gave one"},
+               {"rc_step.undeformed_gap is null and no earlier step gave one"},
                after_reset},
-              {"result.p over step.p0, result.gap over step.gap", RC_OK, {}, result_over_its_input},
+              {"result.p over step.p0, result.gap over step.undeformed_gap", RC_OK, {}, result_over_its_input},
               {"context destroyed before its options and contacts", RC_OK, {}, context_destroyed_first},
               {"contact that a static destructor uses", RC_OK, {}, used_by_a_static_destructor},
           }};

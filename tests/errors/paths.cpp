@@ -20,7 +20,7 @@ struct History {
   History() {
     path.n = 3;
     path.targets = targets.data();
-    path.gap = scene.gap.data();
+    path.undeformed_gap = scene.gap.data();
     path.load = load.data();
     path.completed = 99;
   }
@@ -44,7 +44,7 @@ Outcome gap_of_the_step_before() {
   History history;
   const ContactHandle contact = made(history.scene);
   assert_int_equal(solve(contact.get(), history.scene), RC_OK);
-  history.path.gap = nullptr;
+  history.path.undeformed_gap = nullptr;
   return history.run(contact.get(), 3);
 }
 
@@ -133,8 +133,8 @@ Section paths() {
                path_with(0, [](History& h) { h.scene.gap[5] = nan; })},
               {"path without a gap on a new contact",
                refused,
-               {"rc_contact_solve_path: step 0, targets[0] = 0.2: rc_step.gap is null and no earlier step gave one"},
-               path_with(0, [](History& h) { h.path.gap = nullptr; })},
+               {"rc_contact_solve_path: step 0, targets[0] = 0.2: rc_step.undeformed_gap is null and no earlier step gave one"},
+               path_with(0, [](History& h) { h.path.undeformed_gap = nullptr; })},
               {"path without a gap after a step", RC_OK, {}, gap_of_the_step_before},
               {"path with a negative load",
                RC_ERR_INFEASIBLE,

@@ -41,7 +41,7 @@ void solve_one(Draw& draw, rc_options* options) {
   rc_step step = RC_STEP_INIT;
   step.control = draw.rarely(2) ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
   step.target = 2 * draw.fraction() * (draw.rarely(2) ? draw.magnitude() : 1) * (draw.rarely(2) ? height : 1);
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   if (draw.rarely(3)) step.p0 = p0.data();
   for (const char* key : {RC_OPT_SOLVER, RC_OPT_BACKEND}) {
     constexpr const char* solvers[] = {"auto", "nnls", "polonsky-keer"};
@@ -62,7 +62,7 @@ void solve_one(Draw& draw, rc_options* options) {
   assert_true(documented);
   if (status < 0) return;
   assert_true(std::all_of(p.begin(), p.end(), finite) && std::all_of(g.begin(), g.end(), finite));
-  assert_true(finite(result.load) && finite(result.energy) && finite(result.displacement));
+  assert_true(finite(result.load) && finite(result.energy) && finite(result.approach));
 }
 
 void absurd_magnitudes_give_a_finite_answer_or_a_refusal(void**) {

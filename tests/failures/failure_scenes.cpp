@@ -39,7 +39,7 @@ std::int64_t power_of_two(std::int64_t n) {
 rc_step Scene::step() const {
   rc_step step = RC_STEP_INIT;
   step.target = approach;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   step.mask = mask.empty() ? nullptr : mask.data();
   return step;
 }

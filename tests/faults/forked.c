@@ -18,7 +18,7 @@ static rc_status solve(const char* backend, const char* solver) {
   rc_step step = RC_STEP_INIT;
   rc_result result;
   rc_result_init(&result);
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = 0.5;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);

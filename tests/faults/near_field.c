@@ -12,7 +12,7 @@ static rc_status solve(int n, const char* memory_limit) {
   rc_system system = RC_SYSTEM_INIT;
   system.nx = system.ny = n;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = 0.5;
   rc_result result;
   rc_result_init(&result);

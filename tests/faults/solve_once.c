@@ -14,10 +14,10 @@ static int solve(rc_contact* contact, const double* gap) {
   rc_result result;
   int ended = 0;
   rc_result_init(&result);
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = 2e-7;
   if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;
-  step.gap = NULL;
+  step.undeformed_gap = NULL;
   step.control = RC_CONTROL_LOAD;
   step.target = 0.7 * result.load;
   return refused(rc_contact_solve(contact, &step, &result));

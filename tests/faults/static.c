@@ -11,7 +11,7 @@ static rc_status solve(const char* backend) {
   rc_system system = RC_SYSTEM_INIT;
   system.nx = system.ny = N;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = 0.1;
   rc_result result;
   rc_result_init(&result);

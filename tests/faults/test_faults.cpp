@@ -80,14 +80,14 @@ class Life {
       return status_;
     if (!contact_ && failed(rc_contact_create(&given_.system, options_, &contact_))) return status_;
     rc_step step = RC_STEP_INIT;
-    step.gap = given_.gap.data();
+    step.undeformed_gap = given_.gap.data();
     step.target = 0.2;
     if (failed(rc_contact_solve(contact_, &step, &pressed_.result))) return status_;
     if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 1)) || failed(rc_contact_set_options(contact_, options_)))
       return status_;
     step.control = RC_CONTROL_LOAD;
     step.target = 0.5 * pressed_.result.load;
-    step.gap = nullptr;
+    step.undeformed_gap = nullptr;
     if (failed(rc_contact_solve(contact_, &step, &loaded_.result))) return status_;
     std::copy(loaded_.p.begin(), loaded_.p.end(), checked_.p.begin());
     return failed(rc_contact_certify(contact_, &step, &checked_.result)) ? status_ : RC_OK;

@@ -24,7 +24,7 @@ void check_against_all_points(const Problem& problem, const char* what) {
   const Answer all = pairs::solved(problem, everywhere, {{RC_OPT_TOL, "1e-9"}});
   check_near(sparse.everywhere(), all.p, 1e-6, what);
   check_near(sparse.result.load, all.result.load, 1e-7 * all.result.load, "load");
-  check_near(sparse.result.displacement, all.result.displacement, 1e-7 * std::abs(all.result.displacement), "approach");
+  check_near(sparse.result.approach, all.result.approach, 1e-7 * std::abs(all.result.approach), "approach");
   check_near(sparse.result.energy, all.result.energy, 1e-7 * std::abs(all.result.energy), "energy");
   check(sparse.result.contacts > 0 && sparse.result.contacts <= sparse.result.points / 20, "contact is sparse");
   check(std::abs(sparse.result.contacts - all.result.contacts) <= 1 + all.result.contacts / 1000, "contacts");
@@ -102,7 +102,7 @@ void one_asperity() {
   check_equal(sparse.result.candidates, full.result.candidates, "candidates");
   const Sparse by_load = few::solved(at_load_of(problem, sparse), "fft");
   check_near(by_load.everywhere(), full.p, 1e-5, "pressures in load control");
-  check_near(by_load.result.displacement, 0.4, 1e-7, "approach");
+  check_near(by_load.result.approach, 0.4, 1e-7, "approach");
 }
 
 void dense_contact_is_left_to_transforms() {

@@ -40,7 +40,7 @@ double direct_load(const std::vector<double>& heights, double displacement) {
   const rc_system system = grid();
   rc_step step = RC_STEP_INIT;
   step.target = displacement;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
   assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, 1e-10), RC_OK);

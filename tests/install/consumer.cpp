@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   system.modulus = 230e9;
   rc_step step = RC_STEP_INIT;
   step.target = 1e-6;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   rc_result result;
   rc_result_init(&result);
   result.p = pressure.data();

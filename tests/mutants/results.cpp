@@ -31,7 +31,7 @@ void put(Figures& figures, rc_status status, const rc_result& r, const std::vect
     return;
   }
   figures.near("load", r.load);
-  figures.near("displacement", r.displacement);
+  figures.near("approach", r.approach);
   figures.near("mean", r.mean_pressure);
   figures.near("energy", r.energy);
   figures.exact("contacts", static_cast<double>(r.contacts));
@@ -115,7 +115,7 @@ void beyond_double_precision(Figures& figures) {
     diagonal = factor;
     std::vector<double> p(3, size), deformed(3);
     rc_step step = RC_STEP_INIT;
-    step.gap = factor < 1 ? flat.data() : small.gap.data();
+    step.undeformed_gap = factor < 1 ? flat.data() : small.gap.data();
     step.target = factor < 1 ? 1e-25 : 0.4;
     rc_result r{};
     r.struct_size = sizeof r;
@@ -138,7 +138,7 @@ void stopped_far_from_the_answer(Figures& figures) {
         std::vector<double> p(small.points()), p0(small.points(), start), deformed(small.points());
         rc_step step = RC_STEP_INIT;
         step.control = control;
-        step.gap = small.gap.data();
+        step.undeformed_gap = small.gap.data();
         step.target = 0.1;
         step.p0 = p0.data();
         rc_result r{};
@@ -164,7 +164,7 @@ void masks_that_leave_little(Figures& figures) {
       mask[5] = one;
       rc_step step = RC_STEP_INIT;
       step.control = control;
-      step.gap = gap.data();
+      step.undeformed_gap = gap.data();
       step.mask = mask.data();
       step.target = control == RC_CONTROL_DISPLACEMENT ? 2 : one ? 0.3 : 0;
       rc_result r{};
@@ -231,7 +231,7 @@ void figures_of_results(Figures& figures) {
               rc_step step = RC_STEP_INIT;
               step.control = control;
               step.target = control == RC_CONTROL_LOAD ? size : size + datum;
-              step.gap = gap.data();
+              step.undeformed_gap = gap.data();
               step.mask = masked ? mask.data() : nullptr;
               rc_result r{};
               r.struct_size = sizeof r;

@@ -71,7 +71,7 @@ std::string Scene::judge(const rc_options* options, bool memory) {
   const std::int32_t controls[] = {RC_CONTROL_DISPLACEMENT, RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD, RC_CONTROL_LOAD};
   for (int k = 0; contact && fault.empty() && k < 4; ++k) {
     rc_step step = RC_STEP_INIT;
-    step.gap = gap_.data();
+    step.undeformed_gap = gap_.data();
     step.control = controls[k];
     step.target = targets[k];
     status = rc_contact_solve(contact, &step, &result);

@@ -45,7 +45,7 @@ rc_step Problem::step() const {
   rc_step step = RC_STEP_INIT;
   step.control = control;
   step.target = target;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   step.mask = mask.empty() ? nullptr : mask.data();
   return step;
 }

@@ -55,7 +55,7 @@ bool may_fail(const Pair& pair, const Problem& problem) {
 }
 
 bool is_told_failure(const Pair& pair, const Problem& problem, const Answer& answer) {
-  return may_fail(pair, problem) && answer.status == RC_STOP_UNCERTIFIED &&
+  return may_fail(pair, problem) && answer.status == RC_UNCERTIFIED &&
          std::string(answer.result.note).find("overlap") != std::string::npos;
 }
 

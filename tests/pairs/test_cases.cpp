@@ -91,7 +91,7 @@ void check_solution(const ReferenceCase& reference, const Pair& pair, const Prob
   const bool halfspace = problem.system.op == RC_OPERATOR_HALFSPACE;
   check_near(answer.p, reference.p, accuracy_of(pair, problem.control), "p");
   check_near(r.load, reference.load, dense * reference.load, "load");
-  check_near(r.displacement, reference.problem.target, dense * reference.depth, "approach");
+  check_near(r.approach, reference.problem.target, dense * reference.depth, "approach");
   check(answer.worst_residual() <= tolerance_of(pair, problem), "the residuals are above the tolerance");
   if (reference.count_is_robust) check_equal(r.contacts, reference.contacts, "contacts");
   if (halfspace && reference.load > 0 && problem.control == RC_CONTROL_DISPLACEMENT)

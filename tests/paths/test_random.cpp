@@ -69,8 +69,7 @@ void agrees_with_cold_solves(std::int32_t boundary, std::int32_t control, const 
   for (std::size_t i = 0; i < r.cold.size(); ++i) {
     check_near(path.seen[i].p, r.cold[i].p, accurate, "step " + std::to_string(i) + ": p");
     check_near(path.load[i], r.cold[i].result.load, accurate * heaviest, "step " + std::to_string(i) + ": load");
-    check_near(path.displacement[i], r.cold[i].result.displacement, accurate * deepest,
-               "step " + std::to_string(i) + ": approach");
+    check_near(path.approach[i], r.cold[i].result.approach, accurate * deepest, "step " + std::to_string(i) + ": approach");
     check(path.certificate[i] <= 1e-8, "certificate");
   }
 }

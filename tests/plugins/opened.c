@@ -33,7 +33,7 @@ static rc_status solve(int64_t n, double approach, const char* backend) {
   for (int64_t i = 0; gap && i < n * n; ++i) gap[i] = 1 / 4294967296.0 * (double)(random = random * 1664525u + 1013904223u);
   rc_result_init(&result);
   system.nx = system.ny = n;
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = approach;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);

@@ -138,7 +138,7 @@ template <class Change> void assert_solve_gives(rc_status expected, const char* 
   assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
   const double gap[] = {0, 0.1};
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.undeformed_gap = gap;
   step.target = 1;
   // Twice: a failed step must leave the contact usable.
   for (int attempt = 0; attempt < 2; ++attempt) {
@@ -169,7 +169,7 @@ void products_that_are_not_finite_are_not_an_answer(void**) {
 }
 
 void a_product_that_is_wrong_is_uncertified(void**) {
-  assert_solve_gives(RC_STOP_UNCERTIFIED, "the solver claimed success, the library's own check disagrees", [](rc_backend& b) {
+  assert_solve_gives(RC_UNCERTIFIED, "the solver claimed success, the library's own check disagrees", [](rc_backend& b) {
     b.field = [](void*, const double* x, double* y) {
       y[0] = 2 * x[0];
       y[1] = 2 * x[1];

@@ -98,7 +98,7 @@ void run(const Scene& scene, Record& record) {
     problem.control = step.control;
     problem.target = step.target;
     rc_step asked = problem.step();
-    if (known) asked.gap = nullptr, asked.mask = nullptr;
+    if (known) asked.undeformed_gap = nullptr, asked.mask = nullptr;
     asked.warm_start = step.warm;
     const std::optional<Field> start = start_pressures(step.start, problem, last);
     if (start) asked.p0 = start->data();

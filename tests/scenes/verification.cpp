@@ -17,7 +17,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // What residuals of gaps are relative to.
 double scale_of(const pairs::Problem& problem, const pairs::Answer& answer, double tol) {
-  const double lowest = problem.lowest_gap(), compression = std::max(0.0, answer.result.displacement - lowest);
+  const double lowest = problem.lowest_gap(), compression = std::max(0.0, answer.result.approach - lowest);
   if (!problem.periodic()) return compression;
   const double n = static_cast<double>(problem.points());
   if (problem.control == RC_CONTROL_LOAD)
@@ -61,18 +61,18 @@ Verification::Verification(const Scene& scene)
 Field Verification::gap_of(const pairs::Problem& problem, const pairs::Answer& answer) {
   if (matrix_) {
     Field gap = pairs::product(*matrix_, answer.p);
-    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += problem.gap[i] - answer.result.displacement;
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += problem.gap[i] - answer.result.approach;
     return gap;
   }
   pairs::Problem given = problem;
   given.control = RC_CONTROL_DISPLACEMENT;
-  given.target = answer.result.displacement;
+  given.target = answer.result.approach;
   // Full periodic contact has no approach that could be prescribed: the gap is the same up to a constant.
   const rc_step step = given.step();
   pairs::Answer second = other_->certify(step, answer.p);
   if (second.status == RC_ERR_INFEASIBLE) {
     second = other_->certify(problem.step(), answer.p);
-    for (double& value : second.gap) value += second.result.displacement - answer.result.displacement;
+    for (double& value : second.gap) value += second.result.approach - answer.result.approach;
   }
   pairs::check(second.status >= 0, "certifying again: " + second.message);
   return second.gap;
@@ -95,7 +95,7 @@ void Verification::check(const pairs::Problem& problem, const pairs::Answer& ans
   const double of_product = round_off * largest_p * longest;
   for (std::size_t i = 0; i < gap.size(); ++i) {
     if (!problem.included(i)) continue;
-    const double noise = of_product + 8 * epsilon * (std::abs(problem.gap[i]) + std::abs(r.displacement));
+    const double noise = of_product + 8 * epsilon * (std::abs(problem.gap[i]) + std::abs(r.approach));
     const double apart = std::abs(gap[i] - answer.gap[i]), allowed = tol_ * (1 + 1e-6) * scale + noise;
     const std::string point = " at point " + std::to_string(i);
     check(apart <= noise, "the gap is off by " + text(apart) + " where round-off is " + text(noise) + point);
@@ -106,7 +106,7 @@ void Verification::check(const pairs::Problem& problem, const pairs::Answer& ans
   if (problem.control == RC_CONTROL_LOAD)
     pairs::check_near(load, problem.target, (tol_ + 1e-12) * problem.target, "load against its target");
   if (problem.control == RC_CONTROL_DISPLACEMENT)
-    pairs::check(r.displacement == problem.target, "the approach is not the prescribed one");
+    pairs::check(r.approach == problem.target, "the approach is not the prescribed one");
 }
 
 }  // namespace scenes

@@ -87,7 +87,7 @@ void load_control_costs_little_more() {
              " by load");
       check(static_cast<double>(by_load.result.applications) <= 1.4 * static_cast<double>(by_approach.result.applications),
             "load control takes many more products");
-      check_near(by_load.result.displacement, problem.target, 1e-6 * problem.target, "approach");
+      check_near(by_load.result.approach, problem.target, 1e-6 * problem.target, "approach");
     }
 }
 

@@ -72,7 +72,7 @@ Sequence solve(const Job& job, const rc_options* options, rc_progress_fn progres
     rc_step step = RC_STEP_INIT;
     step.control = job.control;
     step.target = share * (job.control == RC_CONTROL_LOAD ? 6 : 0.12);
-    step.gap = gap.data();
+    step.undeformed_gap = gap.data();
     rc_result result{};
     rc_result_init(&result);
     result.p = sequence.p.data();

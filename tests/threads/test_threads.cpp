@@ -154,7 +154,7 @@ void another_thread_cancels(void**) {
       rc_contact_cancel(made);
     });
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.undeformed_gap = gap.data();
     step.target = 1;
     rc_result result{};
     rc_result_init(&result);
@@ -178,7 +178,7 @@ void a_contact_serves_one_thread_and_tells_the_others(void**) {
   together([&](int member) -> std::string {
     for (int round = 0; round < rounds(60); ++round) {
       rc_step step = RC_STEP_INIT;
-      step.gap = gap.data();
+      step.undeformed_gap = gap.data();
       step.target = 0.2 + 0.1 * member;
       rc_result result{};
       rc_result_init(&result);
@@ -195,7 +195,7 @@ void a_contact_serves_one_thread_and_tells_the_others(void**) {
       }
       if (status != RC_OK && status != RC_ERR_BUSY) return complain("contact", status);
       if (status == RC_OK && result.points > 0) ++answers;
-      if (status == RC_OK && result.points > 0 && result.displacement != step.target) return "the answer is another thread's";
+      if (status == RC_OK && result.points > 0 && result.approach != step.target) return "the answer is another thread's";
     }
     return {};
   });

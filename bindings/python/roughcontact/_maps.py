@@ -55,7 +55,7 @@ class Surface:
         factor = METRES[self.unit] / METRES[unit]
         return replace(self, heights=self.heights * factor, pitch=(self.pitch[0] * factor, self.pitch[1] * factor), unit=unit)
 
-    def gap(self) -> Doubles:
+    def undeformed_gap(self) -> Doubles:
         """Distance of every point to a plane through the highest one [length]."""
         return gap_below(self.heights, self.mask, 0)
 

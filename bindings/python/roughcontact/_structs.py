@@ -20,8 +20,8 @@ class rc_system(Sized):
 @struct
 class rc_step(Sized):
     members = """
-    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; double target; doubles gap p0; bytes_ mask;
-    int32_t borrow reserved
+    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; double target; doubles undeformed_gap p0;
+    bytes_ mask; int32_t borrow reserved
     """
 
 
@@ -30,8 +30,8 @@ class rc_result(Sized):
     members = """
     size_t struct_size; doubles p gap; rc_status status; int32_t reserved;
     int64_t iterations applications points candidates modelled contacts;
-    double load displacement mean_pressure contact_area energy stiffness kkt_primal kkt_dual;
-    double kkt_complementarity kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
+    double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
+    double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper; int64_t proven_contacts proven_open undecided levels;
     double tolerance; int64_t model_nx model_ny; double error_estimate left_out area_estimate
     """
@@ -40,7 +40,7 @@ class rc_result(Sized):
 @struct
 class rc_level(Sized):
     members = """
-    size_t struct_size; doubles p; rc_status status; int32_t reserved; int64_t nx ny; double hx hy displacement load;
+    size_t struct_size; doubles p; rc_status status; int32_t reserved; int64_t nx ny; double hx hy approach load;
     int64_t candidates contacts
     """
 
@@ -48,8 +48,8 @@ class rc_level(Sized):
 @struct
 class rc_state(Sized):
     members = """
-    size_t struct_size; doubles gap; bytes_ mask; doubles p; double displacement load; doubles p_before;
-    double displacement_before load_before
+    size_t struct_size; doubles undeformed_gap; bytes_ mask; doubles p; double approach load; doubles p_before;
+    double approach_before load_before
     """
 
 
@@ -59,8 +59,8 @@ rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
 @struct
 class rc_path(Sized):
     members = """
-    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n; doubles targets gap; bytes_ mask;
-    doubles load displacement contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
+    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n; doubles targets undeformed_gap;
+    bytes_ mask; doubles load approach contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
     int64_t completed
     """
 
@@ -72,8 +72,8 @@ rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 class rc_batch(Sized):
     members = """
     size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n steps; doubles targets;
-    int64_t target_stride; doubles gap; int64_t gap_stride; bytes_ mask; int64_t mask_stride;
-    doubles p0 p load displacement contact_area stiffness certificate; statuses status; integers iterations applications;
+    int64_t target_stride; doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride;
+    doubles p0 p load approach contact_area stiffness certificate; statuses status; integers iterations applications;
     rc_batch_fn fn; handle user; int64_t written certified first=-1
     """
 

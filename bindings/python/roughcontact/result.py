@@ -43,7 +43,7 @@ class Result:
     #: products with H, the certificate's and the stiffness' included
     applications: int
     points: int
-    #: points that can carry pressure at this displacement
+    #: points that can carry pressure at this approach
     candidates: int
     #: unknowns or transform points of the operator used
     modelled: int
@@ -51,8 +51,8 @@ class Result:
     contacts: int
     #: [force]
     load: float
-    #: approach of the bodies from first touch of the undeformed gap's zero [length]
-    displacement: float
+    #: of the bodies from first touch of the undeformed gap's zero [length]
+    approach: float
     #: load over the area of the grid [force/length^2]
     mean_pressure: float
     #: [length^2]
@@ -76,7 +76,7 @@ class Result:
     note: str
     #: the energy is above the least one by this at most [force length]; NaN where no proof is known
     duality_gap: float
-    #: the exact load at this displacement lies between [force]
+    #: the exact load at this approach lies between [force]
     load_lower: float
     load_upper: float
     #: the exact contact area lies between [length^2]
@@ -132,7 +132,7 @@ class Result:
 
     def __repr__(self) -> str:
         return (
-            f"Result({self.status.name}, load={self.load:.6g}, displacement={self.displacement:.6g}, "
+            f"Result({self.status.name}, load={self.load:.6g}, approach={self.approach:.6g}, "
             f"contacts={self.contacts} of {self.points}, residual={self.residual:.1e}, {self.solver} on {self.backend})"
         )
 
@@ -160,7 +160,7 @@ class Level:
     pressure: Doubles
     status: Status
     pitch: Tuple[float, float]
-    displacement: float
+    approach: float
     load: float
     candidates: int
     contacts: int
@@ -175,7 +175,7 @@ def level_from(struct: rc_level, pressure: Doubles) -> Level:
 class PathResult:
     """Answers of a loading history. Arrays have one value for each completed step.
 
-    load [force], displacement [length], contact_area [length^2], certificate: largest residual, applications: products with H
+    load [force], approach [length], contact_area [length^2], certificate: largest residual, applications: products with H
     stiffness: dW/dd [force/length]; None unless asked for
     pressure: [steps, ny, nx] [force/length^2]; None unless asked for
     targets: as given, those of steps that were not completed as well
@@ -185,7 +185,7 @@ class PathResult:
     message: str
     targets: Doubles
     load: Doubles
-    displacement: Doubles
+    approach: Doubles
     contact_area: Doubles
     certificate: Doubles
     applications: NDArray[np.int64]
@@ -207,7 +207,7 @@ class BatchResult:
     """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
 
     statuses: of every step, see `Status`
-    load [force], displacement [length], contact_area [length^2], certificate: largest residual, iterations, applications
+    load [force], approach [length], contact_area [length^2], certificate: largest residual, iterations, applications
     stiffness: dW/dd [force/length]; None unless asked for
     pressure: [contacts, ny, nx] of each contact's last step, 0 where it has none [force/length^2]; None unless asked for
     certified: contacts of which every step is certified
@@ -218,7 +218,7 @@ class BatchResult:
     message: str
     statuses: NDArray[np.int32]
     load: Doubles
-    displacement: Doubles
+    approach: Doubles
     contact_area: Doubles
     certificate: Doubles
     iterations: NDArray[np.int64]

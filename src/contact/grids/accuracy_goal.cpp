@@ -33,7 +33,7 @@ double relative(double difference, double value) {
 // Relative difference of load to the next coarser grid; in load control from the difference of approach and the stiffness.
 double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) {
   if (control == RC_CONTROL_DISPLACEMENT) return relative(fine.load - coarse.load, fine.load);
-  const double difference = coarse.stiffness * (fine.displacement - coarse.displacement);
+  const double difference = coarse.stiffness * (fine.approach - coarse.approach);
   return std::isfinite(difference) ? relative(difference, fine.load) : std::numeric_limits<double>::infinity();
 }
 
@@ -84,7 +84,7 @@ rc_status AccuracyGoal::solve_on(std::size_t k, const Workspace& given, const rc
   grid.gap.resize(with_gap ? static_cast<std::size_t>(contact.work().system.points()) : 0);
   grid.result.gap = with_gap ? grid.gap.data() : nullptr;
   contact.begin(on_grid);
-  if (nothing_touches(on_grid, contact.work())) return RC_STOP_UNCERTIFIED;
+  if (nothing_touches(on_grid, contact.work())) return RC_UNCERTIFIED;
   Monitor watch = contact.monitor();
   return contact.solve_begun(on_grid, watch, grid.result, std::move(estimate));
 }
@@ -105,7 +105,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
   std::vector<GridLevel> levels;  // up to the coarsest grid with contact
   for (std::size_t k = grids_.size(); k >= 1; --k) {
     Grid& grid = grids_[k - 1];
-    rc_status status = RC_STOP_UNCERTIFIED;
+    rc_status status = RC_UNCERTIFIED;
     try {
       status = solve_on(k, given.work(), step, monitor, std::exchange(found.estimate, {}), with_gap);
     } catch (const Error&) {
@@ -123,7 +123,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
     const bool coarsest = levels.empty();
     if (coarsest) levels.resize(k + 1);
     if (!coarsest) levels[k].difference = difference(grid.result, grids_[k].result, step.control);
-    const double approach = grid.result.displacement;
+    const double approach = grid.result.approach;
     const auto spread_to = [&](std::size_t finer, const Blocks& blocks) {
       return Estimate{spread(grid.halved.contact().memory().last.pressures, blocks, work(finer).surface, Cut::same_pressure),
                       approach};

@@ -53,7 +53,7 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   rc_screen request{};
   request.struct_size = sizeof request;
   request.approach = surface.limit_of(compression + margin);
-  request.gap = surface.gap().data();
+  request.undeformed_gap = surface.gap().data();
   request.mask = surface.mask();
   request.tile_lowest = surface.tile_lowest().data();
   request.y = y.data();

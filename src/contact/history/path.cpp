@@ -27,7 +27,7 @@ rc_step step_of(const rc_path& path, std::int64_t i) {
   step.warm_start = path.warm_start;
   step.target = path.targets[i];
   if (i == 0) {  // later steps keep the surface of the first
-    step.gap = path.gap;
+    step.undeformed_gap = path.undeformed_gap;
     step.mask = path.mask;
   }
   return step;
@@ -39,7 +39,7 @@ template <class Number> void put(Number* to, std::int64_t i, Number value) {
 
 void write_outputs(const rc_path& path, std::int64_t i, const rc_result& result) {
   put(path.load, i, result.load);
-  put(path.displacement, i, result.displacement);
+  put(path.approach, i, result.approach);
   put(path.contact_area, i, result.contact_area);
   put(path.stiffness, i, result.stiffness);
   put(path.certificate, i, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));

@@ -118,7 +118,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   const bool given = step.control == RC_CONTROL_DISPLACEMENT;
   const double limit = given ? step.target : surface.limit_of(compression);
   result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
-  result.displacement = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
+  result.approach = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
   result.mean_pressure = sum / static_cast<double>(system.points());
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = energy * area;
@@ -133,7 +133,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.left_out = 0;
   bounds.write(result);
   write_note(work, compression, result);
-  return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
+  return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_UNCERTIFIED;
 }
 
 void count_work(const Workspace& work, const Monitor& monitor, rc_result& result) {

@@ -14,7 +14,7 @@ namespace {
 
 // Throws where this solver cannot run inside this run.
 void require(const rc_solver& solver, const SolverRun& run, const char* as) {
-  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.gap)
+  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.undeformed_gap)
     fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
@@ -147,7 +147,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
   const auto compenetration = [&](std::int64_t i) {
-    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.gap[outer.trial.point(i)]) / outer.length;
+    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.undeformed_gap[outer.trial.point(i)]) / outer.length;
   };
   for (const std::int64_t i : a) {
     u.push_back(compenetration(i));
@@ -204,7 +204,7 @@ void Session::connect(BoundProblem& problem) {
   problem.length = run.length_unit;
   problem.pressure = run.pressure_unit;
   problem.note = note;
-  if (run.grid.gap) {
+  if (run.grid.undeformed_gap) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
     problem.grid = &problem.where;
     problem.coarse = coarse;

@@ -44,7 +44,7 @@ Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, 
     try {
       Finished finished = certified_result(work, step, answer_of(work, memory, step, monitor, nearer), monitor, result);
       const rc_status status = finished.status;
-      const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
+      const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       if (!hopeless || !pass_over(work, choice.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
         return finished;
       delivered = true;

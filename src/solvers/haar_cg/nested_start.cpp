@@ -34,7 +34,8 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
   if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
   const auto points = static_cast<std::size_t>(grid.nx * grid.ny);
-  const CoarseGrid coarse = downsample(grid.nx, grid.ny, {grid.gap, points}, {grid.mask, grid.mask ? points : 0}, Filter::mean);
+  const CoarseGrid coarse =
+      downsample(grid.nx, grid.ny, {grid.undeformed_gap, points}, {grid.mask, grid.mask ? points : 0}, Filter::mean);
   Vector pressure(static_cast<std::size_t>(coarse.nx * coarse.ny));
   const double length = problem.length_unit();
 
@@ -43,7 +44,7 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   request.nx = coarse.nx;
   request.ny = coarse.ny;
   request.factor = 2;
-  request.gap = coarse.gap.data();
+  request.undeformed_gap = coarse.gap.data();
   request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
   request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
   request.approach = grid.approach;
@@ -59,7 +60,8 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   spread(problem, coarse.nx, pressure, p);
   if (!problem.load_control()) return;
   // The datum from u = (datum - gap) / length.
-  const double datum = problem.u() ? grid.gap[grid.index ? grid.index[0] : 0] + problem.u()[0] * length : grid.approach;
+  const double datum =
+      problem.u() ? grid.undeformed_gap[grid.index ? grid.index[0] : 0] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
 }
 

@@ -85,9 +85,9 @@ const double* Compenetration::values(std::int64_t begin, std::int64_t count, dou
   if (u) return u + begin;
   const double approach = grid->approach;
   if (grid->index) {
-    for (std::int64_t i = 0; i < count; ++i) room[i] = (approach - grid->gap[grid->index[begin + i]]) / length;
+    for (std::int64_t i = 0; i < count; ++i) room[i] = (approach - grid->undeformed_gap[grid->index[begin + i]]) / length;
   } else {
-    for (std::int64_t i = 0; i < count; ++i) room[i] = (approach - grid->gap[begin + i]) / length;
+    for (std::int64_t i = 0; i < count; ++i) room[i] = (approach - grid->undeformed_gap[begin + i]) / length;
   }
   return room;
 }
