@@ -45,8 +45,8 @@ class Pressed:
 
     def compared(self, control, quantity, goal):
         found, whole = self.to_goal(control, quantity, goal), self.solve(control, self.target(control), goal / 100)
-        return {'status': status_of(found), 'model': found.model_nx, 'estimate': found.error_estimate,
-                'error': self.error(found, control, quantity), 'left_out': found.left_out, 'seconds': seconds(found),
+        return {'status': status_of(found), 'model': found.accuracy.model_nx, 'estimate': found.accuracy.error_estimate,
+                'error': self.error(found, control, quantity), 'left_out': found.accuracy.left_out, 'seconds': seconds(found),
                 'whole_seconds': seconds(whole)}
 
 

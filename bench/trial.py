@@ -31,13 +31,13 @@ class Tally:
         if found.status != rc.Status.WITHIN_GOAL:
             return
         area_error, error = pressed.area_error(found), pressed.error(found, control, quantity)
-        beyond, area_beyond = not error <= goal, not area_error <= found.area_estimate
+        beyond, area_beyond = not error <= goal, not area_error <= found.accuracy.area_estimate
         self.coarser, self.beyond, self.area_beyond = self.coarser + 1, self.beyond + beyond, self.area_beyond + area_beyond
-        self.slack += [found.error_estimate / error] if error > 0 else []
-        self.area_slack += [found.area_estimate / area_error] if area_error > 0 else []
+        self.slack += [found.accuracy.error_estimate / error] if error > 0 else []
+        self.area_slack += [found.accuracy.area_estimate / area_error] if area_error > 0 else []
         if beyond or area_beyond:
             print(f'{label}: goal {goal:g} of the {quantity}, by {"load" if control == "load" else "approach"}: error {error:.4f}, estimate '
-                  f'{found.error_estimate:.4f}, of the area {area_error:.4f}, {found.area_estimate:.4f}, from {found.model_nx} of '
+                  f'{found.accuracy.error_estimate:.4f}, of the area {area_error:.4f}, {found.accuracy.area_estimate:.4f}, from {found.accuracy.model_nx} of '
                   f'{pressed.gap.shape[1]} points a side', file=sys.stderr)
         if request.times:
             whole = pressed.solve(control, pressed.target(control), goal / (1000 if quantity == 'area' else 100))

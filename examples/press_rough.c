@@ -35,14 +35,14 @@ int main(void) {
 
   rc_system system = RC_SYSTEM_INIT;
   rc_step step = RC_STEP_INIT;
-  rc_result result;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   system.nx = system.ny = N;
   system.hx = system.hy = h;
   system.modulus = 100e9;
   step.undeformed_gap = gap;
   step.target = advice.approach;
-  rc_result_init(&result);
   status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, "cmr");
   if (status == RC_OK) status = rc_options_set_int(options, "cmr.levels", 3);

@@ -1,6 +1,8 @@
 // Contact area, perimeter, and the area without what the grid adds to it.
 #pragma once
 
+#include <roughcontact/analysis.h>
+
 #include "analysis/contact_map.h"
 
 namespace rc {

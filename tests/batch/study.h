@@ -1,6 +1,8 @@
 // A batch with every output, and what came of it.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <functional>
 #include <string>
 #include <vector>

@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include "errors/case.h"
 #include "errors/scene.h"
 

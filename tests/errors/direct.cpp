@@ -1,4 +1,6 @@
 // Direct routines: each row of the first kind is tried on all five routines for a matrix.
+#include <roughcontact/direct.h>
+
 #include <cstring>
 
 #include "errors/case.h"

@@ -20,8 +20,7 @@ std::int32_t other_thread_solves(const double* x, double* y, std::int64_t n, voi
   if (!intruder.contact || intruder.calls++ > 0) return 0;
   std::thread([&] {
     const Scene scene;
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     intruder.outcome = rc_contact_solve(intruder.contact, &scene.step, &result);
   }).join();
   return 0;
@@ -158,8 +157,7 @@ Outcome context_destroyed_first() {
 struct LastMinute {
   ~LastMinute() {
     const Scene scene;
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     if (rc_solve(&scene.system, &scene.step, nullptr, &result) != RC_OK) abort();
     rc_contact_destroy(contact);
   }

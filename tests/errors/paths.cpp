@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include <optional>
 
 #include "errors/case.h"
@@ -76,8 +78,7 @@ Outcome level_after(bool solved, std::int64_t i) {
     assert_int_equal(answer().result()->levels, 0);
     answer().prepare();
   }
-  rc_level level{};
-  rc_level_init(&level);
+  rc_level level = RC_LEVEL_INIT;
   return rc_contact_level(contact.get(), i, &level);
 }
 

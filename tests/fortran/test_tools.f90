@@ -16,6 +16,7 @@ program test_tools
 contains
 
   subroutine listings()
+    type(rc_system) :: system
     type(rc_component) :: component
     type(rc_option_spec) :: spec
     type(c_ptr) :: context
@@ -35,8 +36,9 @@ contains
     call check('no kernel after the last', stat == RC_ERR_ARGUMENT)
     call rcf_options_describe(1, spec)
     call check('an option', len(rc_from_c(spec%key)) > 0)
-    call check('a pair', rcf_pair_supported('nnls', 'dense', rc_system(nx=4, ny=4), RC_CONTROL_LOAD))
-    call check('no pair', .not. rcf_pair_supported('nnls', 'absent', rc_system(nx=4, ny=4), RC_CONTROL_LOAD, errmsg=message) &
+    system = rc_system(nx=4, ny=4, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double)
+    call check('a pair', rcf_pair_supported('nnls', 'dense', system, RC_CONTROL_LOAD))
+    call check('no pair', .not. rcf_pair_supported('nnls', 'absent', system, RC_CONTROL_LOAD, errmsg=message) &
       .and. index(message, 'absent') > 0)
     call rcf_context_create(context, plugins=.false., environment=.false.)
     call check('no plugins', rc_backend_count(context) <= rc_backend_count(c_null_ptr))

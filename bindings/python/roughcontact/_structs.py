@@ -1,4 +1,4 @@
-"""The structs of <roughcontact/roughcontact.h>, member by member, with the values of the RC_..._INIT macros.
+"""The structs of the headers but surface.h and plugin.h, member by member, with the values of the RC_..._INIT macros.
 
 Written by scripts/bindings.py.
 """
@@ -17,11 +17,11 @@ class rc_system(Sized):
     struct_size: size_t
     op: int32_t = RC_OPERATOR_HALFSPACE
     boundary: int32_t = RC_BOUNDARY_FREE
-    nx: int64_t = 1
-    ny: int64_t = 1
-    hx: double = 1.0
-    hy: double = 1.0
-    modulus: double = 1.0
+    nx: int64_t
+    ny: int64_t
+    hx: double
+    hy: double
+    modulus: double
     dense: doubles
     dense_ld: int64_t
     apply: Annotated[Any, rc_apply_fn]
@@ -31,7 +31,7 @@ class rc_system(Sized):
 @struct
 class rc_step(Sized):
     struct_size: size_t
-    control: int32_t = RC_CONTROL_DISPLACEMENT
+    control: int32_t
     warm_start: int32_t = 1
     target: double
     undeformed_gap: doubles
@@ -46,7 +46,7 @@ class rc_result(Sized):
     struct_size: size_t
     p: doubles
     gap: doubles
-    status: rc_status
+    status: rc_status = RC_ERR_ARGUMENT
     reserved: int32_t
     iterations: int64_t
     applications: int64_t
@@ -80,40 +80,28 @@ class rc_result(Sized):
     undecided: int64_t
     levels: int64_t
     tolerance: double
+
+
+@struct
+class rc_accuracy(Sized):
+    struct_size: size_t
     model_nx: int64_t
     model_ny: int64_t
     error_estimate: double
-    left_out: double
     area_estimate: double
+    left_out: double
 
 
 @struct
-class rc_level(Sized):
+class rc_progress(Sized):
     struct_size: size_t
-    p: doubles
-    status: rc_status
-    reserved: int32_t
-    nx: int64_t
-    ny: int64_t
-    hx: double
-    hy: double
-    approach: double
-    load: double
-    candidates: int64_t
-    contacts: int64_t
+    iteration: int64_t
+    applications: int64_t
+    kkt: double
+    seconds: double
 
 
-@struct
-class rc_state(Sized):
-    struct_size: size_t
-    undeformed_gap: doubles
-    mask: bytes_
-    p: doubles
-    approach: double
-    load: double
-    p_before: doubles
-    approach_before: double
-    load_before: double
+rc_progress_fn = callback(int32_t, rc_progress, handle)
 
 
 rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
@@ -122,7 +110,7 @@ rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
 @struct
 class rc_path(Sized):
     struct_size: size_t
-    control: int32_t = RC_CONTROL_DISPLACEMENT
+    control: int32_t
     warm_start: int32_t = 1
     n: int64_t
     targets: doubles
@@ -139,13 +127,26 @@ class rc_path(Sized):
     completed: int64_t
 
 
+@struct
+class rc_state(Sized):
+    struct_size: size_t
+    undeformed_gap: doubles
+    mask: bytes_
+    p: doubles
+    approach: double
+    load: double
+    p_before: doubles
+    approach_before: double
+    load_before: double
+
+
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 
 
 @struct
 class rc_batch(Sized):
     struct_size: size_t
-    control: int32_t = RC_CONTROL_DISPLACEMENT
+    control: int32_t
     warm_start: int32_t = 1
     n: int64_t
     steps: int64_t
@@ -173,9 +174,25 @@ class rc_batch(Sized):
 
 
 @struct
+class rc_level(Sized):
+    struct_size: size_t
+    p: doubles
+    status: rc_status = RC_ERR_ARGUMENT
+    reserved: int32_t
+    nx: int64_t
+    ny: int64_t
+    hx: double
+    hy: double
+    approach: double
+    load: double
+    candidates: int64_t
+    contacts: int64_t
+
+
+@struct
 class rc_direct(Sized):
     struct_size: size_t
-    status: rc_status
+    status: rc_status = RC_ERR_ARGUMENT
     reserved: int32_t
     iterations: int64_t
     applications: int64_t
@@ -227,18 +244,6 @@ class rc_histogram(Sized):
     above: int64_t
     mean_pressure: double
     max_pressure: double
-
-
-@struct
-class rc_progress(Sized):
-    struct_size: size_t
-    iteration: int64_t
-    applications: int64_t
-    kkt: double
-    seconds: double
-
-
-rc_progress_fn = callback(int32_t, rc_progress, handle)
 
 
 rc_log_fn = callback(None, int32_t, text, handle)

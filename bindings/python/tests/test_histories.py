@@ -137,9 +137,9 @@ def test_batch_shows_every_step():
 
 def test_batch_of_products(small_matrix):
     gaps = np.array([np.linspace(0, 2, 12), np.linspace(0, 3, 12)])
-    product = rc.Product(lambda x: small_matrix @ x, 12)
+    product = rc.Product(lambda x: small_matrix @ x, 12, pitch=1)
     answer = rc.batch(undeformed_gap=gaps, displacement=1.5, system=product, options={"threads": 2})
-    dense = rc.batch(undeformed_gap=gaps, displacement=1.5, system=rc.Matrix(small_matrix))
+    dense = rc.batch(undeformed_gap=gaps, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
     assert np.allclose(answer.load, dense.load, rtol=1e-6)
 
 

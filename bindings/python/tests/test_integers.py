@@ -21,7 +21,7 @@ CASES = {
     "every": lambda: rc.Contact(rc.HalfSpace((4, 4), **HOW), every=2**64 + 1),
     "every of one call": lambda: rc.solve(undeformed_gap=GAP, displacement=1.0, every=1.5, **HOW),
     "max_iter": lambda: rc.direct.nnls(np.eye(2), np.ones(2), max_iter=2**64 + 1),
-    "levels of the cascade": lambda: rc.direct.cmr(GAP, delta=1.0, levels=2**64 + 2, **HOW),
+    "levels of the cascade": lambda: rc.direct.cmr(GAP, approach=1.0, levels=2**64 + 2, **HOW),
     "sides of coefficients": lambda: rc.kernel_coefficients("love", 2**64 + 2, 1.0),
 }
 

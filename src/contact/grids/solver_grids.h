@@ -1,6 +1,7 @@
 // Solutions on coarser grids that a solver asks for: each is a contact of its own, and the next step needs it again.
 #pragma once
 
+#include <roughcontact/history.h>
 #include <roughcontact/plugin.h>
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 // Many contacts on one system: their histories, shared out over threads.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <cstdint>
 #include <string>
 
