@@ -18,6 +18,7 @@ struct Study {
 
   Study() {
     for (int i = 0; i < 3; ++i) gaps.insert(gaps.end(), scene.gap.begin(), scene.gap.end());
+    batch.control = RC_CONTROL_DISPLACEMENT;
     batch.n = 3;
     batch.steps = 2;
     batch.targets = targets.data();

@@ -239,6 +239,35 @@ Section null_pointers() {
              rc_result result = RC_RESULT_INIT;
              return with_contact([&](rc_contact* c, const Scene& s) { return rc_contact_certify(c, &s.step, &result); });
            }},
+          {"`rc_contact_accuracy`: contact is null",
+           refused,
+           {"rc_contact_accuracy: contact is null"},
+           [] {
+             rc_accuracy accuracy = RC_ACCURACY_INIT;
+             return rc_contact_accuracy(nullptr, &accuracy);
+           }},
+          {"`rc_contact_accuracy`: out is null",
+           refused,
+           {"rc_contact_accuracy: rc_accuracy is null"},
+           [] { return with_contact([](rc_contact* c, const Scene&) { return rc_contact_accuracy(c, nullptr); }); }},
+          {"`rc_gap_from_heights`: heights is null",
+           refused,
+           {"rc_gap_from_heights: heights is null"},
+           [] {
+             double gap = 0;
+             return rc_gap_from_heights(1, nullptr, nullptr, &gap);
+           }},
+          {"`rc_gap_from_heights`: undeformed_gap is null",
+           refused,
+           {"rc_gap_from_heights: undeformed_gap is null"},
+           [] {
+             const double height = 0;
+             return rc_gap_from_heights(1, &height, nullptr, nullptr);
+           }},
+          {"`rc_gap_from_heights`: n = -1",
+           refused,
+           {"rc_gap_from_heights: n = -1 must be >= 0"},
+           [] { return rc_gap_from_heights(-1, nullptr, nullptr, nullptr); }},
           {"`rc_contact_reset`: contact is null",
            refused,
            {"rc_contact_reset: contact is null"},

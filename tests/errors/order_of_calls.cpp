@@ -171,6 +171,16 @@ Outcome used_by_a_static_destructor() {
   return outcome;
 }
 
+Outcome accuracy_after_a_step() {
+  const Scene scene;
+  const ContactHandle contact = made(scene);
+  assert_int_equal(rc_contact_solve(contact.get(), &scene.step, answer().result()), RC_OK);
+  rc_accuracy accuracy = RC_ACCURACY_INIT;
+  const Outcome outcome = rc_contact_accuracy(contact.get(), &accuracy);
+  assert_true(accuracy.model_nx == scene.system.nx && accuracy.model_ny == scene.system.ny && accuracy.left_out == 0);
+  return outcome;
+}
+
 }  // namespace
 
 Section order_of_calls() {
@@ -215,6 +225,14 @@ Section order_of_calls() {
                RC_STOP_TIME,
                {"rc_solve: stopped at time_limit before the tolerance was reached"},
                too_little_time},
+              {"accuracy before any step",
+               RC_ERR_ARGUMENT,
+               {"rc_contact_accuracy: there is no answer yet, or the last step failed"},
+               [] {
+                 rc_accuracy accuracy = RC_ACCURACY_INIT;
+                 return rc_contact_accuracy(made(Scene()).get(), &accuracy);
+               }},
+              {"accuracy after a step", RC_OK, {}, accuracy_after_a_step},
               {"step without a gap after a refused step", RC_OK, {}, refused_step_forgotten},
               {"step without a gap after a reset",
                RC_ERR_ARGUMENT,

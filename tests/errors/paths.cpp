@@ -20,6 +20,7 @@ struct History {
   std::vector<double> load = std::vector<double>(3, untouched);
 
   History() {
+    path.control = RC_CONTROL_DISPLACEMENT;
     path.n = 3;
     path.targets = targets.data();
     path.undeformed_gap = scene.gap.data();

@@ -50,13 +50,14 @@ from .context import (
     version,
 )
 from ._path import path
-from .result import BatchResult, Grid, Level, PathResult, Result
+from .result import Accuracy, BatchResult, Grid, Level, PathResult, Result
 from ._solve import solve
 from .system import HalfSpace, Matrix, Product, System, supported
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Accuracy",
     "Area",
     "ArgumentError",
     "BatchResult",

@@ -45,5 +45,5 @@ def test_defaults_are_the_options(small_matrix, sphere_gap):
     options = rc.effective_options()
     explicit = direct.gp(small_matrix, u, tol=options["tol"], max_iter=options["max_iter"])
     assert np.array_equal(direct.gp(small_matrix, u).p, explicit.p)
-    how = {"pitch": 1e-6, "modulus": 1e11, "delta": 3e-7, "levels": 3}
+    how = {"pitch": 1e-6, "modulus": 1e11, "approach": 3e-7, "levels": 3}
     assert np.array_equal(direct.cmr(-sphere_gap, **how).p, direct.cmr(-sphere_gap, **how, radius=options["cmr.radius"]).p)

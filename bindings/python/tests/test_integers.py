@@ -14,7 +14,7 @@ CASES = {
     "seed": lambda: rc.surface.noise((4, 4), seed=2**64 + 1),
     "seed below zero": lambda: rc.surface.spectral((4, 4), seed=-1),
     "levels of advice": lambda: rc.surface.cmr_advice(rc.surface.noise((8, 8)), 2**32 + 1),
-    "bins": lambda: rc.analysis.histogram(GAP, bins=-(2**64) + 200000),
+    "bins": lambda: rc.analysis.histogram(GAP, bins=-(2**64) + 200000, pitch=1.0),
     "a side": lambda: rc.HalfSpace((2**64 + 4, 4), **HOW),
     "a fraction": lambda: rc.HalfSpace((2.7, 3.2), **HOW),
     "text": lambda: rc.HalfSpace("44", **HOW),
