@@ -231,7 +231,7 @@ def python_structs(interface: Interface) -> str:
                 lines += ["", "", python_callback(f"rc_{member}_fn", kind.function, interface)]
                 kind = kind._replace(base=f"rc_{member}_fn")
             value = declared.initial.get(member, "0")
-            begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL", '""') else f" = {value}"
+            begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL") else f" = {value}"
             body.append(f"    {member}: {python_type(kind, interface)}{begins}")
         lines += ["", "", "@struct", f"class {name}(Sized):", *body]
     return "\n".join(lines).strip("\n")

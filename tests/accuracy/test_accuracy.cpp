@@ -243,18 +243,19 @@ void histories_go_on_within_their_goal() {
   path.load = load.data();
   struct Seen {
     rc_contact* contact;
-    int coarser = 0;
+    int known = 0;
   } seen{contact.handle()};
   path.user = &seen;
-  path.fn = [](std::int64_t, const rc_result*, void* user) -> std::int32_t {
+  path.fn = [](std::int64_t, const rc_result* result, void* user) -> std::int32_t {
     rc_accuracy accuracy = RC_ACCURACY_INIT;
     const rc_status status = rc_contact_accuracy(static_cast<Seen*>(user)->contact, &accuracy);
-    static_cast<Seen*>(user)->coarser += status == RC_OK && accuracy.model_nx < 256 && accuracy.error_estimate <= wanted;
+    const bool coarser = accuracy.model_nx < 256 && accuracy.error_estimate > 0 && accuracy.error_estimate <= wanted;
+    static_cast<Seen*>(user)->known += status == RC_OK && coarser == (result->status == RC_WITHIN_GOAL);
     return 0;
   };
   check_equal(rc_contact_solve_path(contact.handle(), &path), RC_WITHIN_GOAL, "status of the path");
   check(std::string(rc_last_error()).find("within accuracy") != std::string::npos, rc_last_error());
-  check_equal(seen.coarser, 3, "steps whose accuracy the callback could ask for");
+  check_equal(seen.known, 3, "steps whose accuracy the callback could ask for");
   check_equal(path.completed, 3, "completed");
   for (std::size_t k = 0; k < targets.size(); ++k) {
     Problem step = problem;

@@ -5,6 +5,7 @@
 
 #include "batch/study.h"
 #include "support/failing_new.h"
+#include "support/unit_system.h"
 
 namespace batch {
 
@@ -79,7 +80,7 @@ void nothing_to_do_is_done() {
     b.n = n;
     b.steps = steps;
     b.written = -7;
-    const rc_system system = RC_SYSTEM_INIT;
+    const rc_system system = support::unit_system();
     check(rc_batch_solve(&system, nullptr, &b) == RC_OK, rc_last_error());
     check_equal(b.written, n, "written");
     check_equal(b.certified, n, "certified");
