@@ -214,7 +214,7 @@ typedef struct rc_accuracy {
   int64_t model_nx, model_ny; /* points of the grid that was solved: nx and ny, or a coarser one's                   */
   double error_estimate; /* with option accuracy: estimated relative error of what it is of, against the answer on
                             the whole grid; 0 on it; NaN without, and where a coarser grid was stopped at            */
-  double area_estimate; /* likewise of contact_area; a goal of the load does not bound it                            */
+  double area_estimate;  /* likewise of contact_area; a goal of the load does not bound it                           */
   double left_out;       /* rms of the undeformed gap less its block's mean, over the points in contact [length]; 0 on the
                             whole grid                                                                               */
 } rc_accuracy;
