@@ -112,7 +112,6 @@ def cold_call(system, gap, options, control, target, pressure=None):
     """(result, seconds of the whole call, its processor time) of one cold solve by the C functions themselves."""
     struct, _ = system.struct()
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
-    library.rc_step_init(step, ctypes.sizeof(step))
     step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
     step.undeformed_gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     if pressure is not None:

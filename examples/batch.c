@@ -1,6 +1,6 @@
 /* Twenty rough surfaces, as of a Monte Carlo study, each pressed by a load that grows in five steps: one call, two threads. */
 #include <math.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/history.h>
 #include <stdint.h>
 #include <stdio.h>
 

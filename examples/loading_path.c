@@ -1,6 +1,7 @@
 /* Presses a rough surface and lets it go again in one call, then solves a small matrix with a direct routine. */
 #include <math.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/direct.h>
+#include <roughcontact/history.h>
 #include <stdio.h>
 
 enum { N = 64, STEPS = 9 };
@@ -23,6 +24,7 @@ static rc_status press_and_release(void) {
   system.hx = system.hy = 1e-6;
   system.modulus = 70e9;
   rc_path path = RC_PATH_INIT;
+  path.control = RC_CONTROL_DISPLACEMENT;
   path.n = STEPS;
   path.targets = targets;
   path.undeformed_gap = gap;

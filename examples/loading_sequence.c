@@ -17,8 +17,7 @@ int main(void) {
   system.modulus = 70e9;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_LOAD;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = pressure;
 
   rc_contact* contact = NULL;

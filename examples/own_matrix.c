@@ -17,14 +17,15 @@ int main(void) {
   rc_system system = RC_SYSTEM_INIT;
   system.op = RC_OPERATOR_DENSE;
   system.nx = N;
+  system.ny = 1;
+  system.hx = system.hy = 1; /* of a cell */
   system.dense = H;
   system.dense_ld = N;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_LOAD;
   step.target = 2.0;
   step.undeformed_gap = gap;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = pressure;
   result.gap = deformed;
 

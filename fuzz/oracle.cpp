@@ -47,7 +47,7 @@ bool near(Real value, Real wanted, Real allowed) { return std::abs(value - wante
 }  // namespace
 
 Answer::Answer(std::size_t points) : p(points, std::bit_cast<double>(pattern)), gap(points, std::bit_cast<double>(pattern)) {
-  rc_result_init(&result);
+  result = RC_RESULT_INIT;
   result.p = p.data();
   result.gap = gap.data();
 }

@@ -1,5 +1,7 @@
 // One contact, many calls: steps, paths, batches, certificates, restored copies, other options, resets and cancellations in any
 // order. Each answer is checked as if it stood alone; after a reset it has the bits of a new contact's.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 #include <bit>
 #include <memory>
@@ -268,8 +270,7 @@ class Sequence {
     require(rc_contact_points(contact_, 1, &first, nullptr, &n) == RC_OK, "a contact tells its points");
     require(n >= 0 && n <= static_cast<std::int64_t>(scene_.points()), "points in contact are some of the grid's");
     if (!last_p_.empty()) require(n == last_.contacts, "the points in contact are those of the last certified step");
-    rc_level level{};
-    rc_level_init(&level);
+    rc_level level = RC_LEVEL_INIT;
     rc_contact_level(contact_, bytes_.whole(), &level);
   }
 

@@ -22,7 +22,7 @@ constexpr const char* solve_help = R"(
 Lengths on the command line, and in files that name no unit, are in --unit. Results are in metres and in the unit of the modulus:
 with E in Pa, pressures are in Pa and forces in N.
 
-A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; displacement is
+A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; the approach is
 counted from there. The modulus E* is E/(1-nu^2), the other body being rigid.
 
 Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by

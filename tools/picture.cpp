@@ -141,7 +141,8 @@ std::string title(const Picture& picture) {
   const rc_result& r = picture.step.result;
   const bool good = r.status == RC_OK || r.status == RC_WITHIN_GOAL;
   const char* const status = r.status == RC_OK ? "certified" : good ? "within accuracy" : rc_status_name(r.status);
-  const std::string margin = r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * r.area_estimate) : "";
+  const std::string margin =
+      r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * picture.step.accuracy.area_estimate) : "";
   const Prefix force = prefix_for(r.load), length = prefix_for(r.approach);
   return format(
       "set label 10 'step %d of %zu    approach %.3g %sm    load %.3g %sN    contact area %.3g %%%s    %s' "

@@ -39,7 +39,4 @@ struct Problem {
 // Throws an Error at the first argument that is wrong; the surface is read last.
 Problem make_problem(const SolveArguments& arguments);
 
-// The highest point touches first: gap = max(z) - z. NaN where the height is.
-std::vector<double> gap_below_highest_point(const Surface& surface);
-
 }  // namespace cli

@@ -1,5 +1,6 @@
 #include "solve_command.h"
 
+#include <roughcontact/history.h>
 #include <unistd.h>
 
 #include <optional>
@@ -53,13 +54,13 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   step.mask = first && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
-  StepRecord record{number, {}, {}};
-  rc_result_init(&record.result);
+  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}};
   record.result.p = fields.pressure.data();
   record.result.gap = fields.gap.data();
   const rc_status status = rc_contact_solve(contact, &step, &record.result);
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
+  check(rc_contact_accuracy(contact, &record.accuracy), "");
   return record;
 }
 
@@ -104,7 +105,8 @@ ExitCode run_solve(const SolveArguments& arguments) {
   if (arguments.resume && !arguments.out) throw Error("--resume goes on in the folder of --out, which is missing");
   const Problem problem = make_problem(arguments);
   const int steps = static_cast<int>(problem.targets.size());
-  const std::vector<double> gap = gap_below_highest_point(problem.input.surface);
+  std::vector<double> gap = problem.input.surface.heights;
+  check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), gap.data(), nullptr, gap.data()), "");
   Fields fields{gap.size()};
 
   Context context;

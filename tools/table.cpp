@@ -27,8 +27,8 @@ void print_table_row(const StepRecord& step) {
               static_cast<long long>(r.iterations), static_cast<long long>(r.applications), static_cast<long long>(r.candidates),
               r.seconds, names.c_str(), rc_status_name(r.status));
   if (r.status == RC_WITHIN_GOAL)
-    std::printf("%4s estimated errors: %.2g %% of what accuracy is of, %.2g %% of the area\n", "", 100 * r.error_estimate,
-                100 * r.area_estimate);
+    std::printf("%4s estimated errors: %.2g %% of what accuracy is of, %.2g %% of the area\n", "",
+                100 * step.accuracy.error_estimate, 100 * step.accuracy.area_estimate);
   std::fflush(stdout);
 }
 

@@ -75,14 +75,14 @@ contains
     call rcf_check(rc_contact_on_progress(contact%handle, fn, rcf_or_null(user), interval), stat, errmsg)
   end subroutine
 
-  ! undeformed_gap and mask absent: as in the step before. p and deformed: pressures and deformed gap, written where the status
+  ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap, written where the status
   ! is >= 0.
-  subroutine rcf_contact_solve(contact, displacement, load, undeformed_gap, mask, p0, warm_start, p, deformed, result, stat, errmsg)
+  subroutine rcf_contact_solve(contact, displacement, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional :: displacement, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -91,7 +91,7 @@ contains
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
-      mask, p0, warm_start, p, deformed, stat, errmsg)) return
+      mask, p0, warm_start, p, gap, stat, errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
@@ -99,13 +99,13 @@ contains
   end subroutine
 
   ! Certifies the pressures p; nothing is solved.
-  subroutine rcf_contact_certify(contact, p, displacement, load, undeformed_gap, mask, deformed, result, stat, errmsg)
+  subroutine rcf_contact_certify(contact, p, displacement, load, undeformed_gap, mask, gap, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
     real(c_double), intent(in), optional :: displacement, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :)
-    real(c_double), intent(inout), optional, target, contiguous :: deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: gap(:, :)
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -114,7 +114,7 @@ contains
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
-      mask, p=p, deformed=deformed, stat=stat, errmsg=errmsg)) return
+      mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
@@ -207,13 +207,13 @@ contains
   end subroutine
 
   ! Create, solve, destroy. nx and ny are those of undeformed_gap, whatever the system says.
-  subroutine rcf_solve(system, undeformed_gap, displacement, load, mask, p0, p, deformed, options, result, stat, errmsg)
+  subroutine rcf_solve(system, undeformed_gap, displacement, load, mask, p0, p, gap, options, result, stat, errmsg)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :)
     real(c_double), intent(in), optional :: displacement, load
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(in), optional, target, contiguous :: p0(:, :)
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     type(c_ptr), intent(in), optional :: options
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
@@ -227,7 +227,7 @@ contains
     sized%nx = size(undeformed_gap, 1, c_int64_t)
     sized%ny = size(undeformed_gap, 2, c_int64_t)
     if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, p=p, &
-      deformed=deformed, stat=stat, errmsg=errmsg)) return
+      gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_solve(sized, step, rcf_or_null(options), answer)
     if (present(result)) result = answer
@@ -236,7 +236,7 @@ contains
 
   ! Step and result of the arguments that the solving procedures share; false where the arguments are refused.
   logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, warm_start, p, &
-    deformed, stat, errmsg) result(ready)
+    gap, stat, errmsg) result(ready)
     character(*), intent(in) :: where
     integer(c_int64_t), intent(in) :: nx, ny
     type(rc_step), intent(out) :: step
@@ -245,7 +245,7 @@ contains
     real(c_double), intent(in), optional :: displacement, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     integer, intent(inout), optional :: stat
     character(*), intent(inout), optional :: errmsg
     ready = .false.
@@ -265,21 +265,18 @@ contains
     if (present(p)) then
       if (.not. rcf_shaped(where, 'p', shape(p), nx, ny, stat, errmsg)) return
     end if
-    if (present(deformed)) then
-      if (.not. rcf_shaped(where, 'deformed', shape(deformed), nx, ny, stat, errmsg)) return
+    if (present(gap)) then
+      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
     end if
+    step%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(load))
     if (present(displacement)) step%target = displacement
-    if (present(load)) then
-      step%control = RC_CONTROL_LOAD
-      step%target = load
-    end if
+    if (present(load)) step%target = load
     if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
     step%undeformed_gap = rcf_address(undeformed_gap)
     step%p0 = rcf_address(p0)
     call rcf_mask_bytes(mask, bytes)
-    call rc_result_init(answer, (answer%struct_size))
     answer%p = rcf_address(p)
-    answer%gap = rcf_address(deformed)
+    answer%gap = rcf_address(gap)
     ready = .true.
   end function
 end module

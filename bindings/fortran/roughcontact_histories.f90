@@ -41,11 +41,11 @@ contains
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacements and loads', stat, errmsg)
       return
     end if
+    path%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(loads))
     if (present(displacements)) then
       path%n = size(displacements, kind=c_int64_t)
       if (path%n > 0) path%targets = c_loc(displacements)
     else
-      path%control = RC_CONTROL_LOAD
       path%n = size(loads, kind=c_int64_t)
       if (path%n > 0) path%targets = c_loc(loads)
     end if
@@ -124,7 +124,7 @@ contains
     sized = system
     sized%nx = size(undeformed_gap, 1, c_int64_t)
     sized%ny = size(undeformed_gap, 2, c_int64_t)
-    if (present(loads)) batch%control = RC_CONTROL_LOAD
+    batch%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(loads))
     batch%targets = merge_address(displacements, loads, targets)
     n = max(size(undeformed_gap, 3), targets(2))
     batch%n = n

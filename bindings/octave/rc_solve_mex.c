@@ -66,16 +66,17 @@ static void set_field(rc_request* request, const char* field, const mxArray* val
 }
 
 static mxArray* info_of(const rc_result* result, const rc_request* request, mxArray* gap) {
+  const rc_accuracy* accuracy = &request->accuracy;
   static const char* names[] = {
-#define NUMBER(name) #name,
-#define TEXT(name) #name,
+#define NUMBER(from, name) #name,
+#define TEXT(from, name) #name,
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
       "status_name", "status_text", "message", "explanation", "gap"};
   mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
-#define NUMBER(name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)result->name));
-#define TEXT(name) mxSetField(info, 0, #name, mxCreateString(result->name));
+#define NUMBER(from, name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)from->name));
+#define TEXT(from, name) mxSetField(info, 0, #name, mxCreateString(from->name));
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT

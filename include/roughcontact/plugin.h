@@ -10,7 +10,7 @@
 #ifndef ROUGHCONTACT_PLUGIN_H
 #define ROUGHCONTACT_PLUGIN_H
 
-#include "roughcontact.h"
+#include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
 #define RC_PLUGIN_ABI_MINOR 5u /* grows when a vtable gets a new member at its end                            */
@@ -92,13 +92,13 @@ typedef struct rc_domain {
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
   size_t struct_size;
-  double approach, unit; /* a point overlaps where unit (H x) < approach - undeformed_gap                                 */
-  const double *undeformed_gap; /* [nx*ny]                                                                            */
+  double approach, unit; /* a point overlaps where unit (H x) < approach - undeformed_gap                      */
+  const double *undeformed_gap; /* [nx*ny]                                                                     */
   const uint8_t *mask;   /* [nx*ny] 0: not looked at; NULL: all points are                                     */
   double *y;             /* [n] out: H[T,T] x                                                                  */
   int64_t room;          /* entries of found and depth                                                         */
   int64_t *found;        /* [room] out: overlapping points outside T, as many as there is room for             */
-  double *depth;         /* [room] out: approach - undeformed_gap - unit (H x) of each                                    */
+  double *depth;         /* [room] out: approach - undeformed_gap - unit (H x) of each                         */
   int64_t n_found;       /* out: all that overlap, also where there is no room for them                        */
   /* [ceil(nx/16) * ceil(ny/16)] a lower bound of the gap at the points looked at of each tile of 16 x 16 points, row by row
      (+infinity: there is none); spares the pass over the gap. NULL: none is known                             */
@@ -177,7 +177,7 @@ typedef struct rc_grid {
   size_t struct_size;
   int64_t nx, ny;
   double hx, hy;        /* cell size [length]                                                                   */
-  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0                     */
+  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0            */
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
   double approach;      /* DISPLACEMENT: d [length]; LOAD: the lowest gap, from which d is counted              */
@@ -190,7 +190,7 @@ typedef struct rc_coarse {
   size_t struct_size;
   int64_t nx, ny;      /* points                                                                               */
   int64_t factor;      /* its cells are this many cells of the problem's grid wide and high                    */
-  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]                                                      */
+  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]                                             */
   const uint8_t *mask; /* [nx*ny] 0: no pressure here; NULL: every point                                       */
   double approach;     /* [length] in displacement control; LOAD: out                                          */
   const char *solver;  /* by name                                                                              */
@@ -228,8 +228,9 @@ struct rc_problem {
   rc_status (*shifted)(const rc_problem *, double rho, double tol, const double *b, double *x);
   /** The Frobenius norm of H. NULL if the backend cannot tell. */
   rc_status (*norm)(const rc_problem *, double *out);
-  /** DISPLACEMENT: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending positions a only. p [n]: start in
-   *  (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n] out, H p. */
+  /** DISPLACEMENT: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending
+   *  positions a only. p [n]: start in (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n]
+   *  out, H p. */
   rc_status (*inner)(const rc_problem *, const char *solver, int64_t na, const int64_t *a, double tol, double *p,
                      double *product);
   /** Solves on a coarser grid; NULL without a grid. RC_OK: certified. */
@@ -250,7 +251,7 @@ struct rc_problem {
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
-                                             u = (grid->approach - grid->undeformed_gap) / length                          */
+                                             u = (grid->approach - grid->undeformed_gap) / length              */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {

@@ -1,5 +1,8 @@
-/* The numbers of <roughcontact/roughcontact.h>, see golden.h. */
-#include <roughcontact/roughcontact.h>
+/* The numbers of <roughcontact/roughcontact.h> and the headers beside it, see golden.h. */
+#include <roughcontact/analysis.h>
+#include <roughcontact/direct.h>
+#include <roughcontact/history.h>
+#include <roughcontact/registry.h>
 
 #include "golden.h"
 
@@ -73,7 +76,7 @@ AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
 
-SIZE(rc_result, 552);
+SIZE(rc_result, 512);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -111,11 +114,14 @@ AT(rc_result, proven_open, 480);
 AT(rc_result, undecided, 488);
 AT(rc_result, levels, 496);
 AT(rc_result, tolerance, 504);
-AT(rc_result, model_nx, 512);
-AT(rc_result, model_ny, 520);
-AT(rc_result, error_estimate, 528);
-AT(rc_result, left_out, 536);
-AT(rc_result, area_estimate, 544);
+
+SIZE(rc_accuracy, 48);
+AT(rc_accuracy, struct_size, 0);
+AT(rc_accuracy, model_nx, 8);
+AT(rc_accuracy, model_ny, 16);
+AT(rc_accuracy, error_estimate, 24);
+AT(rc_accuracy, area_estimate, 32);
+AT(rc_accuracy, left_out, 40);
 
 SIZE(rc_level, 88);
 AT(rc_level, struct_size, 0);

@@ -5,6 +5,7 @@
 
 #include "batch/study.h"
 #include "support/failing_new.h"
+#include "support/unit_system.h"
 
 namespace batch {
 
@@ -58,6 +59,7 @@ void bad_systems_and_options_are_refused() {
 void null_pointers_are_refused() {
   const rc_system system = RC_SYSTEM_INIT;
   rc_batch b = RC_BATCH_INIT;
+  b.control = RC_CONTROL_DISPLACEMENT;
   check_equal(rc_batch_solve(&system, nullptr, nullptr), RC_ERR_ARGUMENT, "batch null");
   check(std::string(rc_last_error()) == "rc_batch_solve: rc_batch is null", rc_last_error());
   check_equal(rc_batch_solve(nullptr, nullptr, &b), RC_ERR_ARGUMENT, "system null");
@@ -73,12 +75,12 @@ void null_pointers_are_refused() {
 
 void nothing_to_do_is_done() {
   for (const auto& [n, steps] : {std::pair<std::int64_t, std::int64_t>{0, 3}, {3, 0}, {0, 0}}) {
-    rc_batch b{};
-    rc_batch_init(&b);
+    rc_batch b = RC_BATCH_INIT;
+    b.control = RC_CONTROL_DISPLACEMENT;
     b.n = n;
     b.steps = steps;
     b.written = -7;
-    const rc_system system = RC_SYSTEM_INIT;
+    const rc_system system = support::unit_system();
     check(rc_batch_solve(&system, nullptr, &b) == RC_OK, rc_last_error());
     check_equal(b.written, n, "written");
     check_equal(b.certified, n, "certified");

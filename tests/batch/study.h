@@ -1,6 +1,8 @@
 // A batch with every output, and its outcome.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <functional>
 #include <string>
 #include <vector>

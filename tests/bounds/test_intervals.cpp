@@ -113,9 +113,6 @@ bool unknown(const rc_result& r) {
 }
 
 void unknown_where_nothing_is_proven() {
-  rc_result fresh;
-  rc_result_init(&fresh);
-  check(unknown(fresh), "rc_result_init");
   const Problem problem = rough_problem(9, 8);
   check(unknown(solved(problem, automatic, {{RC_OPT_BOUNDS, "0"}}).result), "bounds=0");
   check(!unknown(solved(problem, automatic).result), "bounds=1");

@@ -3,7 +3,7 @@
 // numbers.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/history.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -63,9 +63,8 @@ template <class Function> Function next(const char* name) { return reinterpret_c
 void write(const char* function, rc_status status, const rc_result* result) {
   if (status < 0 || !result || result->struct_size < sizeof(rc_result)) return write(function, status, 0, 0, {});
   Hash hash;
-  for (const double value :
-       {result->approach, result->load, result->energy, result->kkt_primal, result->kkt_dual, result->kkt_complementarity,
-        result->load_lower, result->load_upper, result->stiffness, result->error_estimate})
+  for (const double value : {result->approach, result->load, result->energy, result->kkt_primal, result->kkt_dual,
+                             result->kkt_complementarity, result->load_lower, result->load_upper, result->stiffness})
     hash.add(value);
   hash.add(result->p, result->points);
   hash.add(result->gap, result->points);

@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include "errors/case.h"
 #include "errors/scene.h"
 
@@ -16,6 +18,7 @@ struct Study {
 
   Study() {
     for (int i = 0; i < 3; ++i) gaps.insert(gaps.end(), scene.gap.begin(), scene.gap.end());
+    batch.control = RC_CONTROL_DISPLACEMENT;
     batch.n = 3;
     batch.steps = 2;
     batch.targets = targets.data();

@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include <optional>
 
 #include "errors/case.h"
@@ -18,6 +20,7 @@ struct History {
   std::vector<double> load = std::vector<double>(3, untouched);
 
   History() {
+    path.control = RC_CONTROL_DISPLACEMENT;
     path.n = 3;
     path.targets = targets.data();
     path.undeformed_gap = scene.gap.data();
@@ -76,8 +79,7 @@ Outcome level_after(bool solved, std::int64_t i) {
     assert_int_equal(answer().result()->levels, 0);
     answer().prepare();
   }
-  rc_level level{};
-  rc_level_init(&level);
+  rc_level level = RC_LEVEL_INIT;
   return rc_contact_level(contact.get(), i, &level);
 }
 

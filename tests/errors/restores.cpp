@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include <cmath>
 
 #include "errors/case.h"

@@ -95,8 +95,7 @@ Outcome certify(double value, bool masked) {
   if (masked) scene.step.mask = mask.data();
   std::vector<double> p(points, 0.0);
   p[0] = value;
-  rc_result result{};
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p.data();
   const ContactHandle contact = made(scene);
   return rc_contact_certify(contact.get(), &scene.step, &result);

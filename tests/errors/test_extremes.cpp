@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace {
 
@@ -27,7 +28,7 @@ class Draw {
 };
 
 void solve_one(Draw& draw, rc_options* options) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = 1 + draw.below(6);
   system.ny = 1 + draw.below(6);
   system.boundary = draw.rarely(2) ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
@@ -50,8 +51,7 @@ void solve_one(Draw& draw, rc_options* options) {
   }
   rc_options_set_int(options, RC_OPT_STIFFNESS, draw.below(2));
 
-  rc_result result{};
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p.data();
   result.gap = g.data();
   const rc_status status = rc_solve(&system, &step, options, &result);

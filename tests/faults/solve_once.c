@@ -11,9 +11,9 @@ static int refused(rc_status status) {
 
 static int solve(rc_contact* contact, const double* gap) {
   rc_step step = RC_STEP_INIT;
-  rc_result result;
+  rc_result result = RC_RESULT_INIT;
   int ended = 0;
-  rc_result_init(&result);
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.undeformed_gap = gap;
   step.target = 2e-7;
   if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;

@@ -26,7 +26,7 @@ SparseContact::SparseContact(const Problem& problem, const Settings& settings, c
 
 Sparse SparseContact::solve(const Problem& problem, bool borrow) const {
   Sparse answer;
-  rc_result_init(&answer.result);
+  answer.result = RC_RESULT_INIT;
   rc_step step = problem.step();
   step.borrow = borrow;
   answer.status = rc_contact_solve(contact_.get(), &step, &answer.result);

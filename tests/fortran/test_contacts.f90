@@ -25,7 +25,7 @@ program test_contacts
   integer :: stat
 
   z = rough(nx, ny)
-  gap = rcf_gap(z)
+  gap = rcf_gap_from_heights(z)
   call check('the gap of the highest point is 0', minval(gap) == 0 .and. all(gap == maxval(z) - z))
   system = rc_system(nx=nx, ny=ny, hx=0.5_c_double, hy=0.25_c_double, modulus=3.0_c_double)
   call one_shot()
@@ -41,10 +41,10 @@ contains
     type(rc_result) :: ours, theirs
     type(rc_step) :: step
     real(c_double) :: larger(2 * nx, ny + 3)
-    step = rc_step(target=0.4_c_double, undeformed_gap=c_loc(gap))
+    step = rc_step(control=RC_CONTROL_DISPLACEMENT, target=0.4_c_double, undeformed_gap=c_loc(gap))
     theirs%p = c_loc(expected)
     call check('rc_solve', rc_solve(system, step, c_null_ptr, theirs) == RC_OK)
-    call rcf_solve(system, gap, displacement=0.4_c_double, p=p, deformed=deformed, result=ours, stat=stat)
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=p, gap=deformed, result=ours, stat=stat)
     call check('rcf_solve is certified', stat == RC_OK .and. ours%status == RC_OK)
     call check('rcf_solve gives the bits of rc_solve', all(p == expected) .and. ours%load == theirs%load)
     call check('the deformed gap comes back', minval(deformed) > -1e-6 .and. maxval(deformed) > 0.1)
@@ -67,7 +67,7 @@ contains
     gap(3, 2) = -1 / (gap(3, 2) - gap(3, 2))
     call rcf_solve(system, gap, displacement=0.4_c_double, stat=stat, errmsg=message)
     call check('the library''s message: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'not finite') > 0)
-    gap = rcf_gap(z)
+    gap = rcf_gap_from_heights(z)
   end subroutine
 
   subroutine many_steps()
@@ -202,7 +202,7 @@ contains
     type(rc_result) :: alone
     integer :: k, certified, first
     do k = 1, 3
-      gaps(:, :, k) = rcf_gap(k * z)
+      gaps(:, :, k) = rcf_gap_from_heights(k * z)
     end do
     approaches(:, 1) = [0.2_c_double, 0.4_c_double]
     call rcf_batch_solve(system, gaps, approaches, p=all_p, load=load, status=statuses, iterations=iterations, &

@@ -61,8 +61,7 @@ std::string Scene::wrong(rc_status status, const rc_result& result, bool memory)
 
 std::string Scene::judge(const rc_options* options, bool memory) {
   rc_contact* contact = nullptr;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p_.data();
   result.gap = deformed_.data();
   rc_status status = rc_contact_create(&system_, options, &contact);

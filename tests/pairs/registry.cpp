@@ -1,5 +1,7 @@
 #include "registry.h"
 
+#include "support/unit_system.h"
+
 namespace pairs {
 
 namespace {
@@ -61,7 +63,7 @@ bool is_told_failure(const Pair& pair, const Problem& problem, const Answer& ans
 
 void add_for_pairs(std::vector<Test>& tests, const std::string& name, std::int32_t boundary,
                    const std::function<void(const Pair&)>& body) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.boundary = boundary;
   for (const Pair& pair : all_pairs()) {
     bool supported = true;

@@ -8,6 +8,7 @@
 #include "naive.h"
 #include "reference_cases.h"
 #include "registry.h"
+#include "support/unit_system.h"
 #include "surfaces.h"
 
 namespace pairs {
@@ -159,7 +160,7 @@ void check_floor() {
 
 void add_pair(std::vector<Test>& tests, const Pair& pair, std::int32_t op, std::int32_t control,
               const ReferenceCases& reference) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.op = op;
   const double one = 1;
   system.dense = &one;
@@ -190,7 +191,7 @@ std::vector<Test> all_tests(const ReferenceCases& reference) {
                      check_equal(static_cast<std::int64_t>(reference.cases.size()), 29, "cases");
                      check_equal(static_cast<std::int64_t>(reference.load_control.size()), 6, "load_control");
                    }});
-  rc_system periodic = RC_SYSTEM_INIT;
+  rc_system periodic = support::unit_system();
   periodic.boundary = RC_BOUNDARY_PERIODIC;
   for (const Pair& pair : all_pairs())
     for (const std::int32_t control : controls) {

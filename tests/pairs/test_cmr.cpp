@@ -1,4 +1,6 @@
 // Cascade multi-resolution: what it leaves out, what it gives back, and that it never passes off a wrong answer.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +38,7 @@ Pair cmr_on(const Pair& pair) { return {"cmr", pair.backend}; }
 std::vector<rc_level> levels_of(const Contact& contact, const Answer& answer, std::vector<Field>* pressures = nullptr) {
   std::vector<rc_level> levels;
   for (std::int64_t i = 0; i < answer.result.levels; ++i) {
-    rc_level level;
-    rc_level_init(&level);
+    rc_level level = RC_LEVEL_INIT;
     check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
     if (pressures) {
       pressures->emplace_back(static_cast<std::size_t>(level.nx * level.ny));
@@ -139,8 +140,7 @@ void coarse_solutions_are_given_back() {
   const Answer alone = solved(coarse, {"nnls", "dense"});
   check_near(pressures[0], alone.p, 1e-8, "coarsest pressures");
   check_near(levels[0].approach, coarse.target, 1e-12, "coarsest approach");
-  rc_level none;
-  rc_level_init(&none);
+  rc_level none = RC_LEVEL_INIT;
   check(rc_contact_level(contact.handle(), 2, &none) == RC_ERR_ARGUMENT, "a level that is not there");
 }
 

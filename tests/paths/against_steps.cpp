@@ -1,4 +1,6 @@
 // A path gives the same bits as rc_contact_solve called for each of its steps, for every solver on every backend.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -89,6 +91,7 @@ void outputs_may_be_null() {
   const Contact contact(problem, automatic);
   const Field targets = scaled(orders[0].fractions, problem.target);
   rc_path path = RC_PATH_INIT;
+  path.control = RC_CONTROL_DISPLACEMENT;
   path.n = static_cast<std::int64_t>(targets.size());
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();

@@ -1,5 +1,7 @@
 #include "paths/history.h"
 
+#include <roughcontact/history.h>
+
 #include <exception>
 
 namespace paths {

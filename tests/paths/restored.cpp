@@ -1,4 +1,6 @@
 // A history that is continued in a new contact gives the bits of one that is not interrupted.
+#include <roughcontact/history.h>
+
 #include "pairs/registry.h"
 #include "pairs/surfaces.h"
 #include "paths/history.h"
@@ -71,7 +73,7 @@ std::vector<Answer> answers(const Contact& contact, const Problem& problem, cons
     if (!with_surface || !found.empty()) step.undeformed_gap = nullptr, step.mask = nullptr;
     Answer answer;
     answer.p.assign(problem.points(), 0);
-    rc_result_init(&answer.result);
+    answer.result = RC_RESULT_INIT;
     answer.result.p = answer.p.data();
     answer.status = rc_contact_solve(contact.handle(), &step, &answer.result);
     check(answer.status == RC_OK || answer.status == RC_WITHIN_GOAL, rc_last_error());

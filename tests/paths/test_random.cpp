@@ -6,6 +6,7 @@
 #include "pairs/registry.h"
 #include "pairs/surfaces.h"
 #include "paths/history.h"
+#include "support/unit_system.h"
 
 namespace paths {
 
@@ -79,7 +80,7 @@ std::vector<Test> tests() {
   for (const std::string& solver : solver_names())
     for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
       for (const std::int32_t control : controls) {
-        rc_system system = RC_SYSTEM_INIT;
+        rc_system system = support::unit_system();
         system.boundary = boundary;
         if (!obstacle({solver, "auto"}, system, control).empty() && !obstacle({solver, "dense"}, system, control).empty())
           continue;

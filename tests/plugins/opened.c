@@ -26,13 +26,14 @@ static int threads(void) {
 static rc_status solve(int64_t n, double approach, const char* backend) {
   rc_system system = RC_SYSTEM_INIT;
   rc_step step = RC_STEP_INIT;
-  rc_result result;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   double* const gap = malloc((size_t)(n * n) * sizeof *gap);
   uint32_t random = 1;
   for (int64_t i = 0; gap && i < n * n; ++i) gap[i] = 1 / 4294967296.0 * (double)(random = random * 1664525u + 1013904223u);
-  rc_result_init(&result);
   system.nx = system.ny = n;
+  system.hx = system.hy = system.modulus = 1;
   step.undeformed_gap = gap;
   step.target = approach;
   rc_status status = rc_options_create(NULL, &options);

@@ -8,6 +8,7 @@
 
 #include "kernel/kernel.h"
 #include "stand_in_host.h"
+#include "support/unit_system.h"
 
 namespace seam {
 
@@ -49,7 +50,7 @@ Vector free_table(const rc_system& s) {
 }  // namespace
 
 rc_system halfspace(std::int32_t boundary, std::int64_t nx, std::int64_t ny, double hx, double hy) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.boundary = boundary;
   system.nx = nx;
   system.ny = ny;

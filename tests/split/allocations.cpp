@@ -1,6 +1,7 @@
 #include "scene.h"
 #include "support/cmocka.hpp"
 #include "support/failing_new.h"
+#include "support/unit_system.h"
 
 namespace split {
 
@@ -30,7 +31,7 @@ rc_status all_operations(const rc_host& host, const rc_operator_spec& spec, cons
 
 // Lets a later allocation fail each time, until a run succeeds; on a grid that needs coarse grids.
 void any_allocation_may_fail(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = 200;
   system.ny = 160;
   const Index domain{3, system.nx * system.ny - 1};

@@ -4,6 +4,7 @@
 
 #include "scene.h"
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace split {
 
@@ -221,7 +222,7 @@ rc_status creation(const rc_system& system, const char* kernel) {
 }  // namespace
 
 void long_cells_are_refused(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = 300;
   system.hx = 2.0;
   system.hy = 0.5;
@@ -232,7 +233,7 @@ void long_cells_are_refused(void**) {
 }
 
 void periodic_grids_are_refused(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = 300;
   system.boundary = RC_BOUNDARY_PERIODIC;
   assert_int_equal(creation(system, "spectral"), RC_ERR_INCOMPATIBLE);

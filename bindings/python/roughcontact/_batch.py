@@ -44,7 +44,7 @@ def batch(
     """Solves the histories of many contacts on one grid, each as by `path`: the same bits, whatever the number of threads.
 
     heights or undeformed_gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights
-        each surface's highest point touches at displacement 0 [length]
+        each surface's highest point touches at approach 0 [length]
     displacement or load: [contacts, steps], or one history [steps] for all of them, or one number [length] or [force]
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]

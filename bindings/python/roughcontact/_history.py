@@ -44,7 +44,7 @@ def path_on(
     struct.applications, struct.stiffness = pointer(applications), pointer(tangents)
 
     def after(step: int, answer: Any, _: Any) -> object:
-        found = result_with_copies(answer.contents, contact.grid())
+        found = result_with_copies(answer.contents, contact.grid(), contact._handle)
         if pressures is not None:
             pressures[step] = found.pressure
         return each is not None and each(step, found)

@@ -75,7 +75,7 @@ def solve(
 ) -> Result:
     """Presses a surface into an elastic half-space.
 
-    heights: a `Surface`, a topography of SurfaceTopography, or an array [ny, nx]; the highest point touches at displacement 0
+    heights: a `Surface`, a topography of SurfaceTopography, or an array [ny, nx]; the highest point touches at approach 0
         [length]
     undeformed_gap: the undeformed gap instead of heights [length]
     displacement: approach of the bodies [length], or load: normal force [force]

@@ -7,7 +7,7 @@ import enum
 
 
 class Status(enum.IntEnum):
-    """0 certified, > 0 usable but not certified, < 0 failed."""
+    """0 certified, 100 and above usable but not certified, < 0 failed."""
 
     OK = 0
     WITHIN_GOAL = 100

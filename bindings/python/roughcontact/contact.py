@@ -74,7 +74,7 @@ class Contact(Handle):
     ) -> Result:
         """Solves one step and certifies the answer.
 
-        heights: a `Surface`, a topography, or an array of the system's shape; the highest point touches at displacement 0
+        heights: a `Surface`, a topography, or an array of the system's shape; the highest point touches at approach 0
             [length]
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step
         displacement: approach of the bodies [length], or load: normal force [force]
@@ -152,11 +152,10 @@ class Contact(Handle):
         *inputs: Any,
     ) -> Result:
         struct = rc_result()
-        contact_library().rc_result_init(struct, ctypes.sizeof(struct))
         struct.p, struct.gap = pointer(pressure), pointer(deformed)
         keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
-        answer = result_from(struct, message, self.grid(), pressure, deformed) if status >= 0 else None
+        answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer

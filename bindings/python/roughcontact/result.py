@@ -10,8 +10,9 @@ from . import analysis
 from ._arrays import Doubles, Mask, Shape
 from ._c import members_for
 from ._errors import as_status
+from ._library import contact_library
 from ._status import Status
-from ._structs import rc_level, rc_result
+from ._structs import rc_accuracy, rc_level, rc_result
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,23 @@ class Grid:
     pitch: Tuple[float, float]
     periodic: bool = False
     mask: Optional[Mask] = None
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Which grid an answer is of, and how far off it may be.
+
+    model_nx, model_ny: points of the grid that was solved
+    error_estimate: with option accuracy: estimated relative error of what it is of, load or area
+    area_estimate: likewise of the area, which a goal of the load does not hold
+    left_out: roughness that the solved grid does not see, rms over the points in contact [length]
+    """
+
+    model_nx: int
+    model_ny: int
+    error_estimate: float
+    area_estimate: float
+    left_out: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,15 +108,8 @@ class Result:
     levels: int
     #: what the residuals were held to
     tolerance: float
-    #: points of the grid that was solved
-    model_nx: int
-    model_ny: int
-    #: with option accuracy: estimated relative error of what it is of, load or area
-    error_estimate: float
-    #: roughness that the solved grid does not see, rms over the points in contact [length]
-    left_out: float
-    #: with option accuracy: estimated relative error of the area, which a goal of the load does not hold
-    area_estimate: float
+    #: which grid it is of, and estimated errors; None in `batch`
+    accuracy: Optional[Accuracy]
 
     @property
     def certified(self) -> bool:
@@ -137,19 +148,25 @@ class Result:
         )
 
 
-def result_from(struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles]) -> Result:
+def result_from(
+    struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles], contact: Any = None
+) -> Result:
+    """contact: the C object that the accuracy is asked of, or None."""
     own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}
+    accuracy = rc_accuracy()
+    known = contact is not None and contact_library().rc_contact_accuracy(contact, accuracy) == Status.OK
+    own["accuracy"] = Accuracy(**members_for(Accuracy, accuracy)) if known else None
     return Result(**{**members_for(Result, struct), **own})
 
 
-def result_with_copies(struct: rc_result, grid: Grid) -> Result:
+def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Result:
     """From inside a callback, whose arrays last only until it returns."""
     n = int(np.prod(grid.shape))
 
     def copy(values: Any) -> Optional[Doubles]:
         return np.ctypeslib.as_array(values, (n,)).reshape(grid.shape).copy() if values else None
 
-    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap))
+    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap), contact)
 
 
 @dataclass(frozen=True, eq=False)

@@ -162,7 +162,7 @@ def test_masks_that_are_refused(sphere_gap):
 
 def test_two_or_no_surfaces_are_refused(sphere_gap):
     for given in ({}, {"heights": -sphere_gap, "undeformed_gap": sphere_gap}):
-        with pytest.raises(rc.ArgumentError, match="exactly one of heights and gap"):
+        with pytest.raises(rc.ArgumentError, match="exactly one of heights and undeformed_gap"):
             rc.solve(**given, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
     with pytest.raises(rc.ArgumentError, match="exactly one of displacement and load"):
         rc.solve(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS)

@@ -166,7 +166,7 @@ def test_cancel_reaches_the_next_step(rough):
 
 def test_own_matrix_in_every_layout(small_matrix):
     gap = np.linspace(0, 2, 12)
-    expected = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix))
+    expected = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
     assert expected.certified and 0 < expected.contacts < 12
     product = small_matrix @ expected.pressure + gap - 1.5
     assert np.abs(product[expected.pressure > 0]).max() < 1e-7 and product.min() > -1e-7
@@ -181,7 +181,7 @@ def test_own_matrix_in_every_layout(small_matrix):
         "every second": np.repeat(np.repeat(small_matrix, 2, 0), 2, 1)[::2, ::2],
     }
     for name, H in forms.items():
-        system = rc.Matrix(H)
+        system = rc.Matrix(H, pitch=1)
         if name in ("Fortran", "rows of a wider one", "its columns"):
             assert np.shares_memory(system.H, H), name
         found = rc.solve(undeformed_gap=gap, displacement=1.5, system=system)
@@ -193,17 +193,17 @@ def test_own_matrix_with_a_shape(small_matrix):
     result = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, shape=(3, 4), pitch=(2.0, 3.0)))
     assert result.pressure.shape == (3, 4) and result.load == pytest.approx(6 * result.pressure.sum())
     with pytest.raises(rc.ShapeError, match="12 x 12.*has 10 points"):
-        rc.Matrix(small_matrix, shape=(2, 5))
+        rc.Matrix(small_matrix, shape=(2, 5), pitch=1)
     with pytest.raises(rc.ShapeError, match="square"):
-        rc.Matrix(small_matrix[:5])
+        rc.Matrix(small_matrix[:5], pitch=1)
     with pytest.raises(rc.ArgumentError, match="symmetric"):
-        rc.Contact(rc.Matrix(small_matrix + np.triu(np.ones((12, 12)))))
+        rc.Contact(rc.Matrix(small_matrix + np.triu(np.ones((12, 12))), pitch=1))
 
 
 def test_own_product(small_matrix):
     gap = np.linspace(0, 2, 12)
-    expected = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix))
-    result = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Product(lambda x: small_matrix @ x, 12))
+    expected = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
+    result = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Product(lambda x: small_matrix @ x, 12, pitch=1))
     assert result.backend == "callback" and np.allclose(result.pressure, expected.pressure, rtol=1e-6)
     seen = []
 
@@ -211,7 +211,7 @@ def test_own_product(small_matrix):
         seen.append((x.shape, x.flags.writeable))
         return small_matrix.dot(x.ravel()).reshape(3, 4).tolist()
 
-    shaped = rc.solve(undeformed_gap=gap.reshape(3, 4), displacement=1.5, system=rc.Product(flat, (3, 4)))
+    shaped = rc.solve(undeformed_gap=gap.reshape(3, 4), displacement=1.5, system=rc.Product(flat, (3, 4), pitch=1))
     assert np.allclose(shaped.pressure.ravel(), expected.pressure, rtol=1e-6) and set(seen) == {((3, 4), False)}
 
 
@@ -225,11 +225,11 @@ def test_exceptions_of_products_arrive(small_matrix):
         return small_matrix @ x
 
     with pytest.raises(ZeroDivisionError, match="in the product"):
-        rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(failing, 12))
+        rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(failing, 12, pitch=1))
     with pytest.raises(rc.ShapeError, match="the product has shape"):
-        rc.Contact(rc.Product(lambda x: x[:3], 12))
+        rc.Contact(rc.Product(lambda x: x[:3], 12, pitch=1))
     with pytest.raises(TypeError, match="real numbers"):
-        rc.Contact(rc.Product(lambda x: None, 12))
+        rc.Contact(rc.Product(lambda x: None, 12, pitch=1))
 
 
 def test_contacts_are_freed(half_space, sphere_gap):
@@ -260,7 +260,7 @@ def test_a_refused_step_keeps_the_mask(rough):
 
 def test_contacts_that_share_a_product_fail_apart(small_matrix):
     fail = []
-    product = rc.Product(lambda x: 1 / 0 if fail else small_matrix @ x, 12)
+    product = rc.Product(lambda x: 1 / 0 if fail else small_matrix @ x, 12, pitch=1)
     gap = np.linspace(0, 2, 12)
     with rc.Contact(product) as first, rc.Contact(product) as second:
         fail.append(True)

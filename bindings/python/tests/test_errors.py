@@ -45,7 +45,7 @@ def test_statuses_are_exceptions(case, sphere_gap, half_space):
 
 def test_a_product_that_is_not_positive_is_an_arithmetic_error():
     with pytest.raises(rc.NumericError) as caught:
-        rc.solve(undeformed_gap=np.zeros(8), displacement=1.0, system=rc.Product(lambda x: -x, 8))
+        rc.solve(undeformed_gap=np.zeros(8), displacement=1.0, system=rc.Product(lambda x: -x, 8, pitch=1))
     assert isinstance(caught.value, ArithmeticError)
 
 

@@ -95,7 +95,7 @@ def test_products_in_python_end():
         return H @ x
 
     with pytest.raises(rc.Interrupted):
-        rc.solve(undeformed_gap=np.linspace(0, 1, n), displacement=0.9, system=rc.Product(product, n), options=LONG["options"])
+        rc.solve(undeformed_gap=np.linspace(0, 1, n), displacement=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"])
 
 
 def test_handlers_of_the_caller_are_respected(large):
@@ -196,7 +196,7 @@ def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kin
         return 2.0 * x
 
     escape(monkeypatch)
-    gap, how = np.linspace(0, 1, 1000), {"displacement": 0.9, "system": rc.Product(product, 1000)}
+    gap, how = np.linspace(0, 1, 1000), {"displacement": 0.9, "system": rc.Product(product, 1000, pitch=1)}
     calls = {
         "solve": lambda: rc.solve(undeformed_gap=gap.copy(), options=LONG["options"], **how),
         "path": lambda: rc.path(undeformed_gap=gap.copy(), **{**how, "displacement": [0.5, 0.7, 0.9] * 9}),

@@ -38,7 +38,7 @@ def calls():
         "solve": lambda: rc.solve(undeformed_gap=gap, **how, want_gap=True),
         "step": lambda: contact.solve(undeformed_gap=gap, displacement=1.0),
         "refused": refused,
-        "product": lambda: rc.solve(undeformed_gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30)),
+        "product": lambda: rc.solve(undeformed_gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30, pitch=1)),
         "path": lambda: rc.path(undeformed_gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None),
     }
 

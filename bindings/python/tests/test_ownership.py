@@ -27,7 +27,7 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
         sums.append(x.sum())
         return small_matrix @ x
 
-    rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(apply, 12))
+    rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(apply, 12, pitch=1))
     assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
 
 
@@ -53,7 +53,7 @@ def unaligned(array):
 
 def test_arrays_are_aligned(sphere_gap, small_matrix):
     assert as_doubles(unaligned(sphere_gap), "gap").flags.aligned
-    assert rc.Matrix(unaligned(small_matrix)).H.flags.aligned
+    assert rc.Matrix(unaligned(small_matrix), pitch=1).H.flags.aligned
 
 
 def test_a_batch_of_none_that_is_refused_raises():
@@ -98,7 +98,7 @@ def test_text_that_c_would_cut_off_is_refused(text, half_space):
         lambda: rc.supported(text, "fft", half_space),
         lambda: rc.supported("gp", text, half_space),
         lambda: rc.Context("/" + text),
-        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, delta=1.0, levels=1, inner=text),
+        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, approach=1.0, levels=1, inner=text),
     )
     for call in calls:
         with pytest.raises(rc.ArgumentError, match="NUL|surrogate"):

@@ -54,7 +54,7 @@ def test_pairs_are_judged_without_solving():
     status, reason = rc.supported("nnls", "split", system)
     assert status < 0 and reason
     assert rc.supported("nonesuch", "fft", system)[0] == rc.Status.ERR_NO_SOLVER
-    matrix = rc.Matrix(np.eye(4))
+    matrix = rc.Matrix(np.eye(4), pitch=1)
     assert rc.supported("nnls", "dense", matrix)[0] == rc.Status.OK
 
 

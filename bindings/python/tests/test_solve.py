@@ -77,7 +77,7 @@ def test_accuracy_is_a_success_on_a_coarser_grid():
     surface = rc.surface.spectral((512, 512), pitch=1e-6, rms_height=1e-7, hurst=0.8, q_high=2e5)
     result = rc.solve(surface, modulus=1e9, load=1e-2, options={"accuracy": 0.2})
     assert result.status == rc.Status.WITHIN_GOAL and not result.certified
-    assert result.model_nx < 512 and result.error_estimate <= 0.2 and result.pressure.shape == (512, 512)
+    assert result.accuracy.model_nx < 512 and result.accuracy.error_estimate <= 0.2 and result.pressure.shape == (512, 512)
 
 
 def directly(system, gap, control, target, pressure):

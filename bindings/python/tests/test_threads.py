@@ -58,7 +58,7 @@ def test_a_second_thread_is_told(small_matrix):
         return small_matrix @ x
 
     armed = []  # the product is tried when the contact is made
-    with rc.Contact(rc.Product(product, 12)) as contact:
+    with rc.Contact(rc.Product(product, 12, pitch=1)) as contact:
         armed.append(True)
         answer = []
         gap = np.linspace(0, 2, 12)

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::int64_t least_side = 16;  // of a coarser grid
 constexpr std::size_t most_grids = 12;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A periodic grid must halve without a remainder, or its period would change.
 bool can_be_halved(const rc_system& system) {
@@ -149,7 +150,7 @@ void AccuracyGoal::add_work(rc_result& result) const {
 }
 
 // Writes the answer of the last coarser grid that was solved, spread to the given grid.
-void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
+void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
                                    rc_result& result) {
   const Grid& grid = grids_[found.grid - 1];
   const GridContact& contact = grid.halved.contact();
@@ -162,7 +163,7 @@ void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, 
   result.struct_size = size;
   result.p = to_p;
   result.gap = to_gap;
-  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = std::numeric_limits<double>::quiet_NaN();
+  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = nan;
   Bounds{}.write(result);
   result.points = given.system.points();
   result.contacts = p.on.n;
@@ -177,10 +178,8 @@ void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, 
   result.setup_seconds = 0;
   add_work(result);
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
-  result.model_nx = coarse.nx;
-  result.model_ny = coarse.ny;
-  result.error_estimate = result.area_estimate = std::numeric_limits<double>::quiet_NaN();
-  result.left_out = left_out(p, blocks, given.surface, contact.work().surface.gap());
+  given.record.accuracy = {
+      sizeof(rc_accuracy), coarse.nx, coarse.ny, nan, nan, left_out(p, blocks, given.surface, contact.work().surface.gap())};
   result.status = found.status;
   set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
                    fine.ny, " points")

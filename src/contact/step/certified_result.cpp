@@ -127,10 +127,8 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.kkt_complementarity = certificate.complementarity;
   result.kkt_control = certificate.control;
   result.tolerance = work.options.real(RC_OPT_TOL);
-  result.model_nx = system.given.nx;
-  result.model_ny = system.given.ny;
-  result.error_estimate = result.area_estimate = work.goal.error > 0 ? 0 : nan;
-  result.left_out = 0;
+  const double estimate = work.goal.error > 0 ? 0 : nan;
+  work.record.accuracy = {sizeof(rc_accuracy), system.given.nx, system.given.ny, estimate, estimate, 0};
   bounds.write(result);
   write_note(work, compression, result);
   return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_UNCERTIFIED;
