@@ -100,7 +100,8 @@ void check_solution(const ReferenceCase& reference, const Pair& pair, const Prob
   if (reference.load > 0) check(pair.solver == r.solver && pair.backend == r.backend, "the result names another pair");
 }
 
-// Backends are proven against each other by tests/seam: two of them run every case, the others these, unless all is asked for.
+// Backends are proven against each other by tests/backend_contract: two of them run every case, the others these, unless all is
+// asked for.
 const std::set<std::string> in_short = {"s12_spacing2_eq9", "s20_rect_6x15", "s21_SI_units"};
 
 std::string too_large(const ReferenceCase& reference, const Pair& pair, std::int32_t op, std::int32_t control) {

@@ -36,7 +36,7 @@ void any_allocation_may_fail(void**) {
   system.ny = 160;
   const Index domain{3, system.nx * system.ny - 1};
   const Vector x{1.0, 2.0};
-  seam::StandInHost host(backend());
+  contract::StandInHost host(backend());
   host.set("split.spacing", "16");
   const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "love", host.options(), host.alone(), nullptr};
   Vector y(static_cast<std::size_t>(system.nx * system.ny));
@@ -49,7 +49,7 @@ void any_allocation_may_fail(void**) {
     failed = support::allocation_failed();
     support::fail_allocation(0);
     assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
-    if (failed) assert_true(seam::StandInHost::message().find("split: ") == 0);
+    if (failed) assert_true(contract::StandInHost::message().find("split: ") == 0);
     failures += failed ? 1 : 0;
   }
   assert_true(failures > 20);

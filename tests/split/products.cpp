@@ -211,7 +211,7 @@ void results_do_not_depend_on_threads(void**) {
 namespace {
 
 rc_status creation(const rc_system& system, const char* kernel) {
-  seam::StandInHost host(backend());
+  contract::StandInHost host(backend());
   const rc_operator_spec spec{sizeof(rc_operator_spec), &system, kernel, host.options(), host.alone(), nullptr};
   void* self = nullptr;
   const rc_status status = backend().create(&host, &spec, &self);
@@ -229,7 +229,7 @@ void long_cells_are_refused(void**) {
   assert_int_equal(creation(system, "love"), RC_OK);
   system.hy = 0.499;
   assert_int_equal(creation(system, "love"), RC_ERR_INCOMPATIBLE);
-  assert_true(seam::StandInHost::message().find("\"fft\"") != std::string::npos);
+  assert_true(contract::StandInHost::message().find("\"fft\"") != std::string::npos);
 }
 
 void periodic_grids_are_refused(void**) {

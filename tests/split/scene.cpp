@@ -34,7 +34,7 @@ rc_system system_of(const Grid& grid) {
 }
 
 void check(rc_status status) {
-  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), seam::StandInHost::message().c_str());
+  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), contract::StandInHost::message().c_str());
 }
 
 }  // namespace

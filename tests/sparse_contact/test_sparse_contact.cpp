@@ -7,7 +7,7 @@
 #include "sparse.h"
 #include "surfaces.h"
 
-namespace few {
+namespace sparse_contact {
 
 namespace {
 
@@ -20,7 +20,7 @@ const Pair everywhere{"haar-cg", "fft"};
 Problem at_load_of(Problem problem, const Sparse& answer) { return at_load(std::move(problem), answer.result.load); }
 
 void check_against_all_points(const Problem& problem, const char* what) {
-  const Sparse sparse = few::solved(problem, "split");
+  const Sparse sparse = sparse_contact::solved(problem, "split");
   const Answer all = pairs::solved(problem, everywhere, {{RC_OPT_TOL, "1e-9"}});
   check_near(sparse.everywhere(), all.p, 1e-6, what);
   check_near(sparse.result.load, all.result.load, 1e-7 * all.result.load, "load");
@@ -42,7 +42,7 @@ void check_against_all_points(const Problem& problem, const char* what) {
 
 void agrees(const Problem& problem) {
   check_against_all_points(problem, "displacement control");
-  check_against_all_points(at_load_of(problem, few::solved(problem, "split")), "load control");
+  check_against_all_points(at_load_of(problem, sparse_contact::solved(problem, "split")), "load control");
 }
 
 void rough_surfaces() {
@@ -95,12 +95,12 @@ void one_asperity() {
   problem.system.ny = 640;
   problem.gap = paraboloid(side, 640, 1, 100.3, 411.8, 900);
   problem.target = 0.4;
-  const Sparse sparse = few::solved(problem, "fft");
+  const Sparse sparse = sparse_contact::solved(problem, "fft");
   check(sparse.result.modelled < sparse.result.points / 64, "unknowns");
   const Answer full = pairs::solved(problem, everywhere, {{RC_OPT_TOL, "1e-9"}});
   check_near(sparse.everywhere(), full.p, 1e-6, "pressures");
   check_equal(sparse.result.candidates, full.result.candidates, "candidates");
-  const Sparse by_load = few::solved(at_load_of(problem, sparse), "fft");
+  const Sparse by_load = sparse_contact::solved(at_load_of(problem, sparse), "fft");
   check_near(by_load.everywhere(), full.p, 1e-5, "pressures in load control");
   check_near(by_load.result.approach, 0.4, 1e-7, "approach");
 }
@@ -108,12 +108,12 @@ void one_asperity() {
 void dense_contact_is_left_to_transforms() {
   Problem problem = rough_problem(side, side);
   problem.target += 3 * (problem.target - problem.lowest_gap());
-  check(few::solved(problem, "fft").result.contacts > side * side / 10, "contact is dense");
+  check(sparse_contact::solved(problem, "fft").result.contacts > side * side / 10, "contact is dense");
 }
 
 void arrays_over_all_points_on_request() {
   const Problem problem = self_affine(side, side, 6, shallow);
-  const Sparse sparse = few::solved(problem, "split");
+  const Sparse sparse = sparse_contact::solved(problem, "split");
   const Answer full = pairs::solved(problem, automatic, {{RC_OPT_TOL, "1e-8"}});
   check(std::string(full.result.backend) == "split", "backend");
   check_same(sparse.everywhere(), full.p, "pressures");
@@ -125,8 +125,8 @@ void arrays_over_all_points_on_request() {
 
 void borrowed_arrays_and_threads_do_not_change_a_bit() {
   const Problem problem = self_affine(side, side, 7, shallow);
-  for (const Problem& each : {problem, at_load_of(problem, few::solved(problem, "split"))}) {
-    const Sparse alone = few::solved(each, "split");
+  for (const Problem& each : {problem, at_load_of(problem, sparse_contact::solved(problem, "split"))}) {
+    const Sparse alone = sparse_contact::solved(each, "split");
     for (const char* threads : {"1", "2", "3"}) {
       const SparseContact contact(each, {{RC_OPT_THREADS, threads}});
       const Sparse answer = contact.solve(each, true);
@@ -146,7 +146,7 @@ void a_second_step_starts_from_the_first() {
   again.target = problem.lowest_gap() + 10 * shallow * 1.005;
   const Sparse second = contact.solve(again);
   check(first.status == RC_OK && second.status == RC_OK, second.message);
-  check_near(second.everywhere(), few::solved(again, "split").everywhere(), 1e-6, "pressures");
+  check_near(second.everywhere(), sparse_contact::solved(again, "split").everywhere(), 1e-6, "pressures");
   check(second.result.applications < first.result.applications, "products of a step that changes little");
 }
 
@@ -163,17 +163,17 @@ void stops_are_reported() {
   check(rc_contact_points(contact.handle(), -1, nullptr, nullptr, &n) == RC_ERR_ARGUMENT, "room = -1");
   check(rc_contact_points(contact.handle(), 0, nullptr, nullptr, nullptr) == RC_ERR_ARGUMENT, "n = null");
   check(SparseContact(problem, {{RC_OPT_MAX_ITER, "3"}}).solve(problem).status == RC_STOP_MAX_ITER, "max_iter");
-  const Problem by_load = at_load_of(problem, few::solved(problem, "split"));
+  const Problem by_load = at_load_of(problem, sparse_contact::solved(problem, "split"));
   check(SparseContact(by_load, {{RC_OPT_MAX_ITER, "3"}}).solve(by_load).status == RC_STOP_MAX_ITER, "max_iter in load control");
 }
 
 }  // namespace
 
-}  // namespace few
+}  // namespace sparse_contact
 
 int main(int argc, char** argv) {
-  using namespace few;
-  return pairs::run_group("few.points",
+  using namespace sparse_contact;
+  return pairs::run_group("sparse_contact",
                           {{"rough_surfaces", rough_surfaces},
                            {"any_shape_and_cell", any_shape_and_cell},
                            {"masked_points", masked_points},

@@ -10,7 +10,7 @@
 #include "stand_in_host.h"
 #include "support/unit_system.h"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -104,4 +104,4 @@ double largest_difference(const Vector& a, const Vector& b) {
   return largest;
 }
 
-}  // namespace seam
+}  // namespace contract

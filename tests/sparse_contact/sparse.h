@@ -3,7 +3,7 @@
 
 #include "contact.h"
 
-namespace few {
+namespace sparse_contact {
 
 using pairs::Field;
 using pairs::Problem;
@@ -36,4 +36,4 @@ Sparse solved(const Problem& problem, const char* backend, const Settings& setti
 /** Waves of amplitudes k^-1.8 from `first` to n/4 a side, pressed in by `depth` standard deviations below the highest point. */
 Problem self_affine(std::int64_t nx, std::int64_t ny, unsigned seed, double depth, std::int64_t first = 8);
 
-}  // namespace few
+}  // namespace sparse_contact

@@ -7,7 +7,7 @@
 
 #include "allocators.h"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -57,4 +57,4 @@ void let_dependencies_use_operator_new() {
 #endif
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -6,7 +6,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -133,4 +133,4 @@ void every_choice_of_an_option_gives_the_same_product(const rc_backend& backend)
   }
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace seam {
+namespace contract {
 
 using Vector = std::vector<double>;
 using Index = std::vector<std::int64_t>;
@@ -33,4 +33,4 @@ class Matrix {
 Vector random_vector(std::size_t n, unsigned seed);
 double largest_difference(const Vector& a, const Vector& b);
 
-}  // namespace seam
+}  // namespace contract

@@ -1,4 +1,4 @@
-#ifdef RC_SEAM_SUITESPARSE
+#ifdef RC_CONTRACT_SUITESPARSE
 #include "allocators.h"
 #endif
 #include "cases.h"
@@ -6,11 +6,11 @@
 #include "support/cmocka.hpp"
 #include "support/failing_new.h"
 
-namespace seam {
+namespace contract {
 
 // Lets a later allocation fail each time, until a run succeeds.
 void any_allocation_may_fail(const rc_backend& backend) {
-#ifdef RC_SEAM_SUITESPARSE
+#ifdef RC_CONTRACT_SUITESPARSE
   let_dependencies_use_operator_new();
 #endif
   for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
@@ -51,4 +51,4 @@ void impossible_sizes_are_refused(const rc_backend& backend) {
   }
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -5,7 +5,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -74,4 +74,4 @@ void either_precision_may_come_first(const rc_backend& backend) {
   });
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -3,7 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
-namespace seam {
+namespace contract {
 
 struct Case {
   const char* name;
@@ -52,4 +52,4 @@ void host_failure_is_passed_on(const rc_backend&);
 void any_allocation_may_fail(const rc_backend&);
 void impossible_sizes_are_refused(const rc_backend&);
 
-}  // namespace seam
+}  // namespace contract

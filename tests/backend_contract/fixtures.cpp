@@ -8,7 +8,7 @@
 
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -160,4 +160,4 @@ rc_status status_of_operations(const rc_backend& backend, const rc_host& host, c
   return status;
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -6,7 +6,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -83,4 +83,4 @@ void norm_is_that_of_the_matrix(const rc_backend& backend) {
       });
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -10,12 +10,12 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-// RC_SEAM_BACKENDS is a list of RC_SEAM_BACKEND(name).
-#define RC_SEAM_BACKEND(name) extern "C" rc_status rc_builtin_##name(const rc_host*, const rc_plugin**);
-RC_SEAM_BACKENDS
-#undef RC_SEAM_BACKEND
+// RC_CONTRACT_BACKENDS is a list of RC_CONTRACT_BACKEND(name).
+#define RC_CONTRACT_BACKEND(name) extern "C" rc_status rc_builtin_##name(const rc_host*, const rc_plugin**);
+RC_CONTRACT_BACKENDS
+#undef RC_CONTRACT_BACKEND
 
-namespace seam {
+namespace contract {
 
 void caps_agree_with_functions(const rc_backend& backend) {
   assert_true(backend.struct_size == sizeof(rc_backend));
@@ -66,7 +66,7 @@ const Case cases[] = {
     RC_CASE(shifted_does_not_depend_on_what_was_asked_before, has_shifted),
     RC_CASE(norm_is_that_of_the_matrix, has_norm),
     RC_CASE(host_failure_is_passed_on, takes_grids),
-#ifdef RC_SEAM_FAILING_NEW
+#ifdef RC_CONTRACT_FAILING_NEW
     RC_CASE(any_allocation_may_fail, takes_grids),
     RC_CASE(impossible_sizes_are_refused, takes_free),
 #endif
@@ -86,9 +86,9 @@ void run(void** state) {
 
 std::vector<Test> all_tests() {
   std::vector<Test> tests;
-#define RC_SEAM_BACKEND(name) rc_builtin_##name,
-  const rc_plugin_query_fn queries[] = {RC_SEAM_BACKENDS};
-#undef RC_SEAM_BACKEND
+#define RC_CONTRACT_BACKEND(name) rc_builtin_##name,
+  const rc_plugin_query_fn queries[] = {RC_CONTRACT_BACKENDS};
+#undef RC_CONTRACT_BACKEND
   for (rc_plugin_query_fn query : queries) {
     const rc_plugin* plugin = nullptr;
     if (query(nullptr, &plugin) != RC_OK || plugin->abi_major != RC_PLUGIN_ABI_MAJOR) std::abort();
@@ -102,11 +102,11 @@ std::vector<Test> all_tests() {
 
 }  // namespace
 
-}  // namespace seam
+}  // namespace contract
 
 int main() {
-  std::vector<seam::Test> tests = seam::all_tests();
+  std::vector<contract::Test> tests = contract::all_tests();
   std::vector<CMUnitTest> list;
-  for (seam::Test& test : tests) list.push_back({test.name.c_str(), seam::run, nullptr, nullptr, &test});
+  for (contract::Test& test : tests) list.push_back({test.name.c_str(), contract::run, nullptr, nullptr, &test});
   return _cmocka_run_group_tests("backends", list.data(), list.size(), nullptr, nullptr);
 }

@@ -1,5 +1,5 @@
 // Random scenes of many kinds: every step ends certified, and an independent check agrees.
-//   test_scenes_random [--scenes A:B] [--jobs J] [--seed S] [--above N]
+//   test_random_scenes [--scenes A:B] [--jobs J] [--seed S] [--above N]
 // Steps with more than N products are listed.
 #include <algorithm>
 #include <atomic>

@@ -63,12 +63,12 @@ struct Statuses {
   rc_status in_double, in_float;
 };
 Statuses multiply(const std::string& planning, const std::string& wisdom, std::int64_t n = 24) {
-  seam::StandInHost host(fft());
+  contract::StandInHost host(fft());
   host.set("deterministic", planning == "measure" ? "0" : "1");
   host.set("fft.planning", planning);
   host.set("fft.wisdom", wisdom);
-  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, n, n, 1.0, 1.0);
-  const rc_operator_spec spec = seam::spec_of(system, host);
+  const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, n, n, 1.0, 1.0);
+  const rc_operator_spec spec = contract::spec_of(system, host);
   const rc_domain domain{sizeof(rc_domain), n * n, nullptr, 0.0};
   void* self = nullptr;
   assert_int_equal(fft().create(&host, &spec, &self), RC_OK);
@@ -88,8 +88,8 @@ void assert_works(const Statuses& statuses) {
 }
 
 void assert_message_has(const std::string& part) {
-  if (seam::StandInHost::message().find(part) == std::string::npos)
-    fail_msg("\"%s\" is not in: %s", part.c_str(), seam::StandInHost::message().c_str());
+  if (contract::StandInHost::message().find(part) == std::string::npos)
+    fail_msg("\"%s\" is not in: %s", part.c_str(), contract::StandInHost::message().c_str());
 }
 
 void measuring_writes_a_file_for_each_precision(void**) {

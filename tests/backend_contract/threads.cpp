@@ -6,7 +6,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -71,4 +71,4 @@ void operators_work_side_by_side(const rc_backend& backend) {
   }
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-namespace few {
+namespace sparse_contact {
 
 using pairs::check;
 
@@ -81,4 +81,4 @@ Problem self_affine(std::int64_t nx, std::int64_t ny, unsigned seed, double dept
   return problem;
 }
 
-}  // namespace few
+}  // namespace sparse_contact

@@ -10,7 +10,7 @@
 
 #include "core/thread_team.h"
 
-namespace seam {
+namespace contract {
 
 class StandInHost : public rc_host {
  public:
@@ -43,4 +43,4 @@ class StandInHost : public rc_host {
 // The kernel that systems of this boundary use.
 const char* kernel_name(std::int32_t boundary);
 
-}  // namespace seam
+}  // namespace contract

@@ -4,7 +4,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 void host_failure_is_passed_on(const rc_backend& backend) {
   for (std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
@@ -41,4 +41,4 @@ void host_failure_is_passed_on(const rc_backend& backend) {
   }
 }
 
-}  // namespace seam
+}  // namespace contract

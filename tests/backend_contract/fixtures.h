@@ -10,7 +10,7 @@
 #include "matrix.h"
 #include "stand_in_host.h"
 
-namespace seam {
+namespace contract {
 
 // A system that a backend with this RC_CAP_* bit handles, and its matrix. It may not move.
 class Problem {
@@ -76,4 +76,4 @@ rc_status status_of_operations(const rc_backend& backend, const rc_host& host, c
 // Whether the backend takes half-space grids.
 inline bool takes_grids(const rc_backend& backend) { return backend.caps & (RC_CAP_FREE | RC_CAP_PERIODIC); }
 
-}  // namespace seam
+}  // namespace contract

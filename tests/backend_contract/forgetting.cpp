@@ -6,7 +6,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -60,4 +60,4 @@ void forgetting_equals_a_fresh_operator(const rc_backend& backend) {
   });
 }
 
-}  // namespace seam
+}  // namespace contract

@@ -5,7 +5,7 @@
 #include "kernel/kernel.h"
 #include "kernel/kernels.h"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -79,4 +79,4 @@ StandInHost::StandInHost(const rc_backend& backend)
   };
 }
 
-}  // namespace seam
+}  // namespace contract

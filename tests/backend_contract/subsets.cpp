@@ -5,7 +5,7 @@
 #include "fixtures.h"
 #include "support/cmocka.hpp"
 
-namespace seam {
+namespace contract {
 
 namespace {
 
@@ -86,4 +86,4 @@ void subset_after_changes_equals_a_fresh_solve(const rc_backend& backend) {
   });
 }
 
-}  // namespace seam
+}  // namespace contract
