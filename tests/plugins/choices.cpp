@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "plugins/scratch.h"
+#include "support/unit_system.h"
 
 namespace plugins {
 
@@ -16,16 +17,16 @@ class Pressed {
   Pressed(const Registry& registry, const std::vector<std::pair<const char*, const char*>>& settings = {}) {
     assert_int_equal(rc_options_create(registry.get(), &options_), RC_OK);
     for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options_, key, value), RC_OK);
-    rc_system system = RC_SYSTEM_INIT;
+    rc_system system = support::unit_system();
     system.nx = system.ny = side;
     assert_int_equal(rc_contact_create(&system, options_, &contact_), RC_OK);
     assert_string_equal(explanation().c_str(), "");
     std::vector<double> gap(side * side);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = 0.1 * std::sin(0.7 * static_cast<double>(i));
     rc_step step = RC_STEP_INIT;
+    step.control = RC_CONTROL_DISPLACEMENT;
     step.undeformed_gap = gap.data();
     step.target = 0.2;
-    rc_result_init(&result_);
     assert_int_equal(rc_contact_solve(contact_, &step, &result_), RC_OK);
   }
   ~Pressed() {
@@ -46,7 +47,7 @@ class Pressed {
  private:
   rc_options* options_ = nullptr;
   rc_contact* contact_ = nullptr;
-  rc_result result_{};
+  rc_result result_ = RC_RESULT_INIT;
 };
 
 const rc_plugin& linked() {

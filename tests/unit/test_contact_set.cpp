@@ -151,7 +151,7 @@ class Set {
 rc::Operator Set::make_operator(const Case& c) {
   system_.nx = c.nx;
   system_.ny = c.ny;
-  system_.hx = system_.hy = 1;
+  system_.hx = system_.hy = system_.modulus = 1;
   system_.boundary = c.periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
   std::mt19937 random(11);
   for (std::int64_t i = 0; i < c.nx * c.ny; ++i) {
