@@ -346,8 +346,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{fortran}_functions.f90": fortran_module(
             "roughcontact_functions",
             [
-                f"The functions of {own}, name for name; units, rules and errors are described there. Those that write",
-                "the values of the RC_..._INIT macros are left out: variables of the types begin with these values.",
+                f"The functions of {own}, name for name; units, rules and errors are described there.",
                 "",
                 "Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed",
                 "as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)",

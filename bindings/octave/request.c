@@ -22,7 +22,7 @@ rc_status rc_request_refuse(rc_request* request, rc_status status, const char* f
 }
 
 rc_status rc_request_open(rc_request* request, int64_t nx, int64_t ny) {
-  const rc_request empty = {RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, NULL, RC_ACCURACY_INIT, ""};
+  const rc_request empty = {RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, NULL, RC_ACCURACY_INIT, NULL, ""};
   *request = empty;
   request->system.nx = nx;
   request->system.ny = ny;
