@@ -86,13 +86,13 @@ else
   if full; then
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
   else
-    families="batch errors faults formats honesty options plugins seam threads"
+    families="batch errors faults formats honesty options plugins backend_contract threads"
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
   fi
 
   # Loops that a library spreads with OpenMP wait in a runtime that the sanitizer cannot see into: one thread for those.
   stage "gcc: thread sanitizer"
-  OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|seam'
+  OMP_THREAD_LIMIT=1 RC_TEST_QUICK=1 verify tsan "" -R 'threads|contract\.'
 fi
 
 if full; then

@@ -7,7 +7,8 @@ import pathlib
 import re
 import sys
 
-PUBLIC = {'roughcontact/roughcontact.h', 'roughcontact/plugin.h', 'roughcontact/surface.h', 'roughcontact/plugin.hpp'}
+CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'direct', 'analysis', 'registry')}
+PUBLIC = CONTACT | {'roughcontact/plugin.h', 'roughcontact/surface.h', 'roughcontact/plugin.hpp'}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'core': {'core'},
     'kernel': {'kernel'},
@@ -35,10 +36,10 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
-    'bindings': {'roughcontact/roughcontact.h'},
-    'tools': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
+    'bindings': CONTACT,
+    'tools': CONTACT | {'roughcontact/surface.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
-    'fuzz': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
+    'fuzz': CONTACT | {'roughcontact/surface.h'},
     'examples': PUBLIC,
 }
 # What a folder outside src takes from it: headers alone, but for grid.

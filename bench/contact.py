@@ -48,7 +48,7 @@ def status_of(result):
 def solve(system, gap, options, **more):
     """A cold solve; its status says how it ended. more: displacement or load, mask, start, want_pressure."""
     with rc.Contact(system, options=options) as contact:
-        return contact.solve(gap=gap, check=False, borrow=True, **more)
+        return contact.solve(undeformed_gap=gap, check=False, borrow=True, **more)
 
 
 def press(scene, options, start=None):
@@ -73,7 +73,7 @@ def find_load(system, gap, area, load, most, options):
     exponent, last = 1, None  # exponent: d log load / d log area
     with rc.Contact(system, options={**options, 'tol': 1e-3}) as contact:
         for k in range(most):
-            result = contact.solve(load=load, gap=None if k else gap, check=False, want_pressure=False)
+            result = contact.solve(load=load, undeformed_gap=None if k else gap, check=False, want_pressure=False)
             found = share_in_contact(result)
             if found == 0:
                 load *= 2
@@ -102,7 +102,7 @@ def difference(a, b):
 
 
 def record_of(result):
-    same = ('displacement', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
+    same = ('approach', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
             'points', 'candidates', 'modelled', 'contacts', 'iterations')
     return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'products': result.applications,
             'solve_seconds': result.seconds}
@@ -112,9 +112,8 @@ def cold_call(system, gap, options, control, target, pressure=None):
     """(result, seconds of the whole call, its processor time) of one cold solve by the C functions themselves."""
     struct, _ = system.struct()
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
-    library.rc_step_init(step, ctypes.sizeof(step))
     step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
-    step.gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+    step.undeformed_gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     if pressure is not None:
         answer.p = pressure.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     with OptionSet(options, None) as chosen:

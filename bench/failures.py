@@ -53,7 +53,7 @@ def greedy_on_draws(kernel, n, spacing, draws):
     deepest = load_error = pressure_error = 0.0
     for seed in range(draws):
         scene = example_one(side, spacing, seed)
-        step = {'displacement': scene.approach, 'gap': scene.gap, 'mask': scene.mask, 'warm_start': False, 'check': False}
+        step = {'displacement': scene.approach, 'undeformed_gap': scene.gap, 'mask': scene.mask, 'warm_start': False, 'check': False}
         found, known = plain.solve(**step), certified(exact.solve(**step))
         off = difference(found.pressure, known.pressure)
         wrong = status_of(found) != OK
@@ -93,7 +93,7 @@ def greedy(atlas):
               f'the answer overlaps in a share of draws that grows with n, {shares}; at n = 100 the deepest overlap is '
               f'{worst["deepest_overlap"]:.2f} of the compenetration, loads are off by up to {worst["load_error"]:.1e} and pressures by up to '
               f'{100 * worst["pressure_error"]:.0f} % of the largest',
-              'RC_STOP_UNCERTIFIED with a note that counts the overlapping points, in each of the draws; wrong answers with status RC_OK: '
+              'RC_UNCERTIFIED with a note that counts the overlapping points, in each of the draws; wrong answers with status RC_OK: '
               f'{sum(row["dishonest"] for row in rows)}',
               'every other solver lets points come back; greedy.repair = 1 hands what greedy found over to nnls: draws it left unsolved: '
               f'{sum(row["unrepaired"] for row in rows)}')

@@ -35,13 +35,13 @@ class Pressed:
 
     def compared(self, control, quantity, goal, whole_tol=None):
         """whole_tol: of a solve of the whole grid, for its time."""
-        target = self.exact.load if control == 'load' else self.exact.displacement
+        target = self.exact.load if control == 'load' else self.exact.approach
         found, exact = self.solve(control, target, EXACT, accuracy=goal, **{'accuracy.of': quantity}), self.exact
-        there = self.solve('displacement', found.displacement, EXACT) if control == 'load' and quantity == 'load' else found
+        there = self.solve('displacement', found.approach, EXACT) if control == 'load' and quantity == 'load' else found
         area_error = abs(found.contact_area / exact.contact_area - 1)
-        row = {'status': status_of(found), 'model': found.model_nx, 'estimate': found.error_estimate,
-               'error': area_error if quantity == 'area' else abs(there.load / exact.load - 1), 'left_out': found.left_out,
-               'area_error': area_error, 'area_estimate': found.area_estimate, 'seconds': seconds(found)}
+        row = {'status': status_of(found), 'model': found.accuracy.model_nx, 'estimate': found.accuracy.error_estimate,
+               'error': area_error if quantity == 'area' else abs(there.load / exact.load - 1), 'left_out': found.accuracy.left_out,
+               'area_error': area_error, 'area_estimate': found.accuracy.area_estimate, 'seconds': seconds(found)}
         return {**row, 'whole_seconds': seconds(self.solve(control, target, whole_tol))} if whole_tol else row
 
 

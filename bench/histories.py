@@ -31,7 +31,7 @@ class History:
         with rc.Contact(unit_square(self.n), options=options) as contact:
             for k, approach in enumerate(self.approaches):
                 before = cpu_seconds()
-                result = contact.solve(displacement=approach, gap=None if warm and k else self.gap, warm_start=warm, want_pressure=False,
+                result = contact.solve(displacement=approach, undeformed_gap=None if warm and k else self.gap, warm_start=warm, want_pressure=False,
                                        check=False)
                 found.append((result, cpu_seconds() - before))
                 if status_of(result) == 'RC_STOP_TIME':
@@ -109,7 +109,7 @@ class Total:
         """Loads [surfaces, steps]."""
         options = {'solver': self.request.solver, 'backend': self.request.backend, 'tol': self.request.tol, 'threads': self.threads}
         begun, cpu = time.perf_counter(), cpu_seconds()
-        found = rc.batch(gap=gaps, system=unit_square(self.request.points), options=options, check=False, **{control: targets})
+        found = rc.batch(undeformed_gap=gaps, system=unit_square(self.request.points), options=options, check=False, **{control: targets})
         self.seconds += time.perf_counter() - begun
         self.cpu += cpu_seconds() - cpu
         self.certified += found.certified

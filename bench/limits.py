@@ -209,7 +209,7 @@ class ColdSolve:
 
     def prescribe_approach(self):
         """From now on the approach that the last solve found is prescribed instead of the load."""
-        self.control, self.target = 'displacement', self.result.displacement
+        self.control, self.target = 'displacement', self.result.approach
 
     @property
     def percent(self):

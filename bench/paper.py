@@ -99,7 +99,7 @@ def loading(levels, backend, kernel, most, threads, setting, method, seed):
     history.approaches = fitting = [approach for approach in history.approaches if np.count_nonzero(history.gap < approach) <= most]
     found = history.run({'backend': backend, 'kernel': kernel, 'tol': 1e-8, 'max_iter': 100000, 'bounds': 0, 'threads': threads, 'time_limit': 60,
                          **options}, warm)
-    steps = [{'approach': result.displacement / (fitting or [last])[-1], **step_of(result, cpu, 'iterations', 'products'),
+    steps = [{'approach': result.approach / (fitting or [last])[-1], **step_of(result, cpu, 'iterations', 'products'),
               'status': status_of(result)} for result, cpu in found]
     return {'points_a_side': history.n, 'backend': backend, 'kernel': kernel, 'rms_height': history.gap.std(), 'steps_of_ten': len(fitting),
             **{key: sum(step[key] for step in steps) for key in ('cpu_seconds', 'products', 'iterations')},
@@ -200,7 +200,7 @@ def inner_solver(levels, n, inner, seed):
     def one():
         first, before = [], cpu_seconds()
         with rc.Contact(scene.system, options=options, progress=lambda _: first.append(cpu_seconds()) if not first else None) as contact:
-            result = contact.solve(displacement=approach, gap=scene.gap, check=False, want_pressure=False)
+            result = contact.solve(displacement=approach, undeformed_gap=scene.gap, check=False, want_pressure=False)
         return cpu_seconds() - before, (first or [before])[0] - before, result
 
     found = repeats(one, 0.3)

@@ -42,10 +42,10 @@ class Judge:
         pressure = np.array(pressure, dtype=np.float64).reshape(gap.shape)
         if not np.isfinite(pressure).all():
             return {'residual': math.inf, 'reason': 'pressures are not finite'}
-        result = self.contact.certify(pressure, gap=gap, check=False, **{control: target})
+        result = self.contact.certify(pressure, undeformed_gap=gap, check=False, **{control: target})
         values = {key: getattr(result, 'kkt_' + key) for key in ('primal', 'dual', 'complementarity', 'control')}
         worst = math.inf if any(math.isnan(value) for value in values.values()) else result.residual
-        return {'residual': worst, **values, 'area': result.contacts / gap.size, 'load': result.load, 'approach': result.displacement}
+        return {'residual': worst, **values, 'area': result.contacts / gap.size, 'load': result.load, 'approach': result.approach}
 
 
 class Bench:
@@ -122,7 +122,7 @@ class Bench:
         found = find_load(unit_square(case.n, case.boundary), gap, share, near[-1]['load'] if near else 0.2 * share, 8, {'threads': self.threads})
         entry = {'title': case.title, 'surface': case.surface, 'maker': surface['maker'], 'digest': surface['digest'], 'n': case.n,
                  'boundary': case.boundary, 'control': case.control, 'percent': case.percent, 'load': found.load,
-                 'area': found.contacts / gap.size, 'target': found.load if case.control == 'load' else found.displacement}
+                 'area': found.contacts / gap.size, 'target': found.load if case.control == 'load' else found.approach}
         document['cases'][case.key] = entry
         document['groups'] = [group for group in document['groups'] if group['case'] != case.key or group['digest'] == surface['digest']]
         return {**entry, 'file': surface['file']}

@@ -169,7 +169,7 @@ class Ours(Runner):
 
     def solve(self):
         begun = time.perf_counter()
-        result = self.contact.solve(gap=self.gap, borrow=True, check=False, **{self.request['control']: self.request['target']})
+        result = self.contact.solve(undeformed_gap=self.gap, borrow=True, check=False, **{self.request['control']: self.request['target']})
         self.inside = max(0.0, time.perf_counter() - begun - result.seconds)
         self.details = {'status': status_of(result), 'iterations': result.iterations, 'products': result.applications, 'solver': result.solver,
                         'backend': result.backend}

@@ -46,10 +46,10 @@ class Pressed:
         self.mean, self.rms_height = self.gap.mean(), self.gap.std()
 
     def at(self, pressure, distributions):
-        result = self.contact.solve(load=pressure * RMS_SLOPE, gap=self.gap, borrow=True, check=False)
+        result = self.contact.solve(load=pressure * RMS_SLOPE, undeformed_gap=self.gap, borrow=True, check=False)
         area, cells = result.area(), result.patches().cells
         row = {**record_of(result), 'area': area.area, 'corrected_area': area.corrected_area, 'perimeter': area.perimeter,
-               'mean_gap': (self.mean - result.displacement) / self.rms_height}
+               'mean_gap': (self.mean - result.approach) / self.rms_height}
         if math.isfinite(result.stiffness):  # over E* times slope and nominal area, as the pressure is
             row['stiffness'] = result.stiffness * self.rms_height / RMS_SLOPE
         row.update(patches=len(cells), largest_patch=cells.max() / cells.sum() if len(cells) else 0)

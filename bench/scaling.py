@@ -66,7 +66,7 @@ def measure_solve(request, area, gap, control, target, interpreter):
     row.update(area_found=share_in_contact(result), peak_bytes=peak - interpreter, bytes_per_point=(peak - before) / points,
                bytes_per_point_in_all=(peak - interpreter) / points)
     if len(gap) <= LARGEST_PROFILE and row['status'] == OK:
-        product = native.time_products(system, gap, result.displacement, result.backend, threads=request.threads, budget=request.budget / 4)
+        product = native.time_products(system, gap, result.approach, result.backend, threads=request.threads, budget=request.budget / 4)
         row.update(product_seconds_best=product['best'], product_seconds_median=product['median'], product_count=product['count'])
     return row
 
@@ -103,7 +103,7 @@ class Scaling:
 
         def work():
             found = find_load(unit_square(n), gap, area, guess, most, options_of(self.request))
-            return {'load': found.load, 'displacement': found.displacement}
+            return {'load': found.load, 'displacement': found.approach}
         return self.store.put('loads', key, checked(in_child(work)))
 
     def needed(self, n, area, control):
@@ -218,7 +218,7 @@ class DiluteSolves:
             found = checked(self.solve(gap, 'load', load, 1e-2))
             percent = found['contact_percent']
             if k == 3 or n > LARGEST_SEARCH or abs(percent / (100 * area) - 1) < 0.1:
-                return load, found['displacement']
+                return load, found['approach']
             self.corrections[area] *= min(max(100 * area / percent, 0.2), 5) if percent > 0 else 5
 
     def over_the_whole_grid(self, gap, approach, control, target, tol):

@@ -308,7 +308,7 @@ def search_approach(scene, contact, threads):
     gap = scene.gap(scene.n)
     with rc.Contact(scene.system(scene.n), options={'tol': 1e-3, 'threads': threads}) as solver:
         def share_at(approach):
-            return share_in_contact(solver.solve(gap=gap, check=False, want_pressure=False, **{scene.control: approach}))
+            return share_in_contact(solver.solve(undeformed_gap=gap, check=False, want_pressure=False, **{scene.control: approach}))
 
         low, high = gap.min(), gap.mean()
         while share_at(high) < contact:

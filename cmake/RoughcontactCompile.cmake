@@ -3,6 +3,7 @@ add_library(rc_compile INTERFACE)
 target_compile_options(rc_compile INTERFACE -Wall -Wextra -Wpedantic -Wshadow
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>  # by a neighbour file's constant
+  $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-missing-field-initializers>  # members that a designated initialiser leaves out are null
   $<$<BOOL:${RC_WERROR}>:-Werror>)
 if(RC_SANITIZE)
   target_compile_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -1,6 +1,6 @@
 /* Twenty rough surfaces, as of a Monte Carlo study, each pressed by a load that grows in five steps: one call, two threads. */
 #include <math.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/history.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -37,8 +37,8 @@ int main(void) {
   batch.steps = STEPS;
   batch.targets = targets;
   batch.target_stride = RC_BATCH_SHARED; /* the same loads for all; surfaces follow one another */
-  batch.gap = gap[0];
-  batch.displacement = approach[0];
+  batch.undeformed_gap = gap[0];
+  batch.approach = approach[0];
   batch.contact_area = area[0];
   batch.status = status[0];
 

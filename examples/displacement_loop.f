@@ -30,7 +30,8 @@ C     The contact keeps tables and the last pressures from step to step.
       DO 30 K = 1, NSTEP
         D = 2.0D-5 * K
         CALL RCF_CONTACT_SOLVE(CNTCT, DISPLACEMENT=D,
-     &    GAP=RCF_GAP(Z(1:NX,1:NY)), P=P(1:NX,1:NY), RESULT=RES,
+     &    UNDEFORMED_GAP=RCF_GAP_FROM_HEIGHTS(Z(1:NX,1:NY)),
+     &    P=P(1:NX,1:NY), RESULT=RES,
      &    STAT=ISTAT, ERRMSG=MESSAG)
         IF (ISTAT .NE. 0) GO TO 90
         WRITE (*, '(F12.5,F12.4,I8,F12.1)') D, RES%LOAD, RES%CONTACTS,

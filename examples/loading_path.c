@@ -1,13 +1,14 @@
 /* Presses a rough surface and lets it go again in one call, then solves a small matrix with a direct routine. */
 #include <math.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/direct.h>
+#include <roughcontact/history.h>
 #include <stdio.h>
 
 enum { N = 64, STEPS = 9 };
 
 static int32_t report(int64_t step, const rc_result* result, void* user) {
   (void)user;
-  printf("step %d: approach %.2f um, load %.4f N, %lld points touch\n", (int)step, 1e6 * result->displacement, result->load,
+  printf("step %d: approach %.2f um, load %.4f N, %lld points touch\n", (int)step, 1e6 * result->approach, result->load,
          (long long)result->contacts);
   return 0; /* anything else ends the path */
 }
@@ -23,9 +24,10 @@ static rc_status press_and_release(void) {
   system.hx = system.hy = 1e-6;
   system.modulus = 70e9;
   rc_path path = RC_PATH_INIT;
+  path.control = RC_CONTROL_DISPLACEMENT;
   path.n = STEPS;
   path.targets = targets;
-  path.gap = gap;
+  path.undeformed_gap = gap;
   path.load = load;
   path.stiffness = stiffness;
   path.fn = report;

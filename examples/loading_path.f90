@@ -27,7 +27,8 @@ contains
       end do
     end do
     targets = [(0.1e-6_c_double * min(k, 10 - k), k=1, steps)]
-    path = rc_path(n=steps, targets=c_loc(targets), gap=c_loc(gap), load=c_loc(load), contact_area=c_loc(area))
+    path = rc_path(control=RC_CONTROL_DISPLACEMENT, n=steps, targets=c_loc(targets), undeformed_gap=c_loc(gap), &
+      load=c_loc(load), contact_area=c_loc(area))
     contact = c_null_ptr
     status = rc_contact_create(rc_system(nx=n, ny=n, hx=1e-6_c_double, hy=1e-6_c_double, modulus=70e9_c_double), c_null_ptr, &
       contact)

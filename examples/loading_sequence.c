@@ -17,21 +17,20 @@ int main(void) {
   system.modulus = 70e9;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_LOAD;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = pressure;
 
   rc_contact* contact = NULL;
   rc_status status = rc_contact_create(&system, NULL, &contact);
   if (status == RC_OK) puts("  load [N]  approach [m]  area [%]  max p [Pa]  products with H");
   for (int k = 1; status == RC_OK && k <= 10; ++k) {
-    step.gap = k == 1 ? gap : NULL; /* NULL: as before */
+    step.undeformed_gap = k == 1 ? gap : NULL; /* NULL: as before */
     step.target = 0.3 * k;
     status = rc_contact_solve(contact, &step, &result);
     if (status != RC_OK) break;
     double largest = 0;
     for (int i = 0; i < N * N; ++i) largest = fmax(largest, pressure[i]);
-    printf("%10.4f  %12.4e  %8.2f  %10.3e  %15lld\n", result.load, result.displacement, 100.0 * (double)result.contacts / (N * N),
+    printf("%10.4f  %12.4e  %8.2f  %10.3e  %15lld\n", result.load, result.approach, 100.0 * (double)result.contacts / (N * N),
            largest, (long long)result.applications);
   }
   if (status != RC_OK) fprintf(stderr, "%s: %s\n", rc_status_name(status), rc_last_error());

@@ -17,14 +17,15 @@ int main(void) {
   rc_system system = RC_SYSTEM_INIT;
   system.op = RC_OPERATOR_DENSE;
   system.nx = N;
+  system.ny = 1;
+  system.hx = system.hy = 1; /* of a cell */
   system.dense = H;
   system.dense_ld = N;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_LOAD;
   step.target = 2.0;
-  step.gap = gap;
-  rc_result result;
-  rc_result_init(&result);
+  step.undeformed_gap = gap;
+  rc_result result = RC_RESULT_INIT;
   result.p = pressure;
   result.gap = deformed;
 
@@ -35,7 +36,7 @@ int main(void) {
   }
   puts("point  pressure       gap");
   for (int i = 0; i < N; i += 4) printf("%5d  %8.5f  %8.5f\n", i, pressure[i], deformed[i]);
-  printf("load %.6f at approach %.6f, %lld of %d points in contact\n", result.load, result.displacement,
-         (long long)result.contacts, N);
+  printf("load %.6f at approach %.6f, %lld of %d points in contact\n", result.load, result.approach, (long long)result.contacts,
+         N);
   return 0;
 }

@@ -48,18 +48,19 @@ program own_matrix
   H = reshape([((influence(i, j), i=1, n), j=1, n)], [n, n])
   gap(:, 1) = [(0.5_c_double * ((i - 21) / 10.0_c_double)**2, i=1, n)]
 
-  call rcf_solve(rc_system(op=RC_OPERATOR_DENSE, dense=c_loc(H), dense_ld=n), gap, load=2.0_c_double, p=p, result=with_matrix)
-  print '(a, f9.6, a, f9.6, a, i0, a)', 'matrix:  load', with_matrix%load, ' at approach', with_matrix%displacement, ', ', &
+  call rcf_solve(rc_system(op=RC_OPERATOR_DENSE, hx=1.0_c_double, hy=1.0_c_double, dense=c_loc(H), dense_ld=n), gap, &
+    load=2.0_c_double, p=p, result=with_matrix)
+  print '(a, f9.6, a, f9.6, a, i0, a)', 'matrix:  load', with_matrix%load, ' at approach', with_matrix%approach, ', ', &
     with_matrix%contacts, ' points in contact'
 
-  call rcf_solve(rc_system(op=RC_OPERATOR_CALLBACK, apply=c_funloc(layer_product)), gap, load=2.0_c_double, p=p_product, &
-    result=with_product)
-  print '(a, f9.6, a, f9.6, a, i0, a)', 'product: load', with_product%load, ' at approach', with_product%displacement, ', ', &
+  call rcf_solve(rc_system(op=RC_OPERATOR_CALLBACK, hx=1.0_c_double, hy=1.0_c_double, apply=c_funloc(layer_product)), gap, &
+    load=2.0_c_double, p=p_product, result=with_product)
+  print '(a, f9.6, a, f9.6, a, i0, a)', 'product: load', with_product%load, ' at approach', with_product%approach, ', ', &
     with_product%contacts, ' points in contact'
   if (maxval(abs(p_product - p)) > 1e-6_c_double * maxval(p)) error stop 'the two differ'
 
   ! The same without objects: minimise 1/2 p'Hp - u'p over p >= 0.
   p = 0
-  call rcf_direct(rc_nnls, H, with_matrix%displacement - gap(:, 1), p(:, 1), w)
+  call rcf_direct(rc_nnls, H, with_matrix%approach - gap(:, 1), p(:, 1), w)
   print '(a, f9.6)', 'nnls:    load', sum(p)
 end program

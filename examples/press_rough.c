@@ -16,12 +16,11 @@ int main(void) {
   const double h = 1e-6;
   rc_surface_rmd_spec spec = RC_SURFACE_RMD_SPEC_INIT;
   rc_surface_map map = RC_SURFACE_MAP_INIT;
-  rc_surface_cmr advice;
+  rc_surface_cmr advice = RC_SURFACE_CMR_INIT;
   spec.levels = LEVELS;
   spec.hurst = 0.8;
   spec.rms_height = 0.5e-6;
   rc_status status = rc_surface_rmd(&spec, LEVELS, 1, z);
-  advice.struct_size = sizeof advice;
   map.nx = map.ny = N;
   map.hx = map.hy = h;
   map.heights = z;
@@ -29,20 +28,17 @@ int main(void) {
   if (status != RC_OK) return failed("surface", status, rc_surface_last_error());
   printf("two halvings of the grid are %strustworthy: %s\n", advice.trustworthy ? "" : "not ", advice.reason);
 
-  double highest = z[0];
-  for (int i = 0; i < N * N; ++i) highest = z[i] > highest ? z[i] : highest;
-  for (int i = 0; i < N * N; ++i) gap[i] = highest - z[i];
-
   rc_system system = RC_SYSTEM_INIT;
   rc_step step = RC_STEP_INIT;
-  rc_result result;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   system.nx = system.ny = N;
   system.hx = system.hy = h;
   system.modulus = 100e9;
-  step.gap = gap;
+  rc_gap_from_heights(N * N, z, NULL, gap);
+  step.undeformed_gap = gap;
   step.target = advice.approach;
-  rc_result_init(&result);
   status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, "cmr");
   if (status == RC_OK) status = rc_options_set_int(options, "cmr.levels", 3);

@@ -18,10 +18,10 @@ int main(int argc, char** argv) {
   system.hx = system.hy = h;
   system.modulus = 230e9;
   rc_step step = RC_STEP_INIT;
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.target = 1e-6;
-  step.gap = gap;
-  rc_result result;
-  rc_result_init(&result);
+  step.undeformed_gap = gap;
+  rc_result result = RC_RESULT_INIT;
 
   rc_options* options = NULL;
   rc_status status = rc_options_create(NULL, &options);

@@ -39,11 +39,11 @@ program progress
   end do
   call rcf_options_create(options)
   call rcf_options_set_text(options, RC_OPT_SOLVER, 'polonsky-keer')
-  call rcf_contact_create(contact, rc_system(nx=n, ny=n), options)
+  call rcf_contact_create(contact, rc_system(nx=n, ny=n, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double), options)
   call rcf_options_destroy(options)
   call rcf_contact_on_progress(contact, c_funloc(look), c_loc(mine))
 
-  call rcf_contact_solve(contact, displacement=1.0_c_double, gap=gap, result=result)
+  call rcf_contact_solve(contact, displacement=1.0_c_double, undeformed_gap=gap, result=result)
   print '(a, i0, a, l1)', 'first: certified after ', result%iterations, ' iterations; the callback was called: ', mine%calls > 0
 
   mine%stop_at = 5

@@ -1,5 +1,7 @@
 #include "influence.h"
 
+#include <roughcontact/registry.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <numbers>

@@ -63,11 +63,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     double p[4] = {7, 7, 7, 7};
     rc_system system = RC_SYSTEM_INIT;
     system.nx = system.ny = 2;
+    system.hx = system.hy = system.modulus = 1;
     rc_step step = RC_STEP_INIT;
-    step.gap = gap;
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = gap;
     step.target = 0.6;
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     result.p = p;
     const rc_status status = rc_solve(&system, &step, options, &result);
     fuzz::require(status >= 0 || p[0] == 7, "a failed call writes no pressure");

@@ -24,7 +24,7 @@ bool documented(rc_status status) {
     case RC_STOP_TIME:
     case RC_STOP_CANCELLED:
     case RC_STOP_STALLED:
-    case RC_STOP_UNCERTIFIED:
+    case RC_UNCERTIFIED:
     case RC_WITHIN_GOAL:
     case RC_ERR_ARGUMENT:
     case RC_ERR_SHAPE:
@@ -47,7 +47,7 @@ bool near(Real value, Real wanted, Real allowed) { return std::abs(value - wante
 }  // namespace
 
 Answer::Answer(std::size_t points) : p(points, std::bit_cast<double>(pattern)), gap(points, std::bit_cast<double>(pattern)) {
-  rc_result_init(&result);
+  result = RC_RESULT_INIT;
   result.p = p.data();
   result.gap = gap.data();
 }
@@ -107,8 +107,8 @@ void Oracle::check_sums(const Problem& problem, const Answer& answer) const {
   require(near(r.load, area * sum, 1e-12L * area * sizes + (area + 1) * 64 * least_double),
           "the load is the sum of the pressures");
   require(near(r.contact_area, static_cast<Real>(contacts) * area, 1e-12L * static_cast<Real>(contacts) * area), "contact area");
-  require(std::isfinite(r.energy) && std::isfinite(r.displacement), "energy and approach are finite");
-  require(problem.control == RC_CONTROL_LOAD || r.displacement == problem.target, "the approach is the prescribed one");
+  require(std::isfinite(r.energy) && std::isfinite(r.approach), "energy and approach are finite");
+  require(problem.control == RC_CONTROL_LOAD || r.approach == problem.target, "the approach is the prescribed one");
   if (answer.status != RC_OK) return;
   require(r.kkt_primal <= r.tolerance && r.kkt_dual <= r.tolerance && r.kkt_complementarity <= r.tolerance &&
               r.kkt_control <= r.tolerance,
@@ -124,7 +124,7 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
   const rc_result& r = answer.result;
   const std::size_t n = answer.p.size();
   const auto& h = *h_;
-  const Real approach = r.displacement;
+  const Real approach = r.approach;
   Real highest = 0, deepest = 0;
   parts.open.resize(n);
   parts.u.assign(n, 0);

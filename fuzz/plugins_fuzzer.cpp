@@ -2,7 +2,7 @@
 // Files with the header of a loadable object are cut first, because the system's loader, which trusts what it maps, is not under
 // test. So every file must be refused, with its name in the message, and the context must stay usable.
 #include <elf.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -71,11 +71,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   double p[] = {7, 7};
   rc_system system = RC_SYSTEM_INIT;
   system.nx = 2;
+  system.ny = 1;
+  system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  step.undeformed_gap = gap;
   step.target = 0.5;
-  rc_result result{};
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p;
   require(rc_solve(&system, &step, options, &result) == RC_ERR_PLUGIN, "a damaged plugin is refused");
   require(std::strstr(rc_last_error(), "rcb_x.so") != nullptr, "the message names the file");

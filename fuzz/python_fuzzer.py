@@ -70,7 +70,7 @@ def run(data):
     if source.byte() % 4 == 0:
         wanted["boundary"] = ["free", "periodic", "none"][source.byte() % 3]
     try:
-        result = rc.solve(gap=gap, **wanted)
+        result = rc.solve(undeformed_gap=gap, **wanted)
     except EXPECTED:
         return
     assert np.isfinite(result.load), "a result has a load"

@@ -129,15 +129,15 @@ void read_step(Bytes& bytes, const Scene& scene, const Last& last, bool keeps_ga
   if (!keeps_gap || (flags & 8) == 0) {
     const double offset = (flags & 16) != 0 ? scene.height * 1e4 * bytes.whole() : 0;
     const std::size_t which = bytes.below(8);
-    step.gap.resize(n);
+    step.undeformed_gap.resize(n);
     lowest = std::numeric_limits<double>::infinity();
-    for (double& value : step.gap) {
+    for (double& value : step.undeformed_gap) {
       const int whole = bytes.whole();
       value = whole == -128 ? special(which) : scene.height * (whole / 16.0) + offset;
       if (value < lowest) lowest = value;
       if (std::isfinite(value)) mean += value / static_cast<double>(n);
     }
-    step.given.gap = step.gap.data();
+    step.given.undeformed_gap = step.undeformed_gap.data();
   }
   if ((flags & 32) != 0) {
     step.mask.resize(n);

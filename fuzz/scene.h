@@ -33,7 +33,7 @@ struct Scene {
 
 struct Step {
   rc_step given = RC_STEP_INIT;  // its pointers are those of the arrays below, or null
-  Reals gap, start;
+  Reals undeformed_gap, start;
   std::vector<std::uint8_t> mask;
 };
 

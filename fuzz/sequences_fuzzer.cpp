@@ -1,5 +1,7 @@
 // One contact, many calls: steps, paths, batches, certificates, restored copies, other options, resets and cancellations in any
 // order. Each answer is checked as if it stood alone; after a reset it has the bits of a new contact's.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 #include <bit>
 #include <memory>
@@ -101,13 +103,14 @@ class Sequence {
   Step& next_step() {
     steps_.push_back(std::make_unique<Step>());
     Step& step = *steps_.back();
-    fuzz::read_step(bytes_, scene_, {last_.load, last_.displacement}, gap_ != nullptr, step);
+    fuzz::read_step(bytes_, scene_, {last_.load, last_.approach}, gap_ != nullptr, step);
     return step;
   }
 
   Problem problem_of(const rc_step& step) const {
     // A mask alone is a new mask for the gap of the step before. Without mask and gap both are those of the step before.
-    return {step.gap ? step.gap : gap_, step.mask || step.gap ? step.mask : mask_, step.control, step.target};
+    return {step.undeformed_gap ? step.undeformed_gap : gap_, step.mask || step.undeformed_gap ? step.mask : mask_, step.control,
+            step.target};
   }
 
   // After a step that failed, at once or later, it is not known which gap the contact has.
@@ -165,7 +168,7 @@ class Sequence {
     path.warm_start = step.given.warm_start;
     path.n = history;
     path.targets = targets;
-    path.gap = step.given.gap;
+    path.undeformed_gap = step.given.undeformed_gap;
     path.mask = step.given.mask;
     Shown shown{oracle_, problem, targets};
     path.fn = of_path;
@@ -189,11 +192,11 @@ class Sequence {
     batch.n = 2;
     batch.steps = history;
     batch.targets = targets;
-    batch.gap = step.gap.data();
-    batch.gap_stride = RC_BATCH_SHARED;
+    batch.undeformed_gap = step.undeformed_gap.data();
+    batch.undeformed_gap_stride = RC_BATCH_SHARED;
     batch.mask = step.given.mask;
     batch.mask_stride = RC_BATCH_SHARED;
-    Shown shown{oracle_, {step.gap.data(), step.given.mask, step.given.control, 0}, targets};
+    Shown shown{oracle_, {step.undeformed_gap.data(), step.given.mask, step.given.control, 0}, targets};
     batch.fn = of_batch;
     batch.user = &shown;
     const rc_status status = rc_batch_solve(&scene_.system, options_, &batch);
@@ -245,17 +248,17 @@ class Sequence {
     rc_contact* other = nullptr;
     if (rc_contact_create(&scene_.system, options_, &other) != RC_OK) return;
     rc_state state = RC_STATE_INIT;
-    state.gap = last_problem_.gap;
+    state.undeformed_gap = last_problem_.gap;
     state.mask = last_problem_.mask;
     state.p = last_p_.data();
-    state.displacement = last_.displacement;
+    state.approach = last_.approach;
     state.load = last_.load;
     require(rc_contact_restore(other, &state) == RC_OK, "an answer can be restored");
     steps_.push_back(std::make_unique<Step>());
     Step& step = *steps_.back();
-    fuzz::read_step(bytes_, scene_, {last_.load, last_.displacement}, true, step);
+    fuzz::read_step(bytes_, scene_, {last_.load, last_.approach}, true, step);
     Problem problem = problem_of(step.given);
-    if (!step.given.gap && !step.given.mask) problem.mask = last_problem_.mask;
+    if (!step.given.undeformed_gap && !step.given.mask) problem.mask = last_problem_.mask;
     Answer answer(scene_.points());
     answer.took(rc_contact_solve(other, &step.given, &answer.result));
     oracle_.check(problem, answer);
@@ -267,8 +270,7 @@ class Sequence {
     require(rc_contact_points(contact_, 1, &first, nullptr, &n) == RC_OK, "a contact tells its points");
     require(n >= 0 && n <= static_cast<std::int64_t>(scene_.points()), "points in contact are some of the grid's");
     if (!last_p_.empty()) require(n == last_.contacts, "the points in contact are those of the last certified step");
-    rc_level level{};
-    rc_level_init(&level);
+    rc_level level = RC_LEVEL_INIT;
     rc_contact_level(contact_, bytes_.whole(), &level);
   }
 

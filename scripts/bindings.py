@@ -26,7 +26,10 @@ except ImportError as missing:
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What a program includes to use each library. Headers that these include are read as well; the first library has them.
-HEADERS = {"contact": ["roughcontact/roughcontact.h"], "surface": ["roughcontact/surface.h"]}
+HEADERS = {
+    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "direct", "analysis", "registry")],
+    "surface": ["roughcontact/surface.h"],
+}
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
@@ -287,7 +290,7 @@ def python_status(interface: Interface) -> str:
             "",
             "",
             "class Status(enum.IntEnum):",
-            '    """0 certified, > 0 usable but not certified, < 0 failed."""',
+            '    """0 certified, 100 and above usable but not certified, < 0 failed."""',
             "",
             *(f"    {name.replace('RC_', '', 1)} = {value}" for name, value in members.items()),
         ]
@@ -311,12 +314,12 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - contact.functions.keys() - surface.functions.keys()
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
-    own, fortran, python = "<roughcontact/roughcontact.h>", "bindings/fortran/roughcontact", "bindings/python/roughcontact"
+    own, fortran, python = "the headers but surface.h and plugin.h", "bindings/fortran/roughcontact", "bindings/python/roughcontact"
     use_c = "  use, intrinsic :: iso_c_binding"
     members = [
-        f"{'TEXT' if kind.array else 'NUMBER'}({name})"
+        f"{'TEXT' if kind.array else 'NUMBER'}({struct.name.replace('rc_', '')}, {name})"
         for struct in contact.structs()
-        if struct.name == "rc_result"
+        if struct.name in ("rc_result", "rc_accuracy")
         for name, kind in struct.members
         if not kind.stars and name not in ("struct_size", "reserved")
     ]
@@ -343,8 +346,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{fortran}_functions.f90": fortran_module(
             "roughcontact_functions",
             [
-                f"The functions of {own}, name for name; units, rules and errors are described there. Those that write",
-                "the values of the RC_..._INIT macros are left out: variables of the types begin with these values.",
+                f"The functions of {own}, name for name; units, rules and errors are described there.",
                 "",
                 "Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed",
                 "as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)",
@@ -381,7 +383,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             ),
             after=["_c", "_structs"],
         ),
-        "bindings/octave/result_fields.def": "/* Members of rc_result that rc_solve returns in info, under their names. Written by "
+        "bindings/octave/result_fields.def": "/* Members of rc_result and rc_accuracy that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",
     }
 

@@ -121,7 +121,9 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
         if isinstance(node, c_ast.Typedef) and isinstance(node.type.type, c_ast.Struct) and node.type.type.decls:
             members = [(each.name, type_of(each.type)) for each in node.type.type.decls]
             names = [name for name, _ in members]
-            found.types[node.name] = Struct(node.name, members, dict(zip(names, values.get(f"{node.name}_initial", []))))
+            begun = zip(names, values.get(f"{node.name}_initial", []))
+            numbers = {name: value for name, value in begun if not value.startswith(('"', "{"))}  # of arrays: zeros
+            found.types[node.name] = Struct(node.name, members, numbers)
         elif isinstance(node, c_ast.Typedef) and isinstance(node.type, c_ast.PtrDecl):
             found.types[node.name] = function_of(node.type.type)
         elif isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.Enum):

@@ -64,15 +64,14 @@ Analysis make_analysis(const AnalyzeArguments& arguments) {
   map.hy = *a.input.surface.hy;
   map.heights = a.input.surface.heights.data();
   map.periodic = a.periodic ? 1 : 0;
-  a.statistics.struct_size = sizeof a.statistics;
+  a.statistics = RC_SURFACE_STATISTICS_INIT;
   check_surface(rc_surface_analyze(&map, &a.statistics), a.input.file);
   refuse_flat(a);
-  a.law.struct_size = sizeof a.law;
+  a.law = RC_SURFACE_POWER_LAW_INIT;
   check_surface(rc_surface_fit(&map, &a.law), a.input.file);
   a.rings = radial_spectrum(map, a.input.file);
   if (const std::int64_t levels = halvings(a.input.surface, arguments.levels); levels > 0) {
-    a.cmr.emplace();
-    a.cmr->struct_size = sizeof *a.cmr;
+    a.cmr = RC_SURFACE_CMR_INIT;
     check_surface(rc_surface_cmr_advice(&map, static_cast<int32_t>(levels), approach, &*a.cmr), a.input.file);
   }
   return a;

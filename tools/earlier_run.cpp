@@ -21,7 +21,7 @@ double number(const JsonValue& value) { return value.is_number() ? value.get<dou
 
 void add_to_step(const JsonEntry& entry, std::string_view field, EarlierStep& step) {
   if (field == "/status" && entry.value.is_string()) step.status = entry.value.get<std::string>();
-  if (field == "/displacement") step.displacement = number(entry.value);
+  if (field == "/approach") step.approach = number(entry.value);
   if (field == "/load") step.load = number(entry.value);
   step.fields.push_back(entry);
 }

@@ -13,7 +13,7 @@ namespace cli {
 
 struct EarlierStep {
   std::string status;
-  double displacement = 0, load = 0;
+  double approach = 0, load = 0;
   std::vector<JsonEntry> fields;  // all fields of the step
 
   bool certified() const { return status == "RC_OK" || status == "RC_WITHIN_GOAL"; }

@@ -1,7 +1,7 @@
 // Ownership and error text for the C interface.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <memory>
 #include <string>

@@ -38,8 +38,7 @@ void list_components(Count count, Describe describe) {
   Context context;
   std::vector<Row> rows{{"name", "summary", "license", "origin"}};
   for (int64_t i = 0, n = count(context.get()); i < n; ++i) {
-    rc_component component{};
-    component.struct_size = sizeof component;
+    rc_component component = RC_COMPONENT_INIT;
     check(describe(context.get(), i, &component), "");
     rows.push_back({component.name, component.summary, component.license, component.origin});
   }
@@ -67,8 +66,7 @@ void list_options() {
   Context context;
   std::vector<Row> rows{{"key", "type", "default", "allowed", "meaning"}};
   for (int64_t i = 0, n = rc_options_count(context.get()); i < n; ++i) {
-    rc_option_spec option{};
-    option.struct_size = sizeof option;
+    rc_option_spec option = RC_OPTION_SPEC_INIT;
     check(rc_options_describe(context.get(), i, &option), "");
     rows.push_back({option.key, type_name(option.type), option.default_value, allowed_values(option), option.help});
   }

@@ -22,7 +22,7 @@ constexpr const char* solve_help = R"(
 Lengths on the command line, and in files that name no unit, are in --unit. Results are in metres and in the unit of the modulus:
 with E in Pa, pressures are in Pa and forces in N.
 
-A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; displacement is
+A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; the approach is
 counted from there. The modulus E* is E/(1-nu^2), the other body being rigid.
 
 Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by
@@ -77,6 +77,7 @@ void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
   option("--out", arguments.out, "DIR", "Folder for summary.json, pressure-K.npy, gap-K.npy and contact-K.png", "Output");
   solve->add_flag("--resume", arguments.resume, "Go on after the steps that an earlier run into --out has finished")
       ->group("Output");
+  solve->add_flag("--explain", arguments.explain, "Say why auto chose its solver and backend")->group("Output");
   solve->add_flag("--quiet", arguments.quiet, "No table and no progress")->group("Output");
 }
 

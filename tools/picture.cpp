@@ -141,12 +141,13 @@ std::string title(const Picture& picture) {
   const rc_result& r = picture.step.result;
   const bool good = r.status == RC_OK || r.status == RC_WITHIN_GOAL;
   const char* const status = r.status == RC_OK ? "certified" : good ? "within accuracy" : rc_status_name(r.status);
-  const std::string margin = r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * r.area_estimate) : "";
-  const Prefix force = prefix_for(r.load), length = prefix_for(r.displacement);
+  const std::string margin =
+      r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * picture.step.accuracy.area_estimate) : "";
+  const Prefix force = prefix_for(r.load), length = prefix_for(r.approach);
   return format(
-      "set label 10 'step %d of %zu    displacement %.3g %sm    load %.3g %sN    contact area %.3g %%%s    %s' "
+      "set label 10 'step %d of %zu    approach %.3g %sm    load %.3g %sN    contact area %.3g %%%s    %s' "
       "at screen 0.5,%.6f center font ',20' noenhanced textcolor rgb '%s'\n",
-      picture.step.number, picture.steps, r.displacement / length.factor, length.symbol.c_str(), r.load / force.factor,
+      picture.step.number, picture.steps, r.approach / length.factor, length.symbol.c_str(), r.load / force.factor,
       force.symbol.c_str(), 100 * picture.step.area_fraction(), margin.c_str(), status, screen_y(title_y),
       good ? "black" : contact_colour);
 }

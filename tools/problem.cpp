@@ -1,8 +1,5 @@
 #include "problem.h"
 
-#include <cmath>
-#include <limits>
-
 #include "error.h"
 #include "numbers.h"
 #include "targets.h"
@@ -81,7 +78,7 @@ double Problem::step_target(std::size_t step) const {
 
 Problem make_problem(const SolveArguments& arguments) {
   Problem problem;
-  rc_system_init(&problem.system);
+  problem.system = RC_SYSTEM_INIT;
   const double unit = unit_of(arguments.surface);
   problem.system.modulus = contact_modulus(arguments);
   problem.system.boundary = boundary(arguments.boundary);
@@ -95,15 +92,6 @@ Problem make_problem(const SolveArguments& arguments) {
   problem.system.nx = surface.nx;
   problem.system.ny = surface.ny;
   return problem;
-}
-
-std::vector<double> gap_below_highest_point(const Surface& surface) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const double z : surface.heights) highest = std::fmax(highest, z);  // passes over NaN
-  std::vector<double> gap;
-  gap.reserve(surface.heights.size());
-  for (const double z : surface.heights) gap.push_back(highest - z);
-  return gap;
 }
 
 }  // namespace cli

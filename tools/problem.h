@@ -20,6 +20,7 @@ struct SolveArguments {
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out;
   bool resume = false;
+  bool explain = false;
   bool quiet = false;
 };
 
@@ -37,8 +38,5 @@ struct Problem {
 
 // Throws an Error at the first argument that is wrong; the surface is read last.
 Problem make_problem(const SolveArguments& arguments);
-
-// The highest point touches first: gap = max(z) - z. NaN where the height is.
-std::vector<double> gap_below_highest_point(const Surface& surface);
 
 }  // namespace cli

@@ -1,8 +1,11 @@
 #include "solve_command.h"
 
+#include <roughcontact/history.h>
 #include <unistd.h>
 
 #include <optional>
+#include <sstream>
+#include <string>
 
 #include "error.h"
 #include "interrupt.h"
@@ -47,17 +50,17 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   rc_step step = RC_STEP_INIT;
   step.control = problem.step_control();
   step.target = problem.step_target(static_cast<std::size_t>(number - 1));
-  step.gap = first ? gap.data() : nullptr;
+  step.undeformed_gap = first ? gap.data() : nullptr;
   step.mask = first && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
-  StepRecord record{number, {}, {}};
-  rc_result_init(&record.result);
+  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}};
   record.result.p = fields.pressure.data();
   record.result.gap = fields.gap.data();
   const rc_status status = rc_contact_solve(contact, &step, &record.result);
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
+  check(rc_contact_accuracy(contact, &record.accuracy), "");
   return record;
 }
 
@@ -65,20 +68,27 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
 void restore(rc_contact* contact, const Problem& problem, const std::vector<double>& gap, const StepFiles& files) {
   const std::vector<CertifiedStep> certified = files.certified();
   rc_state state = RC_STATE_INIT;
-  state.gap = gap.data();
+  state.undeformed_gap = gap.data();
   state.mask = problem.input.mask.empty() ? nullptr : problem.input.mask.data();
   if (!certified.empty()) {
     state.p = certified[0].pressure.data();
-    state.displacement = certified[0].displacement;
+    state.approach = certified[0].approach;
     state.load = certified[0].load;
   }
   if (certified.size() > 1) {
     state.p_before = certified[1].pressure.data();
-    state.displacement_before = certified[1].displacement;
+    state.approach_before = certified[1].approach;
     state.load_before = certified[1].load;
   }
   check(rc_contact_restore(contact, &state), "--resume");
   report(format("--resume: %d of %zu steps are finished", files.finished(), problem.targets.size()));
+}
+
+void report_choice(rc_contact* contact) {
+  const char* text = nullptr;
+  check(rc_contact_explain(contact, &text), "--explain");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) report(line);
 }
 
 void report_step(const StepRecord& step, std::size_t steps) {
@@ -95,7 +105,8 @@ ExitCode run_solve(const SolveArguments& arguments) {
   if (arguments.resume && !arguments.out) throw Error("--resume goes on in the folder of --out, which is missing");
   const Problem problem = make_problem(arguments);
   const int steps = static_cast<int>(problem.targets.size());
-  const std::vector<double> gap = gap_below_highest_point(problem.input.surface);
+  std::vector<double> gap = problem.input.surface.heights;
+  check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), gap.data(), nullptr, gap.data()), "");
   Fields fields{gap.size()};
 
   Context context;
@@ -125,6 +136,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     if (!arguments.quiet && first) print_table_head(problem);
     if (!arguments.quiet) print_table_row(step);
     if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
+    if (arguments.explain) report_choice(contact.get());
     if (files) files->write(step, fields);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }

@@ -95,7 +95,7 @@ std::vector<CertifiedStep> StepFiles::certified() const {
       throw Error(format("--resume: pressure-%zu.npy has %lld x %lld points, the surface has %lld x %lld", number,
                          static_cast<long long>(read.nx), static_cast<long long>(read.ny),
                          static_cast<long long>(problem_.system.nx), static_cast<long long>(problem_.system.ny)));
-    found.push_back({read.heights, step.displacement, step.load});
+    found.push_back({read.heights, step.approach, step.load});
   }
   return found;
 }

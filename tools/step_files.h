@@ -22,7 +22,7 @@ struct Fields {
 // A certified step of an earlier run.
 struct CertifiedStep {
   std::vector<double> pressure;
-  double displacement = 0, load = 0;
+  double approach = 0, load = 0;
 };
 
 class StepFiles {

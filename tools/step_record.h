@@ -11,6 +11,7 @@ namespace cli {
 struct StepRecord {
   int number;  // 1, 2, ...
   rc_result result;
+  rc_accuracy accuracy;
   std::string message;  // why the step is not certified; "" if it is
 
   double area_fraction() const { return static_cast<double>(result.contacts) / static_cast<double>(result.points); }

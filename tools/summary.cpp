@@ -66,7 +66,7 @@ void Summary::add(const StepRecord& step) {
   const rc_result& r = step.result;
   document_.begin(nullptr);
   document_.add({{"status", rc_status_name(r.status)},
-                 {"displacement", r.displacement},
+                 {"approach", r.approach},
                  {"load", r.load},
                  {"mean_pressure", r.mean_pressure},
                  {"area_fraction", step.area_fraction()},
@@ -96,11 +96,11 @@ void Summary::add(const StepRecord& step) {
                  {"proven_open", r.proven_open},
                  {"undecided", r.undecided},
                  {"tolerance", r.tolerance},
-                 {"model_nx", r.model_nx},
-                 {"model_ny", r.model_ny},
-                 {"error_estimate", r.error_estimate},
-                 {"left_out", r.left_out},
-                 {"area_estimate", r.area_estimate},
+                 {"model_nx", step.accuracy.model_nx},
+                 {"model_ny", step.accuracy.model_ny},
+                 {"error_estimate", step.accuracy.error_estimate},
+                 {"left_out", step.accuracy.left_out},
+                 {"area_estimate", step.accuracy.area_estimate},
                  {"note", r.note},
                  {"message", step.message}});
   document_.end();

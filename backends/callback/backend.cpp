@@ -16,6 +16,10 @@ class Callback {
       refuse(RC_ERR_INCOMPATIBLE, "callback: the system has no product of the caller's (rc_system.apply)");
   }
 
+  // As if the caller had a matrix: what a product costs is not known.
+  static void score(const rc_facts& facts, rc_estimate& estimate) {
+    estimate.product = estimate.field = 1e-9 * static_cast<double>(facts.n) * static_cast<double>(facts.n);
+  }
   const rc_host* host() const { return host_; }
   std::int64_t modelled() const { return system_->nx * system_->ny; }
 
@@ -62,28 +66,27 @@ class Callback {
 
 using Functions = roughcontact::Functions<Callback>;
 
-const rc_backend backend = {sizeof(rc_backend),
-                            "callback",
-                            "the caller's own product",
-                            "BSD-3-Clause",
-                            RC_CAP_CALLBACK,
-                            0,
-                            nullptr,
-                            Functions::create,
-                            Functions::destroy,
-                            Functions::bind,
-                            Functions::apply,
-                            Functions::field,
-                            Functions::modelled,
-                            nullptr,
-                            nullptr,
-                            nullptr,
-                            nullptr,
-                            nullptr,
-                            nullptr};
+const rc_backend backend = {.struct_size = sizeof(rc_backend),
+                            .name = "callback",
+                            .summary = "the caller's own product",
+                            .license = "BSD-3-Clause",
+                            .caps = RC_CAP_CALLBACK,
+                            .n_options = 0,
+                            .create = Functions::create,
+                            .destroy = Functions::destroy,
+                            .bind = Functions::bind,
+                            .apply = Functions::apply,
+                            .field = Functions::field,
+                            .modelled = Functions::modelled,
+                            .score = Functions::score};
 const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "callback", "0.1.0", 1, 0, backends, nullptr};
+const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                          .abi_major = RC_PLUGIN_ABI_MAJOR,
+                          .abi_minor = RC_PLUGIN_ABI_MINOR,
+                          .name = "callback",
+                          .version = "0.1.0",
+                          .n_backends = 1,
+                          .backends = backends};
 
 }  // namespace
 

@@ -9,47 +9,48 @@ namespace {
 
 using Functions = roughcontact::Functions<Operator>;
 
-const rc_option_spec memory_limit = {sizeof(rc_option_spec),
-                                     memory_limit_key,
-                                     "8192",
-                                     nullptr,
-                                     "most memory for a factor while it is made [MiB]",
-                                     RC_TYPE_REAL,
-                                     1,
-                                     1.0,
-                                     1e9};
-const rc_option_spec near_field = {sizeof(rc_option_spec),
-                                   near_field_key,
-                                   "0",
-                                   nullptr,
-                                   "0: factor all entries; else: iterate, and factor those up to so many cells apart",
-                                   RC_TYPE_REAL,
-                                   1,
-                                   0.0,
-                                   1e6};
+const rc_option_spec memory_limit = {.struct_size = sizeof(rc_option_spec),
+                                     .key = memory_limit_key,
+                                     .default_value = "8192",
+                                     .help = "most memory for a factor while it is made [MiB]",
+                                     .type = RC_TYPE_REAL,
+                                     .fixed = 1,
+                                     .minimum = 1.0,
+                                     .maximum = 1e9};
+const rc_option_spec near_field = {.struct_size = sizeof(rc_option_spec),
+                                   .key = near_field_key,
+                                   .default_value = "0",
+                                   .help = "0: factor all entries; else: iterate, and factor those up to so many cells apart",
+                                   .type = RC_TYPE_REAL,
+                                   .fixed = 1,
+                                   .maximum = 1e6};
 const rc_option_spec* const options[] = {&memory_limit, &near_field};
-const rc_backend backend = {sizeof(rc_backend),
-                            "cholmod",
-                            "Cholesky factors by SuiteSparse, of all entries with rows added and deleted or of the near field",
-                            "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause",
-                            RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_SHIFTED | RC_CAP_NORM,
-                            2,
-                            options,
-                            Functions::create,
-                            Functions::destroy,
-                            Functions::bind,
-                            Functions::apply,
-                            Functions::field,
-                            Functions::modelled,
-                            Functions::subset,
-                            Functions::shifted,
-                            Functions::norm,
-                            nullptr,
-                            nullptr,
-                            nullptr};
+const rc_backend backend = {
+    .struct_size = sizeof(rc_backend),
+    .name = "cholmod",
+    .summary = "Cholesky factors by SuiteSparse, of all entries with rows added and deleted or of the near field",
+    .license = "GPL-2.0-or-later AND LGPL-2.1-or-later AND MPL-2.0 AND BSD-3-Clause",
+    .caps = RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_DENSE_INPUT | RC_CAP_SUBSET | RC_CAP_SHIFTED | RC_CAP_NORM,
+    .n_options = 2,
+    .options = options,
+    .create = Functions::create,
+    .destroy = Functions::destroy,
+    .bind = Functions::bind,
+    .apply = Functions::apply,
+    .field = Functions::field,
+    .modelled = Functions::modelled,
+    .subset = Functions::subset,
+    .shifted = Functions::shifted,
+    .norm = Functions::norm,
+    .score = Functions::score};
 const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "cholmod", "0.1.0", 1, 0, backends, nullptr};
+const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                          .abi_major = RC_PLUGIN_ABI_MAJOR,
+                          .abi_minor = RC_PLUGIN_ABI_MINOR,
+                          .name = "cholmod",
+                          .version = "0.1.0",
+                          .n_backends = 1,
+                          .backends = backends};
 
 }  // namespace
 

@@ -4,9 +4,27 @@
 #include <cmath>
 #include <utility>
 
+#include "common/memory_limit.h"
 #include "common/serial_eigen.h"
 
 namespace rc_common {
+
+void estimate_matrix(const rc_facts& facts, rc_estimate& estimate, const roughcontact::Component& component, const char* key) {
+  constexpr double operation = 1e-10;        // [s]
+  constexpr double least_limit = 1048576.0;  // that the option can be set to
+  const auto n = static_cast<double>(facts.n), points = static_cast<double>(facts.system->nx * facts.system->ny);
+  if (facts.system->op == RC_OPERATOR_HALFSPACE) estimate.bytes = SymmetricMatrix::bytes(n);
+  if (estimate.bytes > least_limit) {
+    const rc_operator_spec spec = {sizeof spec, facts.system, "", facts.options, nullptr, nullptr};
+    MemoryLimit(facts.host, spec, component, key).require("the matrix", facts.n, estimate.bytes);
+  }
+  // An entry takes half an operation from the first cache and four from memory.
+  const double entry = std::clamp(n / 500, 0.5, 4.0);
+  estimate.seconds = operation * 4 * n * n;
+  estimate.product = operation * entry * n * n;
+  estimate.field = operation * 0.5 * n * points;
+  estimate.factor = operation * n * n * n / 81;
+}
 
 Products::Products(const rc_host* host, const rc_operator_spec& spec, const roughcontact::Component& component)
     : system_(spec.system), influence_(make_influence(host, spec, component)) {}

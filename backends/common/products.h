@@ -12,6 +12,9 @@
 
 namespace rc_common {
 
+// For rc_backend.score. Throws where the matrix of a grid needs more than the option `key` [MiB] or the machine has.
+void estimate_matrix(const rc_facts&, rc_estimate&, const roughcontact::Component&, const char* key);
+
 class Products {
  public:
   enum class Change { none, points, entries };

@@ -21,6 +21,9 @@ class Operator {
 
   Operator(const rc_host*, const rc_operator_spec&);
 
+  static void score(const rc_facts& facts, rc_estimate& estimate) {
+    rc_common::estimate_matrix(facts, estimate, component, memory_limit_key);
+  }
   const rc_host* host() const { return host_; }
   std::int64_t modelled() const { return products_.size(); }
 

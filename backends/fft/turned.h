@@ -18,6 +18,7 @@ class Turned {
   Turned(const Turned&) = delete;
   Turned& operator=(const Turned&) = delete;
 
+  static void score(const rc_facts&, rc_estimate&);
   const rc_host* host() const { return op_.host(); }
   std::int64_t modelled() const { return op_.modelled(); }
 

@@ -9,37 +9,39 @@ namespace {
 
 using Functions = roughcontact::Functions<Operator>;
 
-const rc_option_spec spacing = {sizeof(rc_option_spec),
-                                "split.spacing",
-                                "auto",
-                                "auto|4|8|16",
-                                "cells of the grid to a cell of the coarse one; auto: what costs least",
-                                RC_TYPE_TEXT,
-                                1,
-                                0.0,
-                                0.0};
+const rc_option_spec spacing = {.struct_size = sizeof(rc_option_spec),
+                                .key = "split.spacing",
+                                .default_value = "auto",
+                                .choices = "auto|4|8|16",
+                                .help = "cells of the grid to a cell of the coarse one; auto: what costs least",
+                                .type = RC_TYPE_TEXT,
+                                .fixed = 1};
 const rc_option_spec* const options[] = {&spacing};
-const rc_backend backend = {sizeof(rc_backend),
-                            "split",
-                            "short range summed directly, the rest over a coarse grid (FFTW): for dilute contact, to about 1e-11",
-                            "GPL-2.0-or-later",
-                            RC_CAP_FREE | RC_CAP_THREAD_INVARIANT | RC_CAP_FLOAT | RC_CAP_SCREEN | RC_CAP_APPROXIMATE,
-                            1,
-                            options,
-                            Functions::create,
-                            Functions::destroy,
-                            Functions::bind,
-                            Functions::apply,
-                            Functions::field,
-                            Functions::modelled,
-                            nullptr,
-                            nullptr,
-                            nullptr,
-                            Functions::apply_float,
-                            Functions::screen,
-                            nullptr};
+const rc_backend backend = {
+    .struct_size = sizeof(rc_backend),
+    .name = "split",
+    .summary = "short range summed directly, the rest over a coarse grid (FFTW): for dilute contact, to about 1e-11",
+    .license = "GPL-2.0-or-later",
+    .caps = RC_CAP_FREE | RC_CAP_THREAD_INVARIANT | RC_CAP_FLOAT | RC_CAP_SCREEN | RC_CAP_APPROXIMATE,
+    .n_options = 1,
+    .options = options,
+    .create = Functions::create,
+    .destroy = Functions::destroy,
+    .bind = Functions::bind,
+    .apply = Functions::apply,
+    .field = Functions::field,
+    .modelled = Functions::modelled,
+    .apply_float = Functions::apply_float,
+    .screen = Functions::screen,
+    .score = Functions::score};
 const rc_backend* const backends[] = {&backend};
-const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "split", "0.1.0", 1, 0, backends, nullptr};
+const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                          .abi_major = RC_PLUGIN_ABI_MAJOR,
+                          .abi_minor = RC_PLUGIN_ABI_MINOR,
+                          .name = "split",
+                          .version = "0.1.0",
+                          .n_backends = 1,
+                          .backends = backends};
 
 }  // namespace
 

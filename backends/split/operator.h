@@ -18,6 +18,7 @@ class Operator {
 
   Operator(const rc_host* host, const rc_operator_spec& spec);
 
+  static void score(const rc_facts&, rc_estimate&);
   const rc_host* host() const { return host_; }
   std::int64_t modelled() const { return modelled_; }
 

@@ -57,7 +57,7 @@ class Screen {
     constexpr double none = std::numeric_limits<double>::infinity();
     std::fill_n(least, nx_, none);
     for (std::int64_t r = 0; r < height(row); ++r) {
-      const double* const gap = request_.gap + (row * side + r) * nx_;
+      const double* const gap = request_.undeformed_gap + (row * side + r) * nx_;
       if (const std::uint8_t* const mask = request_.mask ? request_.mask + (row * side + r) * nx_ : nullptr)
         for (std::int64_t i = 0; i < nx_; ++i) least[i] = mask[i] && gap[i] < least[i] ? gap[i] : least[i];
       else
@@ -75,7 +75,7 @@ class Screen {
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
         const double deflection = request_.unit * (smooth[r * side + c] - slack_);
-        if (looked_at(point) && !(request_.approach - request_.gap[point] <= deflection)) return false;
+        if (looked_at(point) && !(request_.approach - request_.undeformed_gap[point] <= deflection)) return false;
       }
     return true;
   }
@@ -127,7 +127,7 @@ class Screen {
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
         if (inside[r * side + c] || !looked_at(point)) continue;
-        const double depth = request_.approach - request_.gap[point] - request_.unit * value[r * side + c];
+        const double depth = request_.approach - request_.undeformed_gap[point] - request_.unit * value[r * side + c];
         if (!(depth > 0)) continue;
         if (request_.n_found < request_.room) {
           request_.found[request_.n_found] = point;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fftw3.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <memory>
 #include <stdexcept>

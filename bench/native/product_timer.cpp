@@ -82,10 +82,10 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
     const auto contact =
         made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
     rc_step step = RC_STEP_INIT;
-    step.gap = gap;
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = gap;
     step.target = approach;
-    rc_result result;
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     timed = {budget, single != 0, share, {}, 0, 0, 0, {}};
     check(rc_contact_solve(contact.get(), &step, &result));
     const double seconds[] = {timed.calls.best, timed.calls.median, timed.first};

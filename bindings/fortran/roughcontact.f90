@@ -5,7 +5,7 @@ module roughcontact
   use roughcontact_functions
   use roughcontact_strings
   use roughcontact_errors
-  use roughcontact_arrays, only: rcf_gap
+  use roughcontact_arrays, only: rcf_gap_from_heights
   use roughcontact_options
   use roughcontact_contacts
   use roughcontact_histories

@@ -1,4 +1,4 @@
-! What a contact looks like: functions of pressures p(nx, ny) alone. hx, hy and boundary if absent: as rc_system has them.
+! What a contact looks like: functions of pressures p(nx, ny) alone. boundary if absent: as rc_system has it.
 module roughcontact_analysis
   use roughcontact_arrays
   use roughcontact_errors
@@ -16,10 +16,10 @@ module roughcontact_analysis
 contains
 
   ! Area, perimeter, and the area corrected for the grid.
-  subroutine rcf_area_measure(p, area, hx, hy, boundary, mask, stat, errmsg)
+  subroutine rcf_area_measure(p, hx, hy, area, boundary, mask, stat, errmsg)
     real(c_double), intent(in), contiguous :: p(:, :)
     type(rc_area), intent(out) :: area
-    real(c_double), intent(in), optional :: hx, hy
+    real(c_double), intent(in) :: hx, hy
     integer(c_int32_t), intent(in), optional :: boundary
     logical, intent(in), optional :: mask(:, :)
     integer, intent(out), optional :: stat
@@ -30,11 +30,11 @@ contains
   end subroutine
 
   ! label(ix, iy): number of the point's patch, from 1 on, 0: no contact. neighbours: 4 (across edges) or 8 (corners as well).
-  subroutine rcf_patches_find(p, patches, label, hx, hy, boundary, mask, neighbours, stat, errmsg)
+  subroutine rcf_patches_find(p, hx, hy, patches, label, boundary, mask, neighbours, stat, errmsg)
     real(c_double), intent(in), contiguous :: p(:, :)
     type(rcf_patch), allocatable, intent(out) :: patches(:)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: label(:, :)
-    real(c_double), intent(in), optional :: hx, hy
+    real(c_double), intent(in) :: hx, hy
     integer(c_int32_t), intent(in), optional :: boundary
     logical, intent(in), optional :: mask(:, :)
     integer, intent(in), optional :: neighbours
@@ -98,19 +98,17 @@ contains
       if (size(density) > 0) filled%density = c_loc(density)
     end if
     if (present(upper)) filled%upper = upper
-    status = rc_histogram_fill(grid(p), p, address(bytes), filled)
+    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double), p, address(bytes), filled)
     if (present(histogram)) histogram = filled
     call rcf_check(status, stat, errmsg)
   end subroutine
 
   pure function grid(p, hx, hy, boundary) result(system)
     real(c_double), intent(in) :: p(:, :)
-    real(c_double), intent(in), optional :: hx, hy
+    real(c_double), intent(in) :: hx, hy
     integer(c_int32_t), intent(in), optional :: boundary
     type(rc_system) :: system
-    system = rc_system(nx=size(p, 1, c_int64_t), ny=size(p, 2, c_int64_t))
-    if (present(hx)) system%hx = hx
-    if (present(hy)) system%hy = hy
+    system = rc_system(nx=size(p, 1, c_int64_t), ny=size(p, 2, c_int64_t), hx=hx, hy=hy)
     if (present(boundary)) system%boundary = boundary
   end function
 

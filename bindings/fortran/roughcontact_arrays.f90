@@ -1,18 +1,26 @@
 ! Arrays of Fortran as the library takes them: addresses, masks, shapes.
 module roughcontact_arrays
   use roughcontact_errors
-  use roughcontact_structs
+  use roughcontact_functions
   implicit none
   private
-  public :: rcf_gap, rcf_address, rcf_mask_bytes, rcf_shaped
+  public :: rcf_gap_from_heights, rcf_address, rcf_mask_bytes, rcf_shaped
 
 contains
 
-  ! The undeformed gap of a height map: its highest point touches first.
-  pure function rcf_gap(heights) result(gap)
+  ! The undeformed gap of a height map: its highest point touches first, of those where the mask is true.
+  function rcf_gap_from_heights(heights, mask) result(undeformed_gap)
     real(c_double), intent(in) :: heights(:, :)
-    real(c_double), allocatable :: gap(:, :)
-    gap = maxval(heights) - heights
+    logical, intent(in), optional :: mask(:, :)
+    real(c_double), allocatable :: undeformed_gap(:, :)
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    type(c_ptr) :: there
+    integer(rc_status) :: status
+    allocate (undeformed_gap(size(heights, 1), size(heights, 2)))
+    call rcf_mask_bytes(mask, bytes)
+    there = c_null_ptr
+    if (allocated(bytes)) there = c_loc(bytes)
+    status = rc_gap_from_heights(size(heights, kind=c_int64_t), heights, there, undeformed_gap)
   end function
 
   ! Where an optional array is; null where it is absent or empty.

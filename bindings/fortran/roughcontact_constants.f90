@@ -1,4 +1,4 @@
-! The constants of <roughcontact/roughcontact.h>, name for name.
+! The constants of the headers but surface.h and plugin.h, name for name.
 ! Written by scripts/bindings.py.
 module roughcontact_constants
   use, intrinsic :: iso_c_binding
@@ -6,10 +6,11 @@ module roughcontact_constants
 
   integer, parameter :: rc_status = c_int32_t  ! the kind of a status
   integer(c_int32_t), parameter :: RC_VERSION_MAJOR = 0, RC_VERSION_MINOR = 1, RC_VERSION_PATCH = 0, RC_ABI = 0
-  integer(c_int32_t), parameter :: RC_OK = 0, RC_STOP_MAX_ITER = 1, RC_STOP_TIME = 2, RC_STOP_CANCELLED = 3, RC_STOP_STALLED = 4, &
-    RC_STOP_UNCERTIFIED = 5, RC_WITHIN_GOAL = 6, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, RC_ERR_OPTION = -3, &
-    RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, RC_ERR_MEMORY = -8, &
-    RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, RC_ERR_INTERNAL = -99
+  integer(c_int32_t), parameter :: RC_OK = 0, RC_WITHIN_GOAL = 100, RC_STOP_MAX_ITER = 101, RC_STOP_TIME = 102, &
+    RC_STOP_CANCELLED = 103, RC_STOP_STALLED = 104, RC_UNCERTIFIED = 105, RC_ERR_ARGUMENT = -1, RC_ERR_SHAPE = -2, &
+    RC_ERR_OPTION = -3, RC_ERR_NO_BACKEND = -4, RC_ERR_NO_SOLVER = -5, RC_ERR_INCOMPATIBLE = -6, RC_ERR_PLUGIN = -7, &
+    RC_ERR_MEMORY = -8, RC_ERR_INFEASIBLE = -9, RC_ERR_NUMERIC = -10, RC_ERR_EXTERNAL = -11, RC_ERR_BUSY = -12, &
+    RC_ERR_INTERNAL = -99
   integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
   integer(c_int32_t), parameter :: RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2

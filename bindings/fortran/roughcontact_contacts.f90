@@ -5,11 +5,12 @@ module roughcontact_contacts
   use roughcontact_errors
   use roughcontact_functions
   use roughcontact_options, only: rcf_or_null
+  use roughcontact_strings, only: rc_from_c
   implicit none
   private
   public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &
     rcf_contact_set_options, rcf_contact_on_progress, rcf_contact_solve, rcf_contact_certify, rcf_contact_level, &
-    rcf_contact_points, rcf_contact_restore, rcf_solve
+    rcf_contact_points, rcf_contact_explain, rcf_contact_restore, rcf_solve
 
   ! Not to be copied: one variable, destroyed once.
   type :: rcf_contact
@@ -74,13 +75,14 @@ contains
     call rcf_check(rc_contact_on_progress(contact%handle, fn, rcf_or_null(user), interval), stat, errmsg)
   end subroutine
 
-  ! gap and mask absent: as in the step before. p and deformed: pressures and deformed gap, written where the status is >= 0.
-  subroutine rcf_contact_solve(contact, displacement, load, gap, mask, p0, warm_start, p, deformed, result, stat, errmsg)
+  ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap, written where the status
+  ! is >= 0.
+  subroutine rcf_contact_solve(contact, displacement, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: gap(:, :), p0(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -88,8 +90,8 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, gap, mask, p0, &
-      warm_start, p, deformed, stat, errmsg)) return
+    if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+      mask, p0, warm_start, p, gap, stat, errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_solve(contact%handle, step, answer)
     if (present(result)) result = answer
@@ -97,13 +99,13 @@ contains
   end subroutine
 
   ! Certifies the pressures p; nothing is solved.
-  subroutine rcf_contact_certify(contact, p, displacement, load, gap, mask, deformed, result, stat, errmsg)
+  subroutine rcf_contact_certify(contact, p, displacement, load, undeformed_gap, mask, gap, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
     real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: gap(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :)
-    real(c_double), intent(inout), optional, target, contiguous :: deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: gap(:, :)
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -111,8 +113,8 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, gap, mask, &
-      p=p, deformed=deformed, stat=stat, errmsg=errmsg)) return
+    if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+      mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_certify(contact%handle, step, answer)
     if (present(result)) result = answer
@@ -154,35 +156,49 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
+  ! Why auto chose what it did in the last step on the given grid, in lines.
+  subroutine rcf_contact_explain(contact, text, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    character(:), allocatable, intent(out) :: text
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: explanation
+    integer(rc_status) :: status
+    explanation = c_null_ptr
+    status = rc_contact_explain(contact%handle, explanation)
+    text = rc_from_c(explanation)
+    call rcf_check(status, stat, errmsg)
+  end subroutine
+
   ! Goes on after a certified step that this contact or another has solved: its surface, pressures, and approach and load as its
   ! result has them; with p_before likewise of the step before it, on the same surface. See option resumable.
-  subroutine rcf_contact_restore(contact, gap, p, displacement, load, p_before, displacement_before, load_before, mask, stat, &
+  subroutine rcf_contact_restore(contact, undeformed_gap, p, approach, load, p_before, approach_before, load_before, mask, stat, &
     errmsg)
     type(rcf_contact), intent(in) :: contact
-    real(c_double), intent(in), target, contiguous :: gap(:, :), p(:, :)
-    real(c_double), intent(in) :: displacement, load
+    real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :), p(:, :)
+    real(c_double), intent(in) :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: p_before(:, :)
-    real(c_double), intent(in), optional :: displacement_before, load_before
+    real(c_double), intent(in), optional :: approach_before, load_before
     logical, intent(in), optional :: mask(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     character(*), parameter :: where = 'rcf_contact_restore'
     type(rc_state) :: state
     integer(c_int8_t), allocatable, target :: bytes(:, :)
-    if ((present(p_before) .neqv. present(displacement_before)) .or. (present(p_before) .neqv. present(load_before))) then
-      call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, displacement_before and load_before, or none', stat, errmsg)
+    if ((present(p_before) .neqv. present(approach_before)) .or. (present(p_before) .neqv. present(load_before))) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give all of p_before, approach_before and load_before, or none', stat, errmsg)
       return
     end if
-    if (.not. rcf_shaped(where, 'gap', shape(gap), contact%nx, contact%ny, stat, errmsg)) return
+    if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), contact%nx, contact%ny, stat, errmsg)) return
     if (.not. rcf_shaped(where, 'p', shape(p), contact%nx, contact%ny, stat, errmsg)) return
     if (present(mask)) then
       if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
     end if
-    state = rc_state(gap=rcf_address(gap), p=rcf_address(p), displacement=displacement, load=load)
+    state = rc_state(undeformed_gap=rcf_address(undeformed_gap), p=rcf_address(p), approach=approach, load=load)
     if (present(p_before)) then
       if (.not. rcf_shaped(where, 'p_before', shape(p_before), contact%nx, contact%ny, stat, errmsg)) return
       state%p_before = rcf_address(p_before)
-      state%displacement_before = displacement_before
+      state%approach_before = approach_before
       state%load_before = load_before
     end if
     call rcf_mask_bytes(mask, bytes)
@@ -190,14 +206,14 @@ contains
     call rcf_check(rc_contact_restore(contact%handle, state), stat, errmsg)
   end subroutine
 
-  ! Create, solve, destroy. nx and ny are those of gap, whatever the system says.
-  subroutine rcf_solve(system, gap, displacement, load, mask, p0, p, deformed, options, result, stat, errmsg)
+  ! Create, solve, destroy. nx and ny are those of undeformed_gap, whatever the system says.
+  subroutine rcf_solve(system, undeformed_gap, displacement, load, mask, p0, p, gap, options, result, stat, errmsg)
     type(rc_system), intent(in) :: system
-    real(c_double), intent(in), target, contiguous :: gap(:, :)
+    real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :)
     real(c_double), intent(in), optional :: displacement, load
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(in), optional, target, contiguous :: p0(:, :)
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     type(c_ptr), intent(in), optional :: options
     type(rc_result), intent(out), optional :: result
     integer, intent(out), optional :: stat
@@ -208,10 +224,10 @@ contains
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     sized = system
-    sized%nx = size(gap, 1, c_int64_t)
-    sized%ny = size(gap, 2, c_int64_t)
-    if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, gap, mask, p0, p=p, &
-      deformed=deformed, stat=stat, errmsg=errmsg)) return
+    sized%nx = size(undeformed_gap, 1, c_int64_t)
+    sized%ny = size(undeformed_gap, 2, c_int64_t)
+    if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, p=p, &
+      gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_solve(sized, step, rcf_or_null(options), answer)
     if (present(result)) result = answer
@@ -219,17 +235,17 @@ contains
   end subroutine
 
   ! Step and result of the arguments that the solving procedures share; false where the arguments are refused.
-  logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, gap, mask, p0, warm_start, p, deformed, &
-    stat, errmsg) result(ready)
+  logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, warm_start, p, &
+    gap, stat, errmsg) result(ready)
     character(*), intent(in) :: where
     integer(c_int64_t), intent(in) :: nx, ny
     type(rc_step), intent(out) :: step
     type(rc_result), intent(out) :: answer
     integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
     real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: gap(:, :), p0(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), deformed(:, :)
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     integer, intent(inout), optional :: stat
     character(*), intent(inout), optional :: errmsg
     ready = .false.
@@ -237,8 +253,8 @@ contains
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacement and load', stat, errmsg)
       return
     end if
-    if (present(gap)) then
-      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
+    if (present(undeformed_gap)) then
+      if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), nx, ny, stat, errmsg)) return
     end if
     if (present(mask)) then
       if (.not. rcf_shaped(where, 'mask', shape(mask), nx, ny, stat, errmsg)) return
@@ -249,21 +265,18 @@ contains
     if (present(p)) then
       if (.not. rcf_shaped(where, 'p', shape(p), nx, ny, stat, errmsg)) return
     end if
-    if (present(deformed)) then
-      if (.not. rcf_shaped(where, 'deformed', shape(deformed), nx, ny, stat, errmsg)) return
+    if (present(gap)) then
+      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
     end if
+    step%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(load))
     if (present(displacement)) step%target = displacement
-    if (present(load)) then
-      step%control = RC_CONTROL_LOAD
-      step%target = load
-    end if
+    if (present(load)) step%target = load
     if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
-    step%gap = rcf_address(gap)
+    step%undeformed_gap = rcf_address(undeformed_gap)
     step%p0 = rcf_address(p0)
     call rcf_mask_bytes(mask, bytes)
-    call rc_result_init(answer, (answer%struct_size))
     answer%p = rcf_address(p)
-    answer%gap = rcf_address(deformed)
+    answer%gap = rcf_address(gap)
     ready = .true.
   end function
 end module

@@ -43,11 +43,11 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
-  ! Cascade multi-resolution (Algorithm 6) on a height map, free boundaries. displacement: compression below the highest point;
+  ! Cascade multi-resolution (Algorithm 6) on a height map, free boundaries. approach: from the highest point;
   ! levels: grids of the cascade, the given one included; radius: of influence, in coarse cells, >= 1.
-  subroutine rcf_cmr(heights, hx, hy, modulus, displacement, levels, p, radius, inner, result, stat, errmsg)
+  subroutine rcf_cmr(heights, hx, hy, modulus, approach, levels, p, radius, inner, result, stat, errmsg)
     real(c_double), intent(in), contiguous :: heights(:, :)
-    real(c_double), intent(in) :: hx, hy, modulus, displacement
+    real(c_double), intent(in) :: hx, hy, modulus, approach
     integer, intent(in) :: levels
     real(c_double), intent(inout), contiguous :: p(:, :)
     real(c_double), intent(in), optional :: radius
@@ -63,7 +63,7 @@ contains
       return
     end if
     if (present(inner)) name = rc_to_c(inner)
-    status = rc_cmr(size(heights, 1, c_int64_t), size(heights, 2, c_int64_t), hx, hy, modulus, heights, displacement, &
+    status = rc_cmr(size(heights, 1, c_int64_t), size(heights, 2, c_int64_t), hx, hy, modulus, heights, approach, &
       int(levels, c_int64_t), rcf_option_default('cmr.radius', radius), name, p, answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)

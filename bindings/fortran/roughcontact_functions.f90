@@ -1,5 +1,4 @@
-! The functions of <roughcontact/roughcontact.h>, name for name; units, rules and errors are described there. Those that write
-! the values of the RC_..._INIT macros are left out: variables of the types begin with these values.
+! The functions of the headers but surface.h and plugin.h, name for name; units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed
 ! as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)
@@ -10,56 +9,19 @@ module roughcontact_functions
   implicit none
 
   interface
-    subroutine rc_version(major, minor, patch, abi) bind(c); import
-      integer(c_int32_t), intent(inout), optional :: major, minor, patch, abi
-    end subroutine
     type(c_ptr) function rc_status_name(status) bind(c); import
       integer(rc_status), value :: status
     end function
     type(c_ptr) function rc_last_error() bind(c); import
     end function
-    subroutine rc_result_init(result, struct_size) bind(c); import
-      type(rc_result), intent(inout) :: result
-      integer(c_size_t), value :: struct_size
+    subroutine rc_version(major, minor, patch, abi) bind(c); import
+      integer(c_int32_t), intent(inout), optional :: major, minor, patch, abi
     end subroutine
-    subroutine rc_level_init(level, struct_size) bind(c); import
-      type(rc_level), intent(inout) :: level
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_direct_init(result, struct_size) bind(c); import
-      type(rc_direct), intent(inout) :: result
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    subroutine rc_area_init(area, struct_size) bind(c); import
-      type(rc_area), intent(inout) :: area
-      integer(c_size_t), value :: struct_size
-    end subroutine
-    integer(rc_status) function rc_context_create(config, out) bind(c); import
-      type(rc_context_config), intent(in), optional :: config
-      type(c_ptr), intent(inout) :: out
-    end function
-    subroutine rc_context_destroy(context) bind(c); import
-      type(c_ptr), value :: context
-    end subroutine
-    integer(c_int64_t) function rc_backend_count(context) bind(c); import
-      type(c_ptr), value :: context
-    end function
-    integer(rc_status) function rc_backend_describe(context, i, out) bind(c); import
-      type(c_ptr), value :: context
-      integer(c_int64_t), value :: i
-      type(rc_component), intent(inout) :: out
-    end function
-    integer(rc_status) function rc_pair_supported(context, solver, backend, system, control, options) bind(c); import
-      type(c_ptr), value :: context, options
-      character(kind=c_char), intent(in) :: solver(*), backend(*)
-      type(rc_system), intent(in) :: system
-      integer(c_int32_t), value :: control
-    end function
-    integer(rc_status) function rc_kernel_coefficients(kernel, hx, hy, nx, ny, out) bind(c); import
-      character(kind=c_char), intent(in) :: kernel(*)
-      real(c_double), value :: hx, hy
-      integer(c_int64_t), value :: nx, ny
-      real(c_double), intent(inout) :: out(*)
+    integer(rc_status) function rc_gap_from_heights(n, heights, mask, undeformed_gap) bind(c); import
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: heights(*)
+      type(c_ptr), value :: mask
+      real(c_double), intent(inout) :: undeformed_gap(*)
     end function
     integer(rc_status) function rc_options_create(context, out) bind(c); import
       type(c_ptr), value :: context
@@ -101,15 +63,35 @@ module roughcontact_functions
       character(kind=c_char), intent(in) :: key(*)
       type(c_ptr), intent(inout) :: out
     end function
-    integer(rc_status) function rc_options_describe(context, i, out) bind(c); import
-      type(c_ptr), value :: context
-      integer(c_int64_t), value :: i
-      type(rc_option_spec), intent(inout) :: out
+    integer(rc_status) function rc_solve(system, step, options, result) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(rc_step), intent(in) :: step
+      type(c_ptr), value :: options
+      type(rc_result), intent(inout) :: result
     end function
     integer(rc_status) function rc_contact_create(system, options, out) bind(c); import
       type(rc_system), intent(in) :: system
       type(c_ptr), value :: options
       type(c_ptr), intent(inout) :: out
+    end function
+    subroutine rc_contact_destroy(contact) bind(c); import
+      type(c_ptr), value :: contact
+    end subroutine
+    integer(rc_status) function rc_contact_solve(contact, step, result) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_step), intent(in) :: step
+      type(rc_result), intent(inout) :: result
+    end function
+    integer(rc_status) function rc_contact_accuracy(contact, out) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_accuracy), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_contact_points(contact, room, index, p, n) bind(c); import
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: room
+      integer(c_int64_t), intent(inout), optional :: index(*)
+      real(c_double), intent(inout), optional :: p(*)
+      integer(c_int64_t), intent(inout) :: n
     end function
     integer(rc_status) function rc_contact_set_options(contact, options) bind(c); import
       type(c_ptr), value :: contact, options
@@ -119,47 +101,30 @@ module roughcontact_functions
       type(c_funptr), value :: fn
       integer(c_int64_t), value :: every
     end function
-    integer(rc_status) function rc_contact_solve(contact, step, result) bind(c); import
+    integer(rc_status) function rc_contact_explain(contact, out) bind(c); import
       type(c_ptr), value :: contact
-      type(rc_step), intent(in) :: step
-      type(rc_result), intent(inout) :: result
+      type(c_ptr), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_contact_reset(contact) bind(c); import
+      type(c_ptr), value :: contact
     end function
     integer(rc_status) function rc_contact_solve_path(contact, path) bind(c); import
       type(c_ptr), value :: contact
       type(rc_path), intent(inout) :: path
     end function
-    integer(rc_status) function rc_contact_level(contact, i, out) bind(c); import
-      type(c_ptr), value :: contact
-      integer(c_int64_t), value :: i
-      type(rc_level), intent(inout) :: out
-    end function
-    integer(rc_status) function rc_contact_points(contact, room, index, p, n) bind(c); import
-      type(c_ptr), value :: contact
-      integer(c_int64_t), value :: room
-      integer(c_int64_t), intent(inout), optional :: index(*)
-      real(c_double), intent(inout), optional :: p(*)
-      integer(c_int64_t), intent(inout) :: n
-    end function
-    integer(rc_status) function rc_contact_reset(contact) bind(c); import
-      type(c_ptr), value :: contact
-    end function
     integer(rc_status) function rc_contact_restore(contact, state) bind(c); import
       type(c_ptr), value :: contact
       type(rc_state), intent(in) :: state
-    end function
-    subroutine rc_contact_cancel(contact) bind(c); import
-      type(c_ptr), value :: contact
-    end subroutine
-    integer(rc_status) function rc_solve(system, step, options, result) bind(c); import
-      type(rc_system), intent(in) :: system
-      type(rc_step), intent(in) :: step
-      type(c_ptr), value :: options
-      type(rc_result), intent(inout) :: result
     end function
     integer(rc_status) function rc_batch_solve(system, options, batch) bind(c); import
       type(rc_system), intent(in) :: system
       type(c_ptr), value :: options
       type(rc_batch), intent(inout) :: batch
+    end function
+    integer(rc_status) function rc_contact_level(contact, i, out) bind(c); import
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: i
+      type(rc_level), intent(inout) :: out
     end function
     integer(rc_status) function rc_greedy(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
       integer(c_int64_t), value :: n, ld, max_iter
@@ -169,9 +134,9 @@ module roughcontact_functions
       real(c_double), value :: tol
       type(rc_direct), intent(inout), optional :: result
     end function
-    integer(rc_status) function rc_cmr(nx, ny, hx, hy, modulus, heights, delta, levels, h, inner, p, result) bind(c); import
+    integer(rc_status) function rc_cmr(nx, ny, hx, hy, modulus, heights, approach, levels, radius, inner, p, result) bind(c); import
       integer(c_int64_t), value :: nx, ny, levels
-      real(c_double), value :: hx, hy, modulus, delta, h
+      real(c_double), value :: hx, hy, modulus, approach, radius
       real(c_double), intent(in) :: heights(*)
       character(kind=c_char), intent(in), optional :: inner(*)
       real(c_double), intent(inout) :: p(*)
@@ -195,11 +160,43 @@ module roughcontact_functions
       type(c_ptr), value :: mask
       type(rc_histogram), intent(inout) :: out
     end function
+    integer(rc_status) function rc_context_create(config, out) bind(c); import
+      type(rc_context_config), intent(in), optional :: config
+      type(c_ptr), intent(inout) :: out
+    end function
+    subroutine rc_context_destroy(context) bind(c); import
+      type(c_ptr), value :: context
+    end subroutine
+    integer(c_int64_t) function rc_backend_count(context) bind(c); import
+      type(c_ptr), value :: context
+    end function
+    integer(rc_status) function rc_backend_describe(context, i, out) bind(c); import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: i
+      type(rc_component), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_pair_supported(context, solver, backend, system, control, options) bind(c); import
+      type(c_ptr), value :: context, options
+      character(kind=c_char), intent(in) :: solver(*), backend(*)
+      type(rc_system), intent(in) :: system
+      integer(c_int32_t), value :: control
+    end function
+    integer(rc_status) function rc_kernel_coefficients(kernel, hx, hy, nx, ny, out) bind(c); import
+      character(kind=c_char), intent(in) :: kernel(*)
+      real(c_double), value :: hx, hy
+      integer(c_int64_t), value :: nx, ny
+      real(c_double), intent(inout) :: out(*)
+    end function
+    integer(rc_status) function rc_options_describe(context, i, out) bind(c); import
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: i
+      type(rc_option_spec), intent(inout) :: out
+    end function
   end interface
   procedure(rc_status_name), bind(c) :: rc_status_text
+  procedure(rc_contact_destroy), bind(c) :: rc_contact_cancel
+  procedure(rc_contact_solve), bind(c) :: rc_contact_certify
+  procedure(rc_greedy), bind(c) :: rc_polonsky_keer, rc_nnls, rc_gp, rc_admm
   procedure(rc_backend_count), bind(c) :: rc_solver_count, rc_kernel_count, rc_options_count
   procedure(rc_backend_describe), bind(c) :: rc_solver_describe, rc_kernel_describe
-  procedure(rc_contact_solve), bind(c) :: rc_contact_certify
-  procedure(rc_contact_cancel), bind(c) :: rc_contact_destroy
-  procedure(rc_greedy), bind(c) :: rc_polonsky_keer, rc_nnls, rc_gp, rc_admm
 end module

@@ -18,12 +18,12 @@ contains
   !     integer(c_int64_t), value :: step                          ! from 0
   !     type(rc_result), intent(in) :: result                      ! %p and %gap last until it returns
   !     type(c_ptr), value :: user
-  subroutine rcf_contact_solve_path(contact, displacements, loads, gap, mask, warm_start, load, displacement, contact_area, &
+  subroutine rcf_contact_solve_path(contact, displacements, loads, undeformed_gap, mask, warm_start, load, approach, contact_area, &
     stiffness, certificate, applications, fn, user, completed, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
-    real(c_double), intent(in), optional, target, contiguous :: displacements(:), loads(:), gap(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: displacements(:), loads(:), undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: load(:), displacement(:), contact_area(:), stiffness(:), &
+    real(c_double), intent(inout), optional, target, contiguous :: load(:), approach(:), contact_area(:), stiffness(:), &
       certificate(:)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: applications(:)
     type(c_funptr), intent(in), optional :: fn
@@ -41,27 +41,27 @@ contains
       call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacements and loads', stat, errmsg)
       return
     end if
+    path%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(loads))
     if (present(displacements)) then
       path%n = size(displacements, kind=c_int64_t)
       if (path%n > 0) path%targets = c_loc(displacements)
     else
-      path%control = RC_CONTROL_LOAD
       path%n = size(loads, kind=c_int64_t)
       if (path%n > 0) path%targets = c_loc(loads)
     end if
     if (present(warm_start)) path%warm_start = merge(1, 0, warm_start)
-    if (present(gap)) then
-      if (.not. rcf_shaped(where, 'gap', shape(gap), contact%nx, contact%ny, stat, errmsg)) return
+    if (present(undeformed_gap)) then
+      if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), contact%nx, contact%ny, stat, errmsg)) return
     end if
     if (present(mask)) then
       if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
     end if
-    path%gap = rcf_address(gap)
+    path%undeformed_gap = rcf_address(undeformed_gap)
     call rcf_mask_bytes(mask, bytes)
     if (allocated(bytes)) path%mask = c_loc(bytes)
     shortest = int(path%n)
     call place(load, path%load)
-    call place(displacement, path%displacement)
+    call place(approach, path%approach)
     call place(contact_area, path%contact_area)
     call place(stiffness, path%stiffness)
     call place(certificate, path%certificate)
@@ -90,16 +90,17 @@ contains
     end subroutine
   end subroutine
 
-  ! gap(nx, ny, contacts) and displacements or loads (steps, contacts), either with 1 as its last extent: the same for all.
+  ! undeformed_gap(nx, ny, contacts) and displacements or loads (steps, contacts), either with 1 as its last extent: the same
+  ! for all.
   ! Outputs have the shape (steps, contacts), p and p0 the shape (nx, ny, contacts). status: of every step. fn: as above, with the
   ! contact's number, from 0, before the step's; it is called from several threads at the same time.
-  subroutine rcf_batch_solve(system, gap, displacements, loads, mask, warm_start, p0, p, load, displacement, contact_area, &
+  subroutine rcf_batch_solve(system, undeformed_gap, displacements, loads, mask, warm_start, p0, p, load, approach, contact_area, &
     stiffness, certificate, status, iterations, applications, fn, user, options, certified, first, stat, errmsg)
     type(rc_system), intent(in) :: system
-    real(c_double), intent(in), target, contiguous :: gap(:, :, :)
+    real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :, :)
     real(c_double), intent(in), optional, target, contiguous :: displacements(:, :), loads(:, :), p0(:, :, :)
     logical, intent(in), optional :: mask(:, :, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :, :), load(:, :), displacement(:, :), &
+    real(c_double), intent(inout), optional, target, contiguous :: p(:, :, :), load(:, :), approach(:, :), &
       contact_area(:, :), stiffness(:, :), certificate(:, :)
     integer(rc_status), intent(inout), optional, target, contiguous :: status(:, :)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: iterations(:, :), applications(:, :)
@@ -121,19 +122,19 @@ contains
       return
     end if
     sized = system
-    sized%nx = size(gap, 1, c_int64_t)
-    sized%ny = size(gap, 2, c_int64_t)
-    if (present(loads)) batch%control = RC_CONTROL_LOAD
+    sized%nx = size(undeformed_gap, 1, c_int64_t)
+    sized%ny = size(undeformed_gap, 2, c_int64_t)
+    batch%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(loads))
     batch%targets = merge_address(displacements, loads, targets)
-    n = max(size(gap, 3), targets(2))
+    n = max(size(undeformed_gap, 3), targets(2))
     batch%n = n
     batch%steps = targets(1)
-    if (size(gap) > 0) batch%gap = c_loc(gap)
-    if (size(gap, 3) == 1) batch%gap_stride = RC_BATCH_SHARED
+    if (size(undeformed_gap) > 0) batch%undeformed_gap = c_loc(undeformed_gap)
+    if (size(undeformed_gap, 3) == 1) batch%undeformed_gap_stride = RC_BATCH_SHARED
     if (targets(2) == 1) batch%target_stride = RC_BATCH_SHARED
 
     misshapen = ''
-    if (size(gap, 3) /= n .and. size(gap, 3) /= 1) misshapen = misshapen//' gap'
+    if (size(undeformed_gap, 3) /= n .and. size(undeformed_gap, 3) /= 1) misshapen = misshapen//' undeformed_gap'
     if (targets(2) /= n .and. targets(2) /= 1) misshapen = misshapen//' displacements or loads'
     if (present(mask)) then
       if (.not. (stacked(shape(mask), n) .or. stacked(shape(mask), 1))) then
@@ -153,7 +154,7 @@ contains
       if (size(p) > 0) batch%p = c_loc(p)
     end if
     call place(load, 'load', batch%load)
-    call place(displacement, 'displacement', batch%displacement)
+    call place(approach, 'approach', batch%approach)
     call place(contact_area, 'contact_area', batch%contact_area)
     call place(stiffness, 'stiffness', batch%stiffness)
     call place(certificate, 'certificate', batch%certificate)
@@ -180,7 +181,7 @@ contains
 
     logical function stacked(found, contacts)
       integer, intent(in) :: found(3), contacts
-      stacked = found(1) == size(gap, 1) .and. found(2) == size(gap, 2) .and. found(3) == contacts
+      stacked = found(1) == size(undeformed_gap, 1) .and. found(2) == size(undeformed_gap, 2) .and. found(3) == contacts
     end function
 
     logical function tabled(found)

@@ -1,4 +1,4 @@
-! The structs of <roughcontact/roughcontact.h>, member for member, with the values of the RC_..._INIT macros.
+! The structs of the headers but surface.h and plugin.h, member for member, with the values of the RC_..._INIT macros.
 !
 ! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the
 ! order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)
@@ -11,8 +11,8 @@ module roughcontact_structs
   type, bind(c) :: rc_system
     integer(c_size_t) :: struct_size = 88
     integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = RC_BOUNDARY_FREE
-    integer(c_int64_t) :: nx = 1, ny = 1
-    real(c_double) :: hx = 1, hy = 1, modulus = 1
+    integer(c_int64_t) :: nx = 0, ny = 0
+    real(c_double) :: hx = 0, hy = 0, modulus = 0
     type(c_ptr) :: dense = c_null_ptr  ! const double *
     integer(c_int64_t) :: dense_ld = 0
     type(c_funptr) :: apply = c_null_funptr  ! integer(c_int32_t) function apply(x, y, n, user) bind(c)
@@ -21,57 +21,47 @@ module roughcontact_structs
 
   type, bind(c) :: rc_step
     integer(c_size_t) :: struct_size = 56
-    integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
+    integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
-    type(c_ptr) :: gap = c_null_ptr, p0 = c_null_ptr  ! const double *
+    type(c_ptr) :: undeformed_gap = c_null_ptr, p0 = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int32_t) :: borrow = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 552
+    integer(c_size_t) :: struct_size = 512
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
-    integer(rc_status) :: status = 0
+    integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: iterations = 0, applications = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
-    real(c_double) :: load = 0, displacement = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
+    real(c_double) :: load = 0, approach = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
       kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, seconds = 0, setup_seconds = 0
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
     real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
     real(c_double) :: tolerance = 0
+  end type
+
+  type, bind(c) :: rc_accuracy
+    integer(c_size_t) :: struct_size = 48
     integer(c_int64_t) :: model_nx = 0, model_ny = 0
-    real(c_double) :: error_estimate = 0, left_out = 0, area_estimate = 0
+    real(c_double) :: error_estimate = 0, area_estimate = 0, left_out = 0
   end type
 
-  type, bind(c) :: rc_level
-    integer(c_size_t) :: struct_size = 88
-    type(c_ptr) :: p = c_null_ptr  ! double *
-    integer(rc_status) :: status = 0
-    integer(c_int32_t) :: reserved = 0
-    integer(c_int64_t) :: nx = 0, ny = 0
-    real(c_double) :: hx = 0, hy = 0, displacement = 0, load = 0
-    integer(c_int64_t) :: candidates = 0, contacts = 0
-  end type
-
-  type, bind(c) :: rc_state
-    integer(c_size_t) :: struct_size = 72
-    type(c_ptr) :: gap = c_null_ptr  ! const double *
-    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
-    type(c_ptr) :: p = c_null_ptr  ! const double *
-    real(c_double) :: displacement = 0, load = 0
-    type(c_ptr) :: p_before = c_null_ptr  ! const double *
-    real(c_double) :: displacement_before = 0, load_before = 0
+  type, bind(c) :: rc_progress
+    integer(c_size_t) :: struct_size = 40
+    integer(c_int64_t) :: iteration = 0, applications = 0
+    real(c_double) :: kkt = 0, seconds = 0
   end type
 
   type, bind(c) :: rc_path
     integer(c_size_t) :: struct_size = 120
-    integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
+    integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0
-    type(c_ptr) :: targets = c_null_ptr, gap = c_null_ptr  ! const double *
+    type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     ! double *
-    type(c_ptr) :: load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
+    type(c_ptr) :: load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
       certificate = c_null_ptr
     type(c_ptr) :: applications = c_null_ptr  ! int64_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
@@ -79,20 +69,30 @@ module roughcontact_structs
     integer(c_int64_t) :: completed = 0
   end type
 
+  type, bind(c) :: rc_state
+    integer(c_size_t) :: struct_size = 72
+    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
+    type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
+    type(c_ptr) :: p = c_null_ptr  ! const double *
+    real(c_double) :: approach = 0, load = 0
+    type(c_ptr) :: p_before = c_null_ptr  ! const double *
+    real(c_double) :: approach_before = 0, load_before = 0
+  end type
+
   type, bind(c) :: rc_batch
     integer(c_size_t) :: struct_size = 200
-    integer(c_int32_t) :: control = RC_CONTROL_DISPLACEMENT, warm_start = 1
+    integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
     type(c_ptr) :: targets = c_null_ptr  ! const double *
     integer(c_int64_t) :: target_stride = 0
-    type(c_ptr) :: gap = c_null_ptr  ! const double *
-    integer(c_int64_t) :: gap_stride = 0
+    type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
+    integer(c_int64_t) :: undeformed_gap_stride = 0
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int64_t) :: mask_stride = 0
     type(c_ptr) :: p0 = c_null_ptr  ! const double *
     ! double *
-    type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, displacement = c_null_ptr, contact_area = c_null_ptr, &
-      stiffness = c_null_ptr, certificate = c_null_ptr
+    type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
+      certificate = c_null_ptr
     type(c_ptr) :: status = c_null_ptr  ! rc_status *
     type(c_ptr) :: iterations = c_null_ptr, applications = c_null_ptr  ! int64_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)
@@ -100,9 +100,19 @@ module roughcontact_structs
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
   end type
 
+  type, bind(c) :: rc_level
+    integer(c_size_t) :: struct_size = 88
+    type(c_ptr) :: p = c_null_ptr  ! double *
+    integer(rc_status) :: status = RC_ERR_ARGUMENT
+    integer(c_int32_t) :: reserved = 0
+    integer(c_int64_t) :: nx = 0, ny = 0
+    real(c_double) :: hx = 0, hy = 0, approach = 0, load = 0
+    integer(c_int64_t) :: candidates = 0, contacts = 0
+  end type
+
   type, bind(c) :: rc_direct
     integer(c_size_t) :: struct_size = 248
-    integer(rc_status) :: status = 0
+    integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: iterations = 0, applications = 0, contacts = 0
     real(c_double) :: load = 0, energy = 0, kkt = 0, duality_gap = 0, load_lower = 0, load_upper = 0
@@ -136,12 +146,6 @@ module roughcontact_structs
     real(c_double) :: width = 0
     integer(c_int64_t) :: contacts = 0, above = 0
     real(c_double) :: mean_pressure = 0, max_pressure = 0
-  end type
-
-  type, bind(c) :: rc_progress
-    integer(c_size_t) :: struct_size = 40
-    integer(c_int64_t) :: iteration = 0, applications = 0
-    real(c_double) :: kkt = 0, seconds = 0
   end type
 
   type, bind(c) :: rc_context_config

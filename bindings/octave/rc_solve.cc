@@ -57,16 +57,18 @@ std::int32_t interrupted(const rc_progress*, void* user) {
   }
 }
 
-octave_scalar_map info_of(const rc_result& result, const char* message) {
+octave_scalar_map info_of(const rc_result& result, const rc_request& request) {
+  const rc_accuracy& accuracy = request.accuracy;
   octave_scalar_map info;
-#define NUMBER(name) info.setfield(#name, octave_value(static_cast<double>(result.name)));
-#define TEXT(name) info.setfield(#name, octave_value(std::string(result.name)));
+#define NUMBER(from, name) info.setfield(#name, octave_value(static_cast<double>(from.name)));
+#define TEXT(from, name) info.setfield(#name, octave_value(std::string(from.name)));
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
   info.setfield("status_name", octave_value(std::string(rc_status_name(result.status))));
   info.setfield("status_text", octave_value(std::string(rc_status_text(result.status))));
-  info.setfield("message", octave_value(std::string(message)));
+  info.setfield("message", octave_value(std::string(request.message)));
+  info.setfield("explanation", octave_value(std::string(request.explanation ? request.explanation : "")));
   return info;
 }
 
@@ -77,7 +79,7 @@ DEFUN_DLD(rc_solve, args, nargout,
           "@deftypefn {} {[@var{p}, @var{info}] =} rc_solve (@var{z}, @var{opts})\n"
           "Press the height map @var{z} into an elastic half-space: pressures @var{p} and what is certified of them.\n\n"
           "The first index of @var{z} runs along x. Fields of @var{opts}: @code{displacement} (counted from first touch) or\n"
-          "@code{load}; @code{hx}, @code{hy}, @code{modulus} (1); @code{boundary} (\"free\" or \"periodic\"); @code{mask};\n"
+          "@code{load}; @code{hx}, @code{hy}, @code{modulus}; @code{boundary} (\"free\" or \"periodic\"); @code{mask};\n"
           "@code{p0}; and every option of the library, such as @code{solver}, @code{backend}, @code{kernel}, @code{tol},\n"
           "with @code{_} for the dots of its name.\n"
           "@end deftypefn") {
@@ -115,7 +117,7 @@ DEFUN_DLD(rc_solve, args, nargout,
   octave_value_list out;
   out(0) = p;
   if (nargout > 1) {
-    octave_scalar_map info = info_of(result, request.message);
+    octave_scalar_map info = info_of(result, request);
     info.setfield("gap", gap);
     out(1) = info;
   }

@@ -65,23 +65,25 @@ static void set_field(rc_request* request, const char* field, const mxArray* val
   }
 }
 
-static mxArray* info_of(const rc_result* result, const char* message, mxArray* gap) {
+static mxArray* info_of(const rc_result* result, const rc_request* request, mxArray* gap) {
+  const rc_accuracy* accuracy = &request->accuracy;
   static const char* names[] = {
-#define NUMBER(name) #name,
-#define TEXT(name) #name,
+#define NUMBER(from, name) #name,
+#define TEXT(from, name) #name,
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
-      "status_name", "status_text", "message", "gap"};
+      "status_name", "status_text", "message", "explanation", "gap"};
   mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
-#define NUMBER(name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)result->name));
-#define TEXT(name) mxSetField(info, 0, #name, mxCreateString(result->name));
+#define NUMBER(from, name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)from->name));
+#define TEXT(from, name) mxSetField(info, 0, #name, mxCreateString(from->name));
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
   mxSetField(info, 0, "status_name", mxCreateString(rc_status_name(result->status)));
   mxSetField(info, 0, "status_text", mxCreateString(rc_status_text(result->status)));
-  mxSetField(info, 0, "message", mxCreateString(message));
+  mxSetField(info, 0, "message", mxCreateString(request->message));
+  mxSetField(info, 0, "explanation", mxCreateString(request->explanation ? request->explanation : ""));
   mxSetField(info, 0, "gap", gap);
   return info;
 }
@@ -119,7 +121,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   }
   check(&request, status);
   /* A warning may be an error to the user, and not return: everything is given back before. */
-  if (gap) plhs[1] = info_of(&result, request.message, gap);
+  if (gap) plhs[1] = info_of(&result, &request, gap);
   char message[sizeof request.message];
   snprintf(message, sizeof message, "%s", request.message);
   rc_request_close(&request);

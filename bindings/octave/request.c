@@ -1,6 +1,7 @@
 #include "request.h"
 
 #include <math.h>
+#include <roughcontact/registry.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,9 +22,8 @@ rc_status rc_request_refuse(rc_request* request, rc_status status, const char* f
 }
 
 rc_status rc_request_open(rc_request* request, int64_t nx, int64_t ny) {
-  memset(request, 0, sizeof *request);
-  rc_system_init(&request->system);
-  rc_step_init(&request->step);
+  const rc_request empty = {RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, NULL, RC_ACCURACY_INIT, NULL, ""};
+  *request = empty;
   request->system.nx = nx;
   request->system.ny = ny;
   return keep_message(request, rc_options_create(NULL, &request->options));
@@ -31,8 +31,9 @@ rc_status rc_request_open(rc_request* request, int64_t nx, int64_t ny) {
 
 void rc_request_close(rc_request* request) {
   rc_options_destroy(request->options);
+  free(request->explanation);
   free(request->mask);
-  free(request->gap);
+  free(request->undeformed_gap);
   memset(request, 0, sizeof *request);
 }
 
@@ -50,17 +51,16 @@ static int find_option(const char* field, rc_option_spec* spec) {
 }
 
 static rc_status set_target(rc_request* request, int32_t control, double value) {
-  if (request->target_given)
+  if (request->step.control)
     return rc_request_refuse(request, RC_ERR_ARGUMENT, "give one of opts.displacement and opts.load, not both");
-  request->target_given = 1;
   request->step.control = control;
   request->step.target = value;
   return RC_OK;
 }
 
 rc_status rc_request_number(rc_request* request, const char* field, double value) {
-  if (!strcmp(field, "hx")) return request->system.hx = value, request->hx_given = 1, RC_OK;
-  if (!strcmp(field, "hy")) return request->system.hy = value, request->hy_given = 1, RC_OK;
+  if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
+  if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
   if (!strcmp(field, "displacement")) return set_target(request, RC_CONTROL_DISPLACEMENT, value);
   if (!strcmp(field, "load")) return set_target(request, RC_CONTROL_LOAD, value);
@@ -96,30 +96,19 @@ rc_status rc_request_mask(rc_request* request, int64_t nx, int64_t ny, const uin
   return RC_OK;
 }
 
-/* Heights to gaps: the highest point that is there touches first. Heights that are not finite are left for the library to refuse.
- */
-static rc_status make_gap(rc_request* request, const double* heights) {
-  const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
-  double highest = -INFINITY;
-  for (size_t i = 0; i < n; ++i)
-    if ((!request->mask || request->mask[i]) && heights[i] > highest) highest = heights[i];
-  request->gap = malloc(n ? n * sizeof *heights : 1);
-  if (!request->gap) return rc_request_refuse(request, RC_ERR_MEMORY, "out of memory for the gap of %zu points", n);
-  for (size_t i = 0; i < n; ++i) request->gap[i] = highest - heights[i];
-  return RC_OK;
-}
-
 rc_status rc_request_solve(rc_request* request, const double* heights, const double* p0, double* p, double* gap,
                            rc_progress_fn interrupted, void* user, rc_result* result) {
-  if (!request->target_given) return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.displacement or opts.load");
-  if (request->hx_given != request->hy_given)
-    return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.hx and opts.hy, the pitch along each index, or neither");
-  rc_status status = make_gap(request, heights);
-  if (status != RC_OK) return status;
-  request->step.gap = request->gap;
+  if (!request->step.control) return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.displacement or opts.load");
+  const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
+  request->undeformed_gap = malloc(n ? n * sizeof *heights : 1);
+  if (!request->undeformed_gap) return rc_request_refuse(request, RC_ERR_MEMORY, "out of memory for the gap of %zu points", n);
+  rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, request->undeformed_gap);
+  if (status != RC_OK) return keep_message(request, status);
+  request->step.undeformed_gap = request->undeformed_gap;
   request->step.mask = request->mask;
   request->step.p0 = p0;
-  rc_result_init(result);
+  const rc_result empty = RC_RESULT_INIT;
+  *result = empty;
   result->p = p;
   result->gap = gap;
 
@@ -128,6 +117,10 @@ rc_status rc_request_solve(rc_request* request, const double* heights, const dou
   if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, user, 1);
   if (status == RC_OK) status = rc_contact_solve(contact, &request->step, result);
   keep_message(request, status);
+  const char* why = NULL;
+  if (status >= 0 && rc_contact_explain(contact, &why) == RC_OK && (request->explanation = malloc(strlen(why) + 1)))
+    strcpy(request->explanation, why);
+  if (status >= 0) rc_contact_accuracy(contact, &request->accuracy);
   rc_contact_destroy(contact);
   return status;
 }

@@ -13,9 +13,10 @@ typedef struct rc_request {
   rc_system system;
   rc_step step;
   rc_options* options;
-  int32_t hx_given, hy_given, target_given;
   uint8_t* mask; /* NULL: all points */
-  double* gap;   /* below the highest point */
+  double* undeformed_gap;
+  rc_accuracy accuracy; /* out */
+  char* explanation;    /* of rc_contact_explain, after a solve */
   char message[1024];
 } rc_request;
 

@@ -41,13 +41,13 @@ ContactLaw::ContactLaw(const rc_system& system, const std::vector<double>& heigh
 ContactLaw::Answer ContactLaw::press(double approach) {
   check(rc_contact_reset(contact_.get()));  // nothing of other trials is left
   rc_step step = RC_STEP_INIT;
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.warm_start = 0;
   step.target = approach;
-  step.gap = gap_.data();
+  step.undeformed_gap = gap_.data();
   step.p0 = state_.empty() ? nullptr : state_.data();
   trial_.resize(gap_.size());
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = trial_.data();
   check(rc_contact_solve(contact_.get(), &step, &result));
   return {result.load, result.stiffness, result.contact_area};

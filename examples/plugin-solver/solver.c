@@ -87,23 +87,41 @@ static rc_status solve(const rc_host* host, const rc_problem* problem, const rc_
   return status;
 }
 
-static const rc_option_spec step_option = {sizeof(rc_option_spec),
-                                           "spg.steps",
-                                           "long",
-                                           "long|short",
-                                           "which of Barzilai and Borwein's two step lengths",
-                                           RC_TYPE_TEXT,
-                                           0,
-                                           0,
-                                           0};
+/* What `auto` compares: about 30 products for each digit, so that it is for rough answers. */
+static rc_status score(const rc_facts* facts, rc_estimate* estimate) {
+  const double products = 30 * -log10(facts->tol);
+  if (facts->tol < 1e-6) return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "for tol of 1e-6 and above");
+  estimate->seconds = facts->backend->seconds + products * facts->backend->product + facts->backend->field;
+  estimate->bytes = 3 * 8.0 * (double)facts->n;
+  return RC_OK;
+}
+
+static const rc_option_spec step_option = {.struct_size = sizeof(rc_option_spec),
+                                           .key = "spg.steps",
+                                           .default_value = "long",
+                                           .choices = "long|short",
+                                           .help = "which of Barzilai and Borwein's two step lengths",
+                                           .type = RC_TYPE_TEXT};
 static const rc_option_spec* const all_options[] = {&step_option};
 
-static const rc_solver solver = {
-    sizeof(rc_solver), "spg", "spectral projected gradients", "BSD-3-Clause", 0, RC_CONTROL_DISPLACEMENT, 0, 1,
-    all_options,       solve};
+static const rc_solver solver = {.struct_size = sizeof(rc_solver),
+                                 .name = "spg",
+                                 .summary = "spectral projected gradients",
+                                 .license = "BSD-3-Clause",
+                                 .controls = RC_CONTROL_DISPLACEMENT,
+                                 .n_options = 1,
+                                 .options = all_options,
+                                 .solve = solve,
+                                 .score = score};
 static const rc_solver* const solvers[] = {&solver};
 
-static const rc_plugin plugin = {sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "spg", "1.0", 0, 1, NULL, solvers};
+static const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                                 .abi_major = RC_PLUGIN_ABI_MAJOR,
+                                 .abi_minor = RC_PLUGIN_ABI_MINOR,
+                                 .name = "spg",
+                                 .version = "1.0",
+                                 .n_solvers = 1,
+                                 .solvers = solvers};
 
 RC_PLUGIN_ENTRY(spg, host, out) {
   (void)host;

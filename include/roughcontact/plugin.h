@@ -10,10 +10,10 @@
 #ifndef ROUGHCONTACT_PLUGIN_H
 #define ROUGHCONTACT_PLUGIN_H
 
-#include "roughcontact.h"
+#include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 4u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 5u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -92,18 +92,43 @@ typedef struct rc_domain {
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
   size_t struct_size;
-  double approach, unit; /* a point overlaps where unit (H x) < approach - gap                                 */
-  const double *gap;     /* [nx*ny]                                                                            */
+  double approach, unit; /* a point overlaps where unit (H x) < approach - undeformed_gap                      */
+  const double *undeformed_gap; /* [nx*ny]                                                                     */
   const uint8_t *mask;   /* [nx*ny] 0: not looked at; NULL: all points are                                     */
   double *y;             /* [n] out: H[T,T] x                                                                  */
   int64_t room;          /* entries of found and depth                                                         */
   int64_t *found;        /* [room] out: overlapping points outside T, as many as there is room for             */
-  double *depth;         /* [room] out: approach - gap - unit (H x) of each                                    */
+  double *depth;         /* [room] out: approach - undeformed_gap - unit (H x) of each                         */
   int64_t n_found;       /* out: all that overlap, also where there is no room for them                        */
   /* [ceil(nx/16) * ceil(ny/16)] a lower bound of the gap at the points looked at of each tile of 16 x 16 points, row by row
      (+infinity: there is none); spares the pass over the gap. NULL: none is known                             */
   const double *tile_lowest;
 } rc_screen;
+
+/** What a component is asked to do, so far as it is known before an operator is made. */
+typedef struct rc_estimate rc_estimate;
+typedef struct rc_facts {
+  size_t struct_size;
+  const rc_host *host;        /* reads options; its fail() says why a component cannot                         */
+  const rc_options *options;
+  const rc_system *system;    /* as in rc_operator_spec                                                        */
+  int64_t n;                  /* points that may carry pressure                                                */
+  int64_t box;                /* points of their bounding box                                                  */
+  double tol;                 /* residual to reach                                                             */
+  const rc_estimate *backend; /* solvers: the backend's estimate; backends: NULL                               */
+  uint64_t caps;              /* solvers: what the backend can do, RC_CAP_*; backends: 0                       */
+  int32_t partial;            /* 1: the solver is stopped after some steps, for the pressures that it has by then */
+  int32_t reserved;
+} rc_facts;
+
+/** What it would cost, on one thread. Zero where nothing is written. */
+struct rc_estimate {
+  size_t struct_size;
+  double seconds; /* backend: to make the operator; solver: for the step, the operator's making and work included */
+  double bytes;   /* backend: of the operator; solver: of its own                                               */
+  double product, field; /* backend: seconds of apply() and field()                                            */
+  double factor;  /* backend with subset(): seconds to factor a third of the unknowns                          */
+};
 
 /** A backend: products with H. All vectors are over the domain's points unless said otherwise. One operator is
  *  used by one thread at a time; several operators may be used at the same time. */
@@ -142,6 +167,9 @@ typedef struct rc_backend {
   /** NULL where it could keep nothing: a new history of loading begins. Products after the next bind() are those of a new
    *  operator, bit for bit; what is the same for every operator of this system may be kept. */
   rc_status (*forget)(void *self);
+  /** What "auto" compares; from counts, never from clocks. NULL: after all that have one. A status other than RC_OK, with
+   *  facts->host->fail and the reason: not for this step, unless it is named. Since plugin ABI minor 5. */
+  rc_status (*score)(const rc_facts *, rc_estimate *);
 } rc_backend;
 
 /** Where the unknowns of a half-space problem lie, in the caller's units. */
@@ -149,7 +177,7 @@ typedef struct rc_grid {
   size_t struct_size;
   int64_t nx, ny;
   double hx, hy;        /* cell size [length]                                                                   */
-  const double *gap;    /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0                     */
+  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0            */
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
   double approach;      /* DISPLACEMENT: d [length]; LOAD: the lowest gap, from which d is counted              */
@@ -162,7 +190,7 @@ typedef struct rc_coarse {
   size_t struct_size;
   int64_t nx, ny;      /* points                                                                               */
   int64_t factor;      /* its cells are this many cells of the problem's grid wide and high                    */
-  const double *gap;   /* [nx*ny] undeformed gap [length]                                                      */
+  const double *undeformed_gap; /* [nx*ny] undeformed gap [length]                                             */
   const uint8_t *mask; /* [nx*ny] 0: no pressure here; NULL: every point                                       */
   double approach;     /* [length] in displacement control; LOAD: out                                          */
   const char *solver;  /* by name                                                                              */
@@ -200,8 +228,9 @@ struct rc_problem {
   rc_status (*shifted)(const rc_problem *, double rho, double tol, const double *b, double *x);
   /** The Frobenius norm of H. NULL if the backend cannot tell. */
   rc_status (*norm)(const rc_problem *, double *out);
-  /** DISPLACEMENT: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending positions a only. p [n]: start in
-   *  (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n] out, H p. */
+  /** DISPLACEMENT: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending
+   *  positions a only. p [n]: start in (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n]
+   *  out, H p. */
   rc_status (*inner)(const rc_problem *, const char *solver, int64_t na, const int64_t *a, double tol, double *p,
                      double *product);
   /** Solves on a coarser grid; NULL without a grid. RC_OK: certified. */
@@ -222,7 +251,7 @@ struct rc_problem {
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
-                                             u = (grid->approach - grid->gap) / length                          */
+                                             u = (grid->approach - grid->undeformed_gap) / length              */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {
@@ -239,6 +268,8 @@ typedef struct rc_solver {
   /** p: start in, solution out; *d: approach (LOAD: start in, answer out). RC_OK only if the solver believes
    *  that tol is met; the core checks. p must be usable at every return >= 0. */
   rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
+  /** As that of a backend, for one that facts->backend and facts->caps describe. Since plugin ABI minor 5. */
+  rc_status (*score)(const rc_facts *, rc_estimate *);
 } rc_solver;
 
 typedef struct rc_plugin {

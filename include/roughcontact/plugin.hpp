@@ -16,6 +16,8 @@
  *     void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
  *     void shifted(double rho, const double* b, double* x);
  *     double norm();
+ *     // for rc_backend.score:
+ *     static void score(const rc_facts&, rc_estimate&);
  *   };
  *
  * and the functions of its rc_backend are those of roughcontact::Functions<MyOperator>.
@@ -162,6 +164,9 @@ template <class Operator> struct Functions {
   }
   static rc_status forget(void* self) noexcept {
     return with(self, [&](Operator& op) { op.forget(); });
+  }
+  static rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
+    return guard(facts->host, Operator::component, [&] { Operator::score(*facts, *estimate); });
   }
 
  private:

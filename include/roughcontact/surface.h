@@ -134,6 +134,8 @@ typedef struct rc_surface_statistics {
                                   height, slope and second derivative                                        */
   double nayak;                /* Nayak's bandwidth parameter m0 m4 / m2^2                                   */
 } rc_surface_statistics;
+#define RC_SURFACE_STATISTICS_INIT \
+  { sizeof(rc_surface_statistics), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }
 
 /** Errors: ARGUMENT (heights that are not finite: how many and where the first is), SHAPE, MEMORY. */
 RC_API rc_status rc_surface_analyze(const rc_surface_map *map, rc_surface_statistics *out);
@@ -162,6 +164,8 @@ typedef struct rc_surface_power_law {
   double peak_qx[RC_SURFACE_PEAKS], peak_qy[RC_SURFACE_PEAKS]; /* wave vectors [1/length]                     */
   double peak_share[RC_SURFACE_PEAKS];                         /* of the variance                            */
 } rc_surface_power_law;
+#define RC_SURFACE_POWER_LAW_INIT \
+  { sizeof(rc_surface_power_law), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, { 0.0 }, { 0.0 }, { 0.0 } }
 
 /** Errors: as rc_surface_analyze; ARGUMENT for a flat map. */
 RC_API rc_status rc_surface_fit(const rc_surface_map *map, rc_surface_power_law *out);
@@ -184,6 +188,8 @@ typedef struct rc_surface_cmr {
   double coarsest_pitch;    /* the larger one [length]                                                       */
   char reason[400];         /* the verdict in words, with the numbers                                        */
 } rc_surface_cmr;
+#define RC_SURFACE_CMR_INIT \
+  { sizeof(rc_surface_cmr), 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, "" }
 
 /** levels >= 1 halvings, such that at least 4 points remain along the longer side; approach: of the other body from the
  *  highest point [length], 0: (highest - mean)/2 as in the paper. Errors: as rc_surface_fit. */

@@ -27,9 +27,7 @@ template <class Body> rc_status exclusively(const char* where, rc_contact* conta
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
   const rc_step today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
   if (today.borrow != 0 && today.borrow != 1) fail(RC_ERR_ARGUMENT, "rc_step.borrow = ", today.borrow, " is neither 0 nor 1");
-  rc_result defaults{};
-  rc_result_init(&defaults);
-  rc_result answer = read(result, "rc_result", defaults);
+  rc_result answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
   const rc_status status = body(contact, today, answer);
   write(result, answer);
   return status;
@@ -88,12 +86,23 @@ rc_status rc_contact_solve_path(rc_contact* contact, rc_path* path) {
 
 rc_status rc_contact_level(rc_contact* contact, int64_t i, rc_level* out) {
   return exclusively("rc_contact_level", contact, [&](Contact& c) {
-    rc_level level{};
-    level = read(out, "rc_level", level);
+    rc_level level = read<rc_level>(out, "rc_level", RC_LEVEL_INIT);
     c.work().solver_grids.describe(i, level);
     write(out, level);
     return RC_OK;
   });
+}
+
+rc_status rc_contact_accuracy(rc_contact* contact, rc_accuracy* out) {
+  const auto told = [&](const Contact& c) {
+    check_size(out, "rc_accuracy");
+    const rc_accuracy& found = c.work().record.accuracy;
+    if (found.model_nx == 0) fail(RC_ERR_ARGUMENT, "there is no answer yet, or the last step failed");
+    write(out, found);
+    return RC_OK;
+  };
+  if (contact && contact->contact.inside()) return guard("rc_contact_accuracy", [&] { return told(contact->contact); });
+  return exclusively("rc_contact_accuracy", contact, told);
 }
 
 rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, double* p, int64_t* n) {
@@ -101,6 +110,14 @@ rc_status rc_contact_points(rc_contact* contact, int64_t room, int64_t* index, d
     if (!n) fail(RC_ERR_ARGUMENT, "n is null");
     if (room < 0) fail(RC_ERR_ARGUMENT, "room = ", room, " must be >= 0");
     *n = c.memory().contact_points(room, index, p);
+    return RC_OK;
+  });
+}
+
+rc_status rc_contact_explain(rc_contact* contact, const char** out) {
+  return exclusively("rc_contact_explain", contact, [&](Contact& c) {
+    if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+    *out = c.explain().c_str();
     return RC_OK;
   });
 }

@@ -118,6 +118,7 @@ rc_status rc_kernel_coefficients(const char* name, double hx, double hy, int64_t
     system.ny = ny;
     system.hx = hx;
     system.hy = hy;
+    system.modulus = 1;
     const System checked = checked_system(system, name, false);
     kernel::coefficients(*kernel::find(checked.kernel), hx, hy, nx, ny, out);
     return RC_OK;

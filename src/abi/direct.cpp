@@ -72,6 +72,8 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     rc_system system = RC_SYSTEM_INIT;
     system.op = RC_OPERATOR_DENSE;
     system.nx = H.n;
+    system.ny = 1;
+    system.hx = system.hy = 1;  // a load is then the sum of p
     system.dense = H.entries;
     system.dense_ld = H.ld;
     Contact contact(system, Settings(solver).set(RC_OPT_TOL, tol).set(RC_OPT_MAX_ITER, max_iter).options());
@@ -79,7 +81,8 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     std::vector<double> gap(u, u + H.n);
     for (double& value : gap) value = -value;
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = gap.data();
     step.p0 = p;
     rc_result answer{};
     answer.p = p;
@@ -119,12 +122,12 @@ rc_status rc_admm(int64_t n, const double* H, int64_t ld, const double* u, doubl
   return on_matrix("rc_admm", "admm", {n, H, ld}, u, p, w, tol, max_iter, result);
 }
 
-rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, const double* heights, double delta,
-                 int64_t levels, double h, const char* inner, double* p, rc_direct* result) {
+rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, const double* heights, double approach,
+                 int64_t levels, double radius, const char* inner, double* p, rc_direct* result) {
   return guard("rc_cmr", [&] {
     check_size_of(result);
     if (levels < 1) fail(RC_ERR_ARGUMENT, "levels = ", levels, " must be >= 1: the given grid is one of them");
-    if (!std::isfinite(delta)) fail(RC_ERR_ARGUMENT, "delta = ", delta, " is not finite");
+    if (!std::isfinite(approach)) fail(RC_ERR_ARGUMENT, "approach = ", approach, " is not finite");
     if (!p) fail(RC_ERR_ARGUMENT, "p is null");
 
     rc_system system = RC_SYSTEM_INIT;
@@ -134,18 +137,18 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     system.hy = hy;
     system.modulus = modulus;
     Settings settings("cmr");
-    settings.set("cmr.levels", levels).set("cmr.radius", h);
+    settings.set("cmr.levels", levels).set("cmr.radius", radius);
     if (inner) settings.set("cmr.inner", std::string(inner));
     Contact contact(system, settings.options());
     if (inner && std::string_view(inner) != "auto") settings.options().context->solver(inner);
     check_array(heights, nx * ny, "heights");
 
-    std::vector<double> gap(heights, heights + nx * ny);
-    const double highest = *std::max_element(gap.begin(), gap.end());
-    for (double& value : gap) value = highest - value;
+    std::vector<double> gap(static_cast<std::size_t>(nx * ny));
+    raise_if_failed(rc_gap_from_heights(nx * ny, heights, nullptr, gap.data()), "the undeformed gap");
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
-    step.target = delta;
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = gap.data();
+    step.target = approach;
     rc_result answer{};
     answer.p = p;
     const rc_status status = contact.solve(step, answer);

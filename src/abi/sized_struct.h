@@ -1,6 +1,11 @@
 // Structs that grow: converts between an older or newer caller's struct and today's.
 #pragma once
 
+#include <roughcontact/analysis.h>
+#include <roughcontact/direct.h>
+#include <roughcontact/history.h>
+#include <roughcontact/registry.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -13,6 +18,7 @@ template <class Struct> inline constexpr std::size_t first_size = 0;
 template <> inline constexpr std::size_t first_size<rc_system> = 88;
 template <> inline constexpr std::size_t first_size<rc_step> = 48;
 template <> inline constexpr std::size_t first_size<rc_result> = 432;
+template <> inline constexpr std::size_t first_size<rc_accuracy> = 48;
 template <> inline constexpr std::size_t first_size<rc_level> = 88;
 template <> inline constexpr std::size_t first_size<rc_state> = 72;
 template <> inline constexpr std::size_t first_size<rc_path> = 120;

@@ -1,6 +1,17 @@
-#include <roughcontact/roughcontact.h>
+// rc_status_*, rc_last_error, rc_version
+#include "core/error.h"
 
-extern "C" const char* rc_status_name(rc_status status) {
+namespace {
+
+void give(std::int32_t* to, std::int32_t value) {
+  if (to) *to = value;
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* rc_status_name(rc_status status) {
   switch (status) {
 #define RC_STATUS(name, value, text)                                    \
   static_assert(name == value, "status.def disagrees with the header"); \
@@ -13,7 +24,7 @@ extern "C" const char* rc_status_name(rc_status status) {
   }
 }
 
-extern "C" const char* rc_status_text(rc_status status) {
+const char* rc_status_text(rc_status status) {
   switch (status) {
 #define RC_STATUS(name, value, text) \
   case name:                         \
@@ -24,3 +35,14 @@ extern "C" const char* rc_status_text(rc_status status) {
       return "not a status of this library";
   }
 }
+
+const char* rc_last_error(void) { return rc::last_message(); }
+
+void rc_version(int32_t* major, int32_t* minor, int32_t* patch, int32_t* abi) {
+  give(major, RC_VERSION_MAJOR);
+  give(minor, RC_VERSION_MINOR);
+  give(patch, RC_VERSION_PATCH);
+  give(abi, RC_ABI);
+}
+
+}  // extern "C"

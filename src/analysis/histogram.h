@@ -1,6 +1,8 @@
 // Distribution of pressure over the points in contact.
 #pragma once
 
+#include <roughcontact/analysis.h>
+
 #include "analysis/contact_map.h"
 
 namespace rc {

@@ -1,6 +1,8 @@
 // Connected parts of the contact.
 #pragma once
 
+#include <roughcontact/analysis.h>
+
 #include "analysis/contact_map.h"
 
 namespace rc {

@@ -51,6 +51,11 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
 
 rc_status Contact::certify(const rc_step& step, rc_result& result) { return grid_.certify(step, result); }
 
+const std::string& Contact::explain() {
+  const StepRecord& record = work().record;
+  return explanation_ = record.choice.solver ? explained(work().options, work().system, record.choice, record.failed) : "";
+}
+
 void Contact::reset() {
   grid_.reset();
   goal_.clear();
@@ -64,9 +69,10 @@ void Contact::forget() {
 void Contact::restore(const rc_state& state) {
   const System& system = work().system;
   const auto n = static_cast<std::size_t>(system.points());
-  if (!state.gap) fail(RC_ERR_ARGUMENT, "rc_state.gap is null");
+  if (!state.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_state.undeformed_gap is null");
   if (!state.p && state.p_before) fail(RC_ERR_ARGUMENT, "rc_state.p is null but rc_state.p_before is not");
-  StepSurface surface({system.given.nx, system.given.ny, {state.gap, n}, {state.mask, state.mask ? n : 0}, false}, work().team());
+  StepSurface surface({system.given.nx, system.given.ny, {state.undeformed_gap, n}, {state.mask, state.mask ? n : 0}, false},
+                      work().team());
   Memory memory = memory_of(state, surface, system.points());
   goal_.forget();
   grid_.restore(std::move(memory), std::move(surface));

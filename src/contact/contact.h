@@ -1,10 +1,12 @@
 // What a handle holds: the contact on the given grid, the accuracy goal with its coarser grids, and whether a thread is using it.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/history.h>
 
 #include <atomic>
 #include <cstdint>
+#include <string>
+#include <thread>
 
 #include "contact/grid_contact.h"
 #include "contact/grids/accuracy_goal.h"
@@ -23,6 +25,9 @@ class Contact {
 
   rc_status solve(const rc_step& step, rc_result& result);
   rc_status certify(const rc_step& step, rc_result& result);
+
+  // Why "auto" chose what it did in the last step on the given grid; "" where no step has needed a solver.
+  const std::string& explain();
 
   void reset();
   // Afterwards the next answer has the bits of a new contact's. Facts that are the same for all contacts of the system stay.
@@ -50,13 +55,19 @@ class Contact {
   bool ask_stiffness(bool wanted);
 
   // True for the one thread that may use the contact now.
-  bool try_enter() { return !busy_.exchange(true, std::memory_order_acquire); }
-  void leave() { busy_.store(false, std::memory_order_release); }
+  bool try_enter() {
+    std::thread::id nobody;
+    return user_.compare_exchange_strong(nobody, std::this_thread::get_id(), std::memory_order_acquire);
+  }
+  void leave() { user_.store({}, std::memory_order_release); }
+  // Whether this thread has entered: it is in a callback of the contact's.
+  bool inside() const { return user_.load(std::memory_order_relaxed) == std::this_thread::get_id(); }
 
  private:
   GridContact grid_;
   AccuracyGoal goal_;
-  std::atomic<bool> busy_{false};
+  std::string explanation_;
+  std::atomic<std::thread::id> user_;  // none: the contact is free
 };
 
 }  // namespace rc

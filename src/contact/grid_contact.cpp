@@ -23,12 +23,13 @@ std::int32_t pass_on(const rc_progress* progress, void* monitor) {
 // The surface that this step describes; nothing where it keeps that of the step before.
 std::optional<StepSurface> given_surface(const rc_step& step, const Workspace& work) {
   const auto n = static_cast<std::size_t>(work.system.points());
-  if (!step.gap && work.surface.empty()) fail(RC_ERR_ARGUMENT, "rc_step.gap is null and no earlier step gave one");
-  if (!step.gap && !step.mask) return std::nullopt;
+  if (!step.undeformed_gap && work.surface.empty())
+    fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
+  if (!step.undeformed_gap && !step.mask) return std::nullopt;
   const rc_system& system = work.system.given;
   GivenSurface given{system.nx, system.ny, work.surface.gap(), {step.mask, step.mask ? n : 0}, false};
-  if (step.gap) given.gap = {step.gap, n};
-  given.borrowed = step.gap && step.borrow != 0;
+  if (step.undeformed_gap) given.gap = {step.undeformed_gap, n};
+  given.borrowed = step.undeformed_gap && step.borrow != 0;
   return StepSurface(given, work.team());
 }
 
@@ -72,7 +73,7 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
   for (std::int64_t k = 0; k < work_.system.points(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     if (!std::isfinite(result.p[i])) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " is not finite");
-    if (result.p[i] != 0 && (step.mask ? step.mask[i] == 0 : !step.gap && !last.empty() && !last.included(i)))
+    if (result.p[i] != 0 && (step.mask ? step.mask[i] == 0 : !step.undeformed_gap && !last.empty() && !last.included(i)))
       fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " but this point is excluded by the mask");
   }
   begin(step);
@@ -80,7 +81,7 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
 }
 
 void GridContact::remember(Finished&& finished, const rc_result& result) {
-  memory_.record({std::move(finished.pressures), result.displacement, result.load, true});
+  memory_.record({std::move(finished.pressures), result.approach, result.load, true});
 }
 
 void GridContact::adopt(StepSurface&& given) {

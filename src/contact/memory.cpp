@@ -11,11 +11,11 @@ namespace rc {
 namespace {
 
 // suffix: of the names of rc_state's members, for messages.
-CertifiedStep certified_step(const double* p, double displacement, double load, const StepSurface& surface, std::int64_t points,
+CertifiedStep certified_step(const double* p, double approach, double load, const StepSurface& surface, std::int64_t points,
                              const char* suffix) {
   if (!p) return {};
-  CertifiedStep step{{}, displacement, load, true};
-  for (const auto& [value, name] : {std::pair{displacement, "displacement"}, {load, "load"}})
+  CertifiedStep step{{}, approach, load, true};
+  for (const auto& [value, name] : {std::pair{approach, "approach"}, {load, "load"}})
     if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, "rc_state.", name, suffix, " = ", value, " is not finite");
   Pressures& pressures = step.pressures;
   for (std::int64_t i = 0; i < points; ++i) {
@@ -91,8 +91,8 @@ std::int64_t Memory::contact_points(std::int64_t room, std::int64_t* index, doub
 }
 
 Memory memory_of(const rc_state& state, const StepSurface& surface, std::int64_t points) {
-  return {certified_step(state.p, state.displacement, state.load, surface, points, ""),
-          certified_step(state.p_before, state.displacement_before, state.load_before, surface, points, "_before")};
+  return {certified_step(state.p, state.approach, state.load, surface, points, ""),
+          certified_step(state.p_before, state.approach_before, state.load_before, surface, points, "_before")};
 }
 
 }  // namespace rc

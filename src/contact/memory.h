@@ -1,7 +1,7 @@
 // What a contact remembers: its last two certified steps. GridContact alone writes it.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/history.h>
 
 #include <cstdint>
 #include <vector>

@@ -102,7 +102,8 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
       if (!(std::isfinite(system.modulus) && system.modulus > 0))
-        fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus, " must be positive and finite (contact modulus E*)");
+        fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus,
+             " must be positive and finite (contact modulus E*); set it");
       if (!(system.hx / system.hy < longest_cell && system.hy / system.hx < longest_cell))
         fail(RC_ERR_ARGUMENT, "cells of hx = ", system.hx, " by hy = ", system.hy, " are more than ", longest_cell,
              " times as long as wide: their influence coefficients are beyond double precision");

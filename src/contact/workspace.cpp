@@ -17,7 +17,7 @@ void check_names(const rc_options& options, const System& system) {
   if (solver != "auto") options.context->solver(solver);
   if (const std::string& certifier = options.text(RC_OPT_CERTIFY_BACKEND); !certifier.empty())
     certifying_backend(certifier, options, system);
-  if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system, RC_CONTROL_DISPLACEMENT, {});
+  if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system, {});
 }
 
 // An accuracy goal loosens tol: digits below the grid's own error are wasted.

@@ -36,13 +36,14 @@ inline Goal goal_of(const rc_options& options) {
 
 // Notes of one step, for its result and for its next choice.
 struct StepRecord {
-  bool warm = true;                      // the step may start from earlier steps
-  Choice choice;                         // the latest
-  std::vector<std::string> failed;       // components that "auto" passes over
-  std::vector<std::string> remarks;      // for rc_result.note
-  std::int64_t look = 0;                 // most iterations of a look at the given grid; 0: this is a solve
-  double setup_seconds = 0;              // of operators
-  std::int64_t applications_before = 0;  // products that the operators had made
+  bool warm = true;                         // the step may start from earlier steps
+  Choice choice;                            // the latest
+  std::vector<std::string> failed;          // components that "auto" passes over
+  std::vector<std::string> remarks;         // for rc_result.note
+  std::int64_t look = 0;                    // most iterations of a look at the given grid; 0: this is a solve
+  double setup_seconds = 0;                 // of operators
+  std::int64_t applications_before = 0;     // products that the operators had made
+  rc_accuracy accuracy = RC_ACCURACY_INIT;  // of its answer; model_nx = 0: it has none
 };
 
 // Facts for proofs, computed when a step first needs them.

@@ -12,9 +12,9 @@ constexpr rc_option_spec fixed(rc_option_spec spec) {
 }
 
 constexpr rc_option_spec specs[] = {
-    text_option(RC_OPT_SOLVER, "auto", nullptr, "solver by name; auto chooses by the number of candidates and the tolerance"),
+    text_option(RC_OPT_SOLVER, "auto", nullptr, "solver by name; auto: the one that needs least time, by its own estimate"),
     text_option(RC_OPT_BACKEND, "auto", nullptr,
-                "backend by name, or a preference list \"a,b\"; auto chooses by the number of candidates"),
+                "backend by name, or a preference list \"a,b\"; auto: the one that needs least time, by its own estimate"),
     fixed(text_option(RC_OPT_KERNEL, "auto", nullptr,
                       "influence kernel by name; auto is love for free and spectral for periodic boundaries")),
     real_option(RC_OPT_TOL, "1e-8", 1e-16, 0.1, "largest relative residual of a certified answer"),

@@ -10,7 +10,7 @@ namespace {
 
 void check_length(double value, const char* name) {
   if (!(std::isfinite(value) && value > 0))
-    fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length");
+    fail(RC_ERR_ARGUMENT, "rc_system.", name, " = ", value, " must be a positive finite length; set the cell size");
 }
 
 }  // namespace
@@ -18,7 +18,8 @@ void check_length(double value, const char* name) {
 void check_grid(const rc_system& system) {
   if (system.op < RC_OPERATOR_HALFSPACE || system.op > RC_OPERATOR_CALLBACK)
     fail(RC_ERR_ARGUMENT, "rc_system.op = ", system.op, " is none of RC_OPERATOR_HALFSPACE, _DENSE, _CALLBACK (1 .. 3)");
-  if (system.nx < 1 || system.ny < 1) fail(RC_ERR_SHAPE, "nx = ", system.nx, ", ny = ", system.ny, " must both be >= 1");
+  if (system.nx < 1 || system.ny < 1)
+    fail(RC_ERR_SHAPE, "nx = ", system.nx, ", ny = ", system.ny, " must both be >= 1; set the points along x and y");
   if (system.nx > most_points / system.ny)
     fail(RC_ERR_SHAPE, "nx*ny = ", system.nx, " * ", system.ny, " is more than ", most_points, " points");
   check_length(system.hx, "hx");

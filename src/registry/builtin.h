@@ -3,6 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,7 @@ std::vector<rc_plugin_query_fn> builtin_plugins();
 // What to do to get a component that this library knows of but does not contain; null for unknown names.
 const char* known_but_absent(std::string_view name);
 
-// A plugin that "auto" leaves alone.
-bool opened_by_name_only(std::string_view name);
+// Points of a grid from which on "auto" opens the plugin of this name; 0 for unknown names.
+std::int64_t auto_opens_from(std::string_view name);
 
 }  // namespace rc

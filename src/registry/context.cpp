@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "core/error.h"
 #include "registry/builtin.h"
@@ -128,22 +129,37 @@ bool Context::load(const std::string& name) {
   return true;
 }
 
-void Context::load_all(bool for_auto) {
-  bool& loaded = for_auto ? loaded_for_auto_ : all_loaded_;
-  if (loaded || all_loaded_ || (config_.flags & RC_CONTEXT_NO_PLUGINS)) return;
-  loaded = true;  // before the log is called, which may enumerate too
-  try {
-    for (const std::string& name : plugin_names(plugin_directories(config_, *this))) {
-      if (find(backends_, name) || find(solvers_, name)) continue;
-      if (for_auto && opened_by_name_only(name)) continue;
-      try {
-        load(name);
-      } catch (const Error& error) {
-        log(RC_LOG_WARNING, error.what());
-      }
+void Context::open_plugins(std::int64_t points) {
+  if (config_.flags & RC_CONTEXT_NO_PLUGINS) return;
+  if (!looked_) closed_ = plugin_names(plugin_directories(config_, *this));
+  looked_ = true;
+  for (std::size_t i = 0; i < closed_.size();) {
+    if (auto_opens_from(closed_[i]) > points) {
+      ++i;
+      continue;
     }
+    const auto place = closed_.begin() + static_cast<std::ptrdiff_t>(i);
+    std::string name = std::move(*place);
+    closed_.erase(place);  // before the log is called, which may enumerate too
+    try {
+      if (!find(backends_, name) && !find(solvers_, name)) load(name);
+    } catch (const Error& error) {
+      log(RC_LOG_WARNING, error.what());
+    } catch (...) {
+      closed_.insert(closed_.begin(), std::move(name));  // there is room for it
+      throw;
+    }
+  }
+}
+
+void Context::load_all() {
+  if (all_loaded_) return;
+  all_loaded_ = true;
+  looked_ = false;
+  try {
+    open_plugins(std::numeric_limits<std::int64_t>::max());
   } catch (...) {
-    loaded = false;
+    all_loaded_ = false;
     throw;
   }
 }
@@ -187,13 +203,17 @@ std::vector<const Component<rc_backend>*> Context::backends() {
   return sorted(backends_);
 }
 
-std::vector<const Component<rc_backend>*> Context::backends_for_auto(bool plugins) {
+template <class Vtable>
+std::vector<const Component<Vtable>*> Context::for_auto(const std::deque<Component<Vtable>>& components, std::int64_t points) {
   const std::lock_guard lock(mutex_);
-  if (plugins) load_all(true);
-  auto all = sorted(backends_);
-  std::erase_if(all, [&](const auto* each) { return each->plugin && (!plugins || opened_by_name_only(each->vtable.name)); });
+  if (points > 0) open_plugins(points);
+  auto all = sorted(components);
+  std::erase_if(all,
+                [&](const auto* each) { return each->plugin && (points == 0 || auto_opens_from(each->vtable.name) > points); });
   return all;
 }
+template std::vector<const Component<rc_backend>*> Context::for_auto(const std::deque<Component<rc_backend>>&, std::int64_t);
+template std::vector<const Component<rc_solver>*> Context::for_auto(const std::deque<Component<rc_solver>>&, std::int64_t);
 
 std::vector<const Component<rc_solver>*> Context::solvers() {
   const std::lock_guard lock(mutex_);

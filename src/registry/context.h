@@ -53,10 +53,11 @@ class Context {
 
   // Everything that can be found, sorted by name; refused files are logged.
   std::vector<const Component<rc_backend>*> backends();
-  // What "auto" may stand for, sorted by name: the backends that opened no plugin, and with `plugins` those of every plugin but
-  // the ones that are opened by name only. The same whatever was opened before.
-  std::vector<const Component<rc_backend>*> backends_for_auto(bool plugins);
   std::vector<const Component<rc_solver>*> solvers();
+  // What "auto" may stand for on a grid of so many points, sorted by name: what is in plugins that it opens there, and what
+  // needed no plugin; points = 0: that alone. The same whatever was opened before.
+  std::vector<const Component<rc_backend>*> backends_for_auto(std::int64_t points) { return for_auto(backends_, points); }
+  std::vector<const Component<rc_solver>*> solvers_for_auto(std::int64_t points) { return for_auto(solvers_, points); }
 
   // Throws Error(RC_ERR_OPTION) with the nearest key. A dotted key loads its component.
   const OptionSpec& option(std::string_view key);
@@ -73,8 +74,11 @@ class Context {
   void add_component(std::deque<Component<Vtable>>& components, const Vtable* vtable, const std::string& origin);
   template <class Vtable>
   const Vtable& get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind);
-  bool load(const std::string& name);  // true if a file of that name was loaded now or before
-  void load_all(bool for_auto = false);
+  template <class Vtable>
+  std::vector<const Component<Vtable>*> for_auto(const std::deque<Component<Vtable>>& components, std::int64_t points);
+  bool load(const std::string& name);      // true if a file of that name was loaded now or before
+  void open_plugins(std::int64_t points);  // that "auto" opens there
+  void load_all();
 
   const ContextConfig config_;
   Host host_;
@@ -83,7 +87,8 @@ class Context {
   std::deque<Component<rc_solver>> solvers_;
   std::vector<std::string> loaded_;
   Schema schema_;
-  bool all_loaded_ = false, loaded_for_auto_ = false;
+  std::vector<std::string> closed_;  // names of plugins that "auto" has not tried to open
+  bool looked_ = false, all_loaded_ = false;
 };
 
 }  // namespace rc

@@ -29,25 +29,41 @@ const char license[] = "BSD-3-Clause";
 
 // Built at the first query, because the options of other files are not constant expressions here.
 const rc_plugin& plugin() {
-#define RC_SOLVER(function, name, summary, needs, controls)                                                     \
-  static const rc_solver function##_entry = {                                                                   \
-      sizeof(rc_solver),        name,           summary, license, needs, controls, 0, function##_options.count, \
-      function##_options.specs, solve<function>};
+#define RC_SOLVER(function, solver, text, operations, controlled, scored)           \
+  static const rc_solver function##_entry = {.struct_size = sizeof(rc_solver),      \
+                                             .name = solver,                        \
+                                             .summary = text,                       \
+                                             .license = license,                    \
+                                             .needs = operations,                   \
+                                             .controls = controlled,                \
+                                             .n_options = function##_options.count, \
+                                             .options = function##_options.specs,   \
+                                             .solve = solve<function>,              \
+                                             .score = scored};
 #define RC_SOLVER_IN_PLACE RC_SOLVER
 #include "solvers/solvers.def"
 #undef RC_SOLVER
   static const rc_solver* const entries[] = {
-#define RC_SOLVER(function, name, summary, needs, controls) &function##_entry,
+#define RC_SOLVER(function, solver, text, operations, controlled, scored) &function##_entry,
 #include "solvers/solvers.def"
 #undef RC_SOLVER
 #undef RC_SOLVER_IN_PLACE
   };
-  static const rc_plugin all = {
-      sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "solvers", "0.1.0", 0, std::size(entries), nullptr, entries};
+  static const rc_plugin all = {.struct_size = sizeof(rc_plugin),
+                                .abi_major = RC_PLUGIN_ABI_MAJOR,
+                                .abi_minor = RC_PLUGIN_ABI_MINOR,
+                                .name = "solvers",
+                                .version = "0.1.0",
+                                .n_solvers = std::size(entries),
+                                .solvers = entries};
   return all;
 }
 
 }  // namespace
+
+rc_status by_name_only(const rc_facts* facts, rc_estimate*) {
+  return facts->host->fail(facts->host, RC_ERR_INCOMPATIBLE, "by name only: a method of the paper that others are faster than");
+}
 
 }  // namespace rc
 

@@ -96,7 +96,7 @@ class Cascade {
       request.nx = level.nx;
       request.ny = level.ny;
       request.factor = std::int64_t{2} << k;
-      request.gap = level.gap.data();
+      request.undeformed_gap = level.gap.data();
       request.mask = allowed.empty() ? nullptr : allowed.data();
       request.control = RC_CONTROL_DISPLACEMENT;
       request.approach = lowest + depth;
@@ -154,9 +154,9 @@ class Cascade {
     double count = 0, mean = 0, squares = 0;  // of the deviations from the mean so far
     for (std::size_t i = 0; i < problem_.gap().size(); ++i) {
       if (grid_.mask && !grid_.mask[i]) continue;
-      const double off = grid_.gap[i] - mean;
+      const double off = grid_.undeformed_gap[i] - mean;
       mean += off / ++count;
-      squares += off * (grid_.gap[i] - mean);
+      squares += off * (grid_.undeformed_gap[i] - mean);
     }
     return count > 0 ? std::sqrt(squares / count) : 0.0;
   }
@@ -236,7 +236,7 @@ class Cascade {
         remark_ = join("trial set ", kept_, " of ", n_, " after ", round, " rounds",
                        added > 0 ? join(", ", added, " points added") : "", remark_.empty() ? "" : "; ", remark_);
         problem_.note("cmr: " + remark_);
-        return complete ? status : RC_STOP_UNCERTIFIED;
+        return complete ? status : RC_UNCERTIFIED;
       }
     }
   }

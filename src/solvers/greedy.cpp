@@ -188,7 +188,7 @@ class Greedy {
                   static_cast<long long>(overlapping), repair ? "ped" : "", -deepest,
                   repair ? "nnls has repaired it" : "set greedy.repair or use nnls");
     problem_.note(remark);
-    if (!repair) return RC_STOP_UNCERTIFIED;
+    if (!repair) return RC_UNCERTIFIED;
     return problem_.by_nnls(p_.data());
   }
 

@@ -55,7 +55,7 @@ class Problem {
   double lambda_min() const { return problem_.lambda_min; }  // a lower bound of the eigenvalues; 0: none is known
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
-  std::span<const double> gap() const { return {grid()->gap, static_cast<std::size_t>(grid()->nx * grid()->ny)}; }
+  std::span<const double> gap() const { return {grid()->undeformed_gap, static_cast<std::size_t>(grid()->nx * grid()->ny)}; }
   std::span<const std::uint8_t> mask() const { return {grid()->mask, grid()->mask ? gap().size() : 0}; }  // empty: all points
   // Runs another solver, with pressure on the positions `a` only. product: null, or receives H p.
   rc_status inner(const char* solver, const Positions& a, double* p, Vector* product) const {
@@ -113,13 +113,29 @@ template <std::size_t count> constexpr Options listed(const rc_option_spec* cons
   return {specs, static_cast<std::int64_t>(count)};
 }
 
-// Declares the function and the options of every line of solvers.def. The function improves p (and, in load control, d) until
-// problem.tol() is met. With IN_PLACE it works on the caller's array.
-#define RC_SOLVER(function, name, summary, needs, controls)         \
+// Seconds for the products of iterations that take `usual` of them on a half-space, where little depends on the grid. Near
+// round-off they go on until they stall, and of the caller's own matrix or product nothing is known but that each unknown may
+// take one.
+inline double iterating(const rc_facts& facts, double usual) {
+  constexpr double near_round_off = 1e-12, until_they_stall = 250;
+  const bool grid = facts.system->op == RC_OPERATOR_HALFSPACE;
+  return facts.backend->product * (!grid                        ? static_cast<double>(facts.n)
+                                   : facts.tol < near_round_off ? until_they_stall * usual
+                                                                : usual);
+}
+inline double with_the_rest(const rc_facts& facts, double solving) {
+  return facts.backend->seconds + solving + facts.backend->field;
+}
+
+// Declares the function, the score and the options of every line of solvers.def. The function improves p (and, in load control,
+// d) until problem.tol() is met. With IN_PLACE it works on the caller's array. The score is that of rc_solver.
+#define RC_SOLVER(function, name, summary, needs, controls, score)  \
   rc_status function(const Problem& problem, Vector& p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);    \
   extern const Options function##_options;
-#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls)          \
+#define RC_SOLVER_IN_PLACE(function, name, summary, needs, controls, score)   \
   rc_status function(const Problem& problem, std::span<double> p, double& d); \
+  rc_status score(const rc_facts* facts, rc_estimate* estimate);              \
   extern const Options function##_options;
 #include "solvers/solvers.def"
 #undef RC_SOLVER

@@ -1,15 +1,18 @@
-/* The numbers of <roughcontact/roughcontact.h>, see golden.h. */
-#include <roughcontact/roughcontact.h>
+/* The numbers of <roughcontact/roughcontact.h> and the headers beside it, see golden.h. */
+#include <roughcontact/analysis.h>
+#include <roughcontact/direct.h>
+#include <roughcontact/history.h>
+#include <roughcontact/registry.h>
 
 #include "golden.h"
 
 VALUE(RC_OK, 0);
-VALUE(RC_STOP_MAX_ITER, 1);
-VALUE(RC_STOP_TIME, 2);
-VALUE(RC_STOP_CANCELLED, 3);
-VALUE(RC_STOP_STALLED, 4);
-VALUE(RC_STOP_UNCERTIFIED, 5);
-VALUE(RC_WITHIN_GOAL, 6);
+VALUE(RC_WITHIN_GOAL, 100);
+VALUE(RC_STOP_MAX_ITER, 101);
+VALUE(RC_STOP_TIME, 102);
+VALUE(RC_STOP_CANCELLED, 103);
+VALUE(RC_STOP_STALLED, 104);
+VALUE(RC_UNCERTIFIED, 105);
 VALUE(RC_ERR_ARGUMENT, -1);
 VALUE(RC_ERR_SHAPE, -2);
 VALUE(RC_ERR_OPTION, -3);
@@ -67,13 +70,13 @@ AT(rc_step, struct_size, 0);
 AT(rc_step, control, 8);
 AT(rc_step, warm_start, 12);
 AT(rc_step, target, 16);
-AT(rc_step, gap, 24);
+AT(rc_step, undeformed_gap, 24);
 AT(rc_step, p0, 32);
 AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
 
-SIZE(rc_result, 552);
+SIZE(rc_result, 512);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -86,7 +89,7 @@ AT(rc_result, candidates, 56);
 AT(rc_result, modelled, 64);
 AT(rc_result, contacts, 72);
 AT(rc_result, load, 80);
-AT(rc_result, displacement, 88);
+AT(rc_result, approach, 88);
 AT(rc_result, mean_pressure, 96);
 AT(rc_result, contact_area, 104);
 AT(rc_result, energy, 112);
@@ -111,11 +114,14 @@ AT(rc_result, proven_open, 480);
 AT(rc_result, undecided, 488);
 AT(rc_result, levels, 496);
 AT(rc_result, tolerance, 504);
-AT(rc_result, model_nx, 512);
-AT(rc_result, model_ny, 520);
-AT(rc_result, error_estimate, 528);
-AT(rc_result, left_out, 536);
-AT(rc_result, area_estimate, 544);
+
+SIZE(rc_accuracy, 48);
+AT(rc_accuracy, struct_size, 0);
+AT(rc_accuracy, model_nx, 8);
+AT(rc_accuracy, model_ny, 16);
+AT(rc_accuracy, error_estimate, 24);
+AT(rc_accuracy, area_estimate, 32);
+AT(rc_accuracy, left_out, 40);
 
 SIZE(rc_level, 88);
 AT(rc_level, struct_size, 0);
@@ -126,20 +132,20 @@ AT(rc_level, nx, 24);
 AT(rc_level, ny, 32);
 AT(rc_level, hx, 40);
 AT(rc_level, hy, 48);
-AT(rc_level, displacement, 56);
+AT(rc_level, approach, 56);
 AT(rc_level, load, 64);
 AT(rc_level, candidates, 72);
 AT(rc_level, contacts, 80);
 
 SIZE(rc_state, 72);
 AT(rc_state, struct_size, 0);
-AT(rc_state, gap, 8);
+AT(rc_state, undeformed_gap, 8);
 AT(rc_state, mask, 16);
 AT(rc_state, p, 24);
-AT(rc_state, displacement, 32);
+AT(rc_state, approach, 32);
 AT(rc_state, load, 40);
 AT(rc_state, p_before, 48);
-AT(rc_state, displacement_before, 56);
+AT(rc_state, approach_before, 56);
 AT(rc_state, load_before, 64);
 
 SIZE(rc_path, 120);
@@ -148,10 +154,10 @@ AT(rc_path, control, 8);
 AT(rc_path, warm_start, 12);
 AT(rc_path, n, 16);
 AT(rc_path, targets, 24);
-AT(rc_path, gap, 32);
+AT(rc_path, undeformed_gap, 32);
 AT(rc_path, mask, 40);
 AT(rc_path, load, 48);
-AT(rc_path, displacement, 56);
+AT(rc_path, approach, 56);
 AT(rc_path, contact_area, 64);
 AT(rc_path, stiffness, 72);
 AT(rc_path, certificate, 80);
@@ -168,14 +174,14 @@ AT(rc_batch, n, 16);
 AT(rc_batch, steps, 24);
 AT(rc_batch, targets, 32);
 AT(rc_batch, target_stride, 40);
-AT(rc_batch, gap, 48);
-AT(rc_batch, gap_stride, 56);
+AT(rc_batch, undeformed_gap, 48);
+AT(rc_batch, undeformed_gap_stride, 56);
 AT(rc_batch, mask, 64);
 AT(rc_batch, mask_stride, 72);
 AT(rc_batch, p0, 80);
 AT(rc_batch, p, 88);
 AT(rc_batch, load, 96);
-AT(rc_batch, displacement, 104);
+AT(rc_batch, approach, 104);
 AT(rc_batch, contact_area, 112);
 AT(rc_batch, stiffness, 120);
 AT(rc_batch, certificate, 128);

@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 4);
+VALUE(RC_PLUGIN_ABI_MINOR, 5);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -59,7 +59,7 @@ SIZE(rc_screen, 88);
 AT(rc_screen, struct_size, 0);
 AT(rc_screen, approach, 8);
 AT(rc_screen, unit, 16);
-AT(rc_screen, gap, 24);
+AT(rc_screen, undeformed_gap, 24);
 AT(rc_screen, mask, 32);
 AT(rc_screen, y, 40);
 AT(rc_screen, room, 48);
@@ -68,7 +68,28 @@ AT(rc_screen, depth, 64);
 AT(rc_screen, n_found, 72);
 AT(rc_screen, tile_lowest, 80);
 
-SIZE(rc_backend, 152);
+SIZE(rc_facts, 80);
+AT(rc_facts, struct_size, 0);
+AT(rc_facts, host, 8);
+AT(rc_facts, options, 16);
+AT(rc_facts, system, 24);
+AT(rc_facts, n, 32);
+AT(rc_facts, box, 40);
+AT(rc_facts, tol, 48);
+AT(rc_facts, backend, 56);
+AT(rc_facts, caps, 64);
+AT(rc_facts, partial, 72);
+AT(rc_facts, reserved, 76);
+
+SIZE(rc_estimate, 48);
+AT(rc_estimate, struct_size, 0);
+AT(rc_estimate, seconds, 8);
+AT(rc_estimate, bytes, 16);
+AT(rc_estimate, product, 24);
+AT(rc_estimate, field, 32);
+AT(rc_estimate, factor, 40);
+
+SIZE(rc_backend, 160);
 AT(rc_backend, struct_size, 0);
 AT(rc_backend, name, 8);
 AT(rc_backend, summary, 16);
@@ -88,6 +109,7 @@ AT(rc_backend, norm, 120);
 AT(rc_backend, apply_float, 128);
 AT(rc_backend, screen, 136);
 AT(rc_backend, forget, 144);
+AT(rc_backend, score, 152);
 
 SIZE(rc_grid, 80);
 AT(rc_grid, struct_size, 0);
@@ -95,7 +117,7 @@ AT(rc_grid, nx, 8);
 AT(rc_grid, ny, 16);
 AT(rc_grid, hx, 24);
 AT(rc_grid, hy, 32);
-AT(rc_grid, gap, 40);
+AT(rc_grid, undeformed_gap, 40);
 AT(rc_grid, mask, 48);
 AT(rc_grid, index, 56);
 AT(rc_grid, approach, 64);
@@ -107,7 +129,7 @@ AT(rc_coarse, struct_size, 0);
 AT(rc_coarse, nx, 8);
 AT(rc_coarse, ny, 16);
 AT(rc_coarse, factor, 24);
-AT(rc_coarse, gap, 32);
+AT(rc_coarse, undeformed_gap, 32);
 AT(rc_coarse, mask, 40);
 AT(rc_coarse, approach, 48);
 AT(rc_coarse, solver, 56);
@@ -143,7 +165,7 @@ AT(rc_problem, team, 152);
 AT(rc_problem, length, 160);
 AT(rc_problem, pressure, 168);
 
-SIZE(rc_solver, 72);
+SIZE(rc_solver, 80);
 AT(rc_solver, struct_size, 0);
 AT(rc_solver, name, 8);
 AT(rc_solver, summary, 16);
@@ -154,6 +176,7 @@ AT(rc_solver, reserved, 44);
 AT(rc_solver, n_options, 48);
 AT(rc_solver, options, 56);
 AT(rc_solver, solve, 64);
+AT(rc_solver, score, 72);
 
 SIZE(rc_plugin, 64);
 AT(rc_plugin, struct_size, 0);

@@ -45,7 +45,7 @@ void pins_outside_the_coarse_contact_are_seen() {
     check_near(found.result.load, load, goal_of_load * load, "load");
     const Answer by_load = solve(at_load(problem, load), automatic, goal(goal_of_load, "load"));
     Problem same = problem;
-    same.target = by_load.result.displacement;
+    same.target = by_load.result.approach;
     check_near(exact(same).result.load, load, goal_of_load * load, "load of the approach found");
   }
 }
@@ -58,8 +58,8 @@ void areas_that_tie_are_known_to_one_coarse_cell() {
   problem.target = 1;
   const Answer found = solve(problem, automatic, goal(0.1, "area"));
   check(by_estimate(found), "a coarser grid will do");
-  const std::int64_t factor = 128 / found.result.model_nx;
-  check(found.result.error_estimate >= static_cast<double>(factor * factor) / static_cast<double>(found.result.contacts),
+  const std::int64_t factor = 128 / found.accuracy.model_nx;
+  check(found.accuracy.error_estimate >= static_cast<double>(factor * factor) / static_cast<double>(found.result.contacts),
         "the estimate is no less than a cell");
 }
 
@@ -74,8 +74,8 @@ void areas_under_a_goal_of_the_load_have_their_own_estimate() {
       if (!by_estimate(found)) continue;
       ++coarser;
       const double area = whole.result.contact_area;
-      check_near(found.result.contact_area, area, found.result.area_estimate * area, "contact area");
-      check(found.result.area_estimate < 1, "area_estimate");
+      check_near(found.result.contact_area, area, found.accuracy.area_estimate * area, "contact area");
+      check(found.accuracy.area_estimate < 1, "area_estimate");
     }
   }
   check(coarser >= 3, "coarser grids serve");
@@ -99,7 +99,7 @@ void two_spheres_meet_their_goals() {
       const double load = exact(problem).result.load;
       for (const double goal_of_load : {0.03, 0.01, 0.003}) {
         const Answer found = solve(problem, automatic, goal(goal_of_load, "load"));
-        check(by_estimate(found) || found.result.model_nx == n, "solved");
+        check(by_estimate(found) || found.accuracy.model_nx == n, "solved");
         check_near(found.result.load, load, goal_of_load * load, "load");
       }
     }

@@ -22,7 +22,7 @@ double error_of(const Problem& problem, const Answer& found, const Answer& exact
   if (problem.control == RC_CONTROL_DISPLACEMENT) return std::abs(found.result.load / exact.result.load - 1);
   Problem same = problem;
   same.control = RC_CONTROL_DISPLACEMENT;
-  same.target = found.result.displacement;
+  same.target = found.result.approach;
   return std::abs(solved(same, automatic, {{RC_OPT_TOL, "1e-9"}}).result.load / exact.result.load - 1);
 }
 

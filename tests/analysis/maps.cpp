@@ -59,8 +59,7 @@ Map transposed(const Map& map) {
 }
 
 rc_area area_of(const Map& map) {
-  rc_area area;
-  rc_area_init(&area);
+  rc_area area = RC_AREA_INIT;
   check(rc_area_measure(&map.system, map.p.data(), map.mask_data(), &area) == RC_OK, rc_last_error());
   return area;
 }

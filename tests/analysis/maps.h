@@ -1,19 +1,22 @@
 // Maps of contact, and the library's analyses of them.
 #pragma once
 
+#include <roughcontact/analysis.h>
+
 #include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "pairs/contact.h"
+#include "support/unit_system.h"
 
 namespace analysis {
 
 using pairs::Field;
 
 struct Map {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   Field p;
   std::vector<std::uint8_t> mask;  // empty: none
 

@@ -27,7 +27,7 @@ Field certificates(const Problem& problem, const Study& study, const Field& targ
   path.warm_start = study.warm;
   path.n = static_cast<std::int64_t>(targets.size());
   path.targets = targets.data();
-  path.gap = problem.gap.data();
+  path.undeformed_gap = problem.gap.data();
   path.mask = problem.mask.empty() ? nullptr : problem.mask.data();
   path.certificate = found.data();
   check(rc_contact_solve_path(contact.handle(), &path) == RC_OK, rc_last_error());
@@ -46,7 +46,7 @@ void equals_single_contacts(const Study& study, const Outcome& outcome) {
     request.with_stiffness = study.with_stiffness;
     const paths::History history = paths::followed(Contact(problem, study.pair, study.settings), problem, request);
     check_slice(outcome.load, i, history.load, "load");
-    check_slice(outcome.displacement, i, history.displacement, "displacement");
+    check_slice(outcome.approach, i, history.approach, "approach");
     check_slice(outcome.contact_area, i, history.contact_area, "contact area");
     check_slice(outcome.certificate, i, certificates(problem, study, request.targets), "certificate");
     check_slice(outcome.stiffness, i, history.stiffness, "stiffness");
@@ -119,12 +119,13 @@ void a_shared_array_serves_all() {
   for (std::int64_t i = 0; i < study.n; ++i) same.masks[static_cast<std::size_t>(i) * study.points() + 5] = 0;
   study.masks.assign(study.points(), 1);
   study.masks[5] = 0;
-  const Outcome shared = study.solve(2, [](rc_batch& b) { b.gap_stride = b.mask_stride = b.target_stride = RC_BATCH_SHARED; });
+  const Outcome shared =
+      study.solve(2, [](rc_batch& b) { b.undeformed_gap_stride = b.mask_stride = b.target_stride = RC_BATCH_SHARED; });
   check_same(same.solve(2), shared);
   // Other targets on one surface.
   for (std::int64_t k = 0; k < study.steps; ++k) same.target(2, k) *= 0.7;
   study.targets = same.targets;
-  check_same(same.solve(2), study.solve(2, [](rc_batch& b) { b.gap_stride = b.mask_stride = RC_BATCH_SHARED; }));
+  check_same(same.solve(2), study.solve(2, [](rc_batch& b) { b.undeformed_gap_stride = b.mask_stride = RC_BATCH_SHARED; }));
 }
 
 void strides_leave_room_between_contacts() {
@@ -136,8 +137,8 @@ void strides_leave_room_between_contacts() {
     for (std::size_t k = 0; k < 5; ++k) targets.push_back(k < 2 ? study.targets[2 * i + k] : std::nan(""));
   }
   check_same(study.solve(1), study.solve(2, [&](rc_batch& b) {
-    b.gap = gaps.data();
-    b.gap_stride = static_cast<std::int64_t>(points) + 11;
+    b.undeformed_gap = gaps.data();
+    b.undeformed_gap_stride = static_cast<std::int64_t>(points) + 11;
     b.targets = targets.data();
     b.target_stride = 5;
   }));
@@ -192,7 +193,7 @@ void outputs_may_be_null() {
   const Study study = rough_study(3, 2);
   check_outcome(study.solve(2,
                             [](rc_batch& b) {
-                              b.p = b.load = b.displacement = b.contact_area = b.certificate = nullptr;
+                              b.p = b.load = b.approach = b.contact_area = b.certificate = nullptr;
                               b.status = nullptr;
                               b.iterations = b.applications = nullptr;
                             }),

@@ -5,6 +5,7 @@
 
 #include "batch/study.h"
 #include "support/failing_new.h"
+#include "support/unit_system.h"
 
 namespace batch {
 
@@ -17,7 +18,7 @@ void refused(const Study& study, const std::function<void(rc_batch&)>& change, r
     const Outcome outcome = study.solve(threads, change);
     check_outcome(outcome, status, 0, 0, -1);
     check(outcome.message.find(says) != std::string::npos, "message: " + outcome.message + ", lacks: " + says);
-    for (const Field* each : {&outcome.load, &outcome.displacement, &outcome.p})
+    for (const Field* each : {&outcome.load, &outcome.approach, &outcome.p})
       for (const double value : *each) check(value == blank, "something was written");
     for (const rc_status each : outcome.statuses) check_equal(each, -7, "status");
   }
@@ -31,17 +32,17 @@ void bad_arguments_are_refused() {
   bad([](rc_batch& b) { b.steps = -3; }, "rc_batch.steps = -3 must be >= 0");
   bad([](rc_batch& b) { b.control = 7; }, "rc_batch.control = 7 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
   bad([](rc_batch& b) { b.targets = nullptr; }, "rc_batch.targets is null but n = 3 and steps = 2");
-  bad([](rc_batch& b) { b.gap = nullptr; }, "rc_batch.gap is null but n = 3");
+  bad([](rc_batch& b) { b.undeformed_gap = nullptr; }, "rc_batch.undeformed_gap is null but n = 3");
   bad([](rc_batch& b) { b.target_stride = 1; },
       "rc_batch.target_stride = 1 must be 0, RC_BATCH_SHARED (-1) or at least steps = 2", RC_ERR_SHAPE);
-  bad([](rc_batch& b) { b.gap_stride = 431; },
-      "rc_batch.gap_stride = 431 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 432", RC_ERR_SHAPE);
+  bad([](rc_batch& b) { b.undeformed_gap_stride = 431; },
+      "rc_batch.undeformed_gap_stride = 431 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 432", RC_ERR_SHAPE);
   bad([](rc_batch& b) { b.mask_stride = -2; }, "rc_batch.mask_stride = -2 must be 0", RC_ERR_SHAPE);
   bad([](rc_batch& b) { b.n = std::numeric_limits<std::int64_t>::max(); }, "are more than", RC_ERR_SHAPE);
   bad(
       [](rc_batch& b) {
         b.n = std::numeric_limits<std::int64_t>::max() / 64;
-        b.gap_stride = b.mask_stride = b.target_stride = RC_BATCH_SHARED;
+        b.undeformed_gap_stride = b.mask_stride = b.target_stride = RC_BATCH_SHARED;
       },
       "are more than", RC_ERR_SHAPE);
 }
@@ -58,6 +59,7 @@ void bad_systems_and_options_are_refused() {
 void null_pointers_are_refused() {
   const rc_system system = RC_SYSTEM_INIT;
   rc_batch b = RC_BATCH_INIT;
+  b.control = RC_CONTROL_DISPLACEMENT;
   check_equal(rc_batch_solve(&system, nullptr, nullptr), RC_ERR_ARGUMENT, "batch null");
   check(std::string(rc_last_error()) == "rc_batch_solve: rc_batch is null", rc_last_error());
   check_equal(rc_batch_solve(nullptr, nullptr, &b), RC_ERR_ARGUMENT, "system null");
@@ -73,12 +75,12 @@ void null_pointers_are_refused() {
 
 void nothing_to_do_is_done() {
   for (const auto& [n, steps] : {std::pair<std::int64_t, std::int64_t>{0, 3}, {3, 0}, {0, 0}}) {
-    rc_batch b{};
-    rc_batch_init(&b);
+    rc_batch b = RC_BATCH_INIT;
+    b.control = RC_CONTROL_DISPLACEMENT;
     b.n = n;
     b.steps = steps;
     b.written = -7;
-    const rc_system system = RC_SYSTEM_INIT;
+    const rc_system system = support::unit_system();
     check(rc_batch_solve(&system, nullptr, &b) == RC_OK, rc_last_error());
     check_equal(b.written, n, "written");
     check_equal(b.certified, n, "certified");

@@ -35,7 +35,7 @@ Outcome Study::solve(int threads, const std::function<void(rc_batch&)>& change) 
   all.emplace_back(RC_OPT_THREADS, std::to_string(threads));
   const Options options = make_options(pair, problem.kernel, all);
   const auto slots = static_cast<std::size_t>(n * steps);
-  for (Field* each : {&outcome.load, &outcome.displacement, &outcome.contact_area, &outcome.stiffness, &outcome.certificate})
+  for (Field* each : {&outcome.load, &outcome.approach, &outcome.contact_area, &outcome.stiffness, &outcome.certificate})
     each->assign(slots, blank);
   outcome.statuses.assign(slots, -7);
   outcome.iterations.assign(slots, -7);
@@ -48,12 +48,12 @@ Outcome Study::solve(int threads, const std::function<void(rc_batch&)>& change) 
   b.n = n;
   b.steps = steps;
   b.targets = targets.data();
-  b.gap = gaps.data();
+  b.undeformed_gap = gaps.data();
   b.mask = masks.empty() ? nullptr : masks.data();
   b.p0 = p0.empty() ? nullptr : p0.data();
   b.p = outcome.p.data();
   b.load = outcome.load.data();
-  b.displacement = outcome.displacement.data();
+  b.approach = outcome.approach.data();
   b.contact_area = outcome.contact_area.data();
   b.stiffness = with_stiffness ? outcome.stiffness.data() : nullptr;
   b.certificate = outcome.certificate.data();
@@ -100,7 +100,7 @@ void check_same(const Outcome& a, const Outcome& b) {
     check(x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof x[0]) == 0, std::string(what) + " differs");
   };
   same(a.load, b.load, "load");
-  same(a.displacement, b.displacement, "displacement");
+  same(a.approach, b.approach, "approach");
   same(a.contact_area, b.contact_area, "contact area");
   same(a.stiffness, b.stiffness, "stiffness");
   same(a.certificate, b.certificate, "certificate");

@@ -1,6 +1,8 @@
 // A batch with every output, and its outcome.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,7 +20,7 @@ struct Outcome {
   rc_status status = RC_ERR_INTERNAL;
   std::string message;
   std::int64_t written = -7, certified = -7, first = -7;
-  Field load, displacement, contact_area, stiffness, certificate, p;
+  Field load, approach, contact_area, stiffness, certificate, p;
   std::vector<rc_status> statuses;
   std::vector<std::int64_t> iterations, applications;
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Structs and constants of the Fortran modules are those of C: sizes, offsets and values as the golden numbers have them, and new
-structs with the values that the library gives. (The Python package: bindings/python/tests/test_raw.py.)
+structs with the values of the RC_..._INIT macros. (The Python package: bindings/python/tests/test_raw.py.)
 
 layouts.py SOURCE FC LIBDIR MODULE...
 """
@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+HEADERS = ("history", "direct", "analysis", "registry", "surface")
 PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface
@@ -40,8 +41,8 @@ def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
     golden = "".join((source / "tests" / "abi" / f"golden_{name}.c").read_text() for name in ("contact", "surface"))
     headers = "".join(file.read_text() for file in (source / "include" / "roughcontact").glob("*.h"))
-    functions = set(re.findall(r"\b(rc_\w+_init)\(", headers))
     calls, bodies, structs = [], [], 0
+    begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in HEADERS)]
     for name, value in re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M):
         calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
     for struct, size in re.findall(r"^SIZE\((rc_\w+), (\d+)\);", golden, re.M):
@@ -59,24 +60,19 @@ def main() -> int:
         lines += [
             f"call check('{struct}%{member}', distance(c_loc(x%{member}), c_loc(x)), {offset})" for member, offset in members
         ]
-        if f"{struct}_init" in functions and f"#define {struct.upper()}_INIT" in headers:
-            lines = [
-                "interface",
-                f"  subroutine {struct}_init(x, struct_size) bind(c); import",
-                f"    type({struct}), intent(inout) :: x",
-                "    integer(c_size_t), value :: struct_size",
-                "  end subroutine",
-                "end interface",
-                *lines,
+        if f"#define {struct.upper()}_INIT" in headers:
+            begun.append(f"void begin_{struct}_(void *x) {{ {struct} new = {struct.upper()}_INIT; memcpy(x, &new, sizeof new); }}")
+            lines += [
                 "ours = transfer(x, ours)",
-                f"call {struct}_init(x, {size}_c_size_t)",
-                "theirs = transfer(x, theirs)",
+                f"call begin_{struct}(theirs)",
                 f"call check('values of {struct}', count(ours /= theirs, kind=c_size_t), 0)",
             ]
         bodies += [f"  subroutine check_{struct}()", *(f"    {line}" for line in lines), "  end subroutine"]
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "layouts.f90"
         program.write_text(PROGRAM.format(calls="\n".join(calls), bodies="\n".join(bodies)))
+        program.with_suffix(".c").write_text("\n".join(begun) + "\n")
+        subprocess.run(["cc", "-c", f"-I{source / 'include'}", "layouts.c", "-o", "begun.o"], check=True, cwd=folder)
         files = [str(source / "bindings" / "fortran" / module) for module in modules]
         subprocess.run(
             [
@@ -84,6 +80,7 @@ def main() -> int:
                 "-O0",
                 *files,
                 str(program),
+                "begun.o",
                 "-o",
                 "layouts",
                 f"-L{libraries}",

@@ -20,10 +20,10 @@ int main(int count, char** arguments) {
   for (size_t i = 1; i < n; ++i) highest = z[i] > highest ? z[i] : highest;
   for (size_t i = 0; i < n; ++i) z[i] = highest - z[i];
   rc_step step = RC_STEP_INIT;
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.target = strtod(arguments[6], NULL);
-  step.gap = z;
-  rc_result result;
-  rc_result_init(&result);
+  step.undeformed_gap = z;
+  rc_result result = RC_RESULT_INIT;
   result.p = p;
   if (rc_solve(&system, &step, NULL, &result) != RC_OK) return fprintf(stderr, "%s\n", rc_last_error()), 1;
 

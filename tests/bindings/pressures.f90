@@ -19,7 +19,7 @@ program pressures
   open (newunit=unit, file=trim(words(1)), access='stream', status='old')
   read (unit) z
   close (unit)
-  call rcf_solve(rc_system(hx=pitch, hy=pitch, modulus=modulus), rcf_gap(z), displacement=displacement, p=p)
+  call rcf_solve(rc_system(hx=pitch, hy=pitch, modulus=modulus), rcf_gap_from_heights(z), displacement=displacement, p=p)
   open (newunit=unit, file=trim(words(7)), access='stream', status='replace')
   write (unit) p
   close (unit)

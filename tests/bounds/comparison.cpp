@@ -21,7 +21,7 @@ void check_points(const Problem& problem, const Answer& answer, const Answer& ex
   const rc_result& r = answer.result;
   std::vector<std::size_t> order(problem.points());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto distance = [&](std::size_t i) { return may_carry(problem, i, r.displacement) ? answer.gap[i] : HUGE_VAL; };
+  const auto distance = [&](std::size_t i) { return may_carry(problem, i, r.approach) ? answer.gap[i] : HUGE_VAL; };
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return distance(a) > distance(b); });
   const double negligible = exactness * largest(exact.p);
   for (std::int64_t k = 0; k < r.proven_open; ++k) {
@@ -46,7 +46,7 @@ Answer exact_at(const Problem& problem, double approach) {
 
 void check_proofs(const Problem& problem, const Answer& answer, const Answer& exact) {
   const rc_result &r = answer.result, &e = exact.result;
-  check(e.displacement == r.displacement, "the exact solution is at another approach");
+  check(e.approach == r.approach, "the exact solution is at another approach");
   if (problem.periodic() && r.points == 1) {  // no wave, no H
     check_equal(r.proven_contacts, -1, "proven_contacts");
     return;

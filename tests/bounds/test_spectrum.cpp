@@ -10,6 +10,7 @@
 #include "kernel/kernel.h"
 #include "kernel/lowest_eigenvalue.h"
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace {
 
@@ -162,7 +163,7 @@ void the_lowest_wave_is_the_smallest_of_the_symbol(void**) {
 }
 
 rc::Spectrum spectrum_of_matrix(const Vector& matrix) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.op = RC_OPERATOR_DENSE;
   system.nx = std::llround(std::sqrt(static_cast<double>(matrix.size())));
   system.dense = matrix.data();
@@ -210,7 +211,7 @@ void a_callers_matrix_is_factorised(void**) {
 }
 
 void what_is_not_known_is_0(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.op = RC_OPERATOR_DENSE;
   system.nx = rc::most_factorised_points + 1;
   Vector matrix(static_cast<std::size_t>(system.nx * system.nx), 0.0);

@@ -9,6 +9,8 @@
 #include <ctime>
 #include <vector>
 
+#include "support/unit_system.h"
+
 namespace {
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -20,7 +22,7 @@ double loading_sequence(const char* solver, const char* backend, std::int64_t si
     gap[static_cast<std::size_t>(i)] =
         2.0 + std::cos(0.21 * x + 0.17 * y) + std::cos(0.4 * x - 0.33 * y) + 0.3 * std::cos(1.1 * y);
   }
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = side;
   rc_options* options = nullptr;
   rc_contact* contact = nullptr;
@@ -32,10 +34,10 @@ double loading_sequence(const char* solver, const char* backend, std::int64_t si
   const double begin = processor_seconds();
   for (int k = 1; k <= 8; ++k) {
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = gap.data();
     step.target = 0.7 * k;
-    rc_result result;
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     if (rc_contact_solve(contact, &step, &result) != RC_OK) {
       std::fprintf(stderr, "%s\n", rc_last_error());
       std::exit(1);

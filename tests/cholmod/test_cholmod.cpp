@@ -17,9 +17,9 @@ RC_PLUGIN_LINKAGE rc_status rc_builtin_cholmod(const rc_host*, const rc_plugin**
 
 namespace {
 
-using seam::Index;
-using seam::StandInHost;
-using seam::Vector;
+using contract::Index;
+using contract::StandInHost;
+using contract::Vector;
 
 const rc_backend& backend() {
   const rc_plugin* plugin = nullptr;
@@ -34,25 +34,25 @@ Index every_third(std::int64_t n) {
   return positions;
 }
 
-void assert_solves(const seam::Problem& problem, const Index& points, double rho, const Vector& b, const Vector& x) {
+void assert_solves(const contract::Problem& problem, const Index& points, double rho, const Vector& b, const Vector& x) {
   Vector left = problem.matrix().product(points, points, x);
   double largest = 1.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     left[i] += rho * x[i];
     largest = std::max(largest, std::abs(x[i]));
   }
-  assert_true(seam::largest_difference(left, b) <= 1e-11 * (problem.matrix().norm() + rho) * largest);
+  assert_true(contract::largest_difference(left, b) <= 1e-11 * (problem.matrix().norm() + rho) * largest);
 }
 
 void near_field_solves_the_whole_system(void**) {
   for (const char* radius : {"0.4", "1.5", "3", "1000"})
-    seam::for_each_problem(backend(), 13, 10, 1.0, 0.8, [&](const seam::Problem& problem) {
+    contract::for_each_problem(backend(), 13, 10, 1.0, 0.8, [&](const contract::Problem& problem) {
       StandInHost host(backend());
       host.set("cholmod.near_field", radius);
-      seam::Operator op(backend(), host, problem.system());
+      contract::Operator op(backend(), host, problem.system());
       op.bind(problem.all(), problem.zero_mode());
       const Index some = every_third(130);
-      const Vector b = seam::random_vector(some.size(), 1), all = seam::random_vector(130, 2);
+      const Vector b = contract::random_vector(some.size(), 1), all = contract::random_vector(130, 2);
       for (int repeat = 0; repeat < 2; ++repeat) {
         assert_solves(problem, some, 0.0, b, op.subset(some, b));
         assert_solves(problem, problem.all(), 0.3, all, op.shifted(0.3, all));
@@ -66,8 +66,8 @@ struct Iterations {
 
 Iterations iterations(const rc_backend& tested, std::int32_t boundary, std::int64_t side, double radius) {
   StandInHost host(tested);
-  const rc_system system = seam::halfspace(boundary, side, side, 1.0, 1.0);
-  const rc_operator_spec spec = seam::spec_of(system, host);
+  const rc_system system = contract::halfspace(boundary, side, side, 1.0, 1.0);
+  const rc_operator_spec spec = contract::spec_of(system, host);
   rc_common::Products products(&host, spec, rc_cholmod::component);
   Index index;
   for (std::int64_t i = 0; i < side * side; ++i)
@@ -105,7 +105,7 @@ void near_field_saves_iterations(void**) {
 // The factor of all entries would take 22 GB; that of the near field is a few megabytes.
 void near_field_works_where_a_full_factor_does_not_fit(void**) {
   constexpr std::int64_t side = 200, n = side * side;
-  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, side, side, 1.0, 1.0);
+  const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, side, side, 1.0, 1.0);
   Index all(n);
   std::iota(all.begin(), all.end(), 0);
   const rc_domain domain{sizeof(rc_domain), n, nullptr, 0.0};
@@ -114,7 +114,7 @@ void near_field_works_where_a_full_factor_does_not_fit(void**) {
   for (const bool near : {false, true}) {
     StandInHost host(backend());
     if (near) host.set("cholmod.near_field", "4");
-    const rc_operator_spec spec = seam::spec_of(system, host);
+    const rc_operator_spec spec = contract::spec_of(system, host);
     void* self = nullptr;
     assert_int_equal(backend().create(&host, &spec, &self), RC_OK);
     assert_int_equal(backend().bind(self, &domain), RC_OK);
@@ -137,8 +137,8 @@ void near_field_works_where_a_full_factor_does_not_fit(void**) {
 void a_near_field_takes_memory_that_grows_with_the_points(void**) {
   StandInHost host(backend());
   host.set("cholmod.memory_limit", "64");
-  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 200, 200, 1.0, 1.0);
-  const rc_operator_spec spec = seam::spec_of(system, host);
+  const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 200, 200, 1.0, 1.0);
+  const rc_operator_spec spec = contract::spec_of(system, host);
   rc_common::Products products(&host, spec, rc_cholmod::component);
   const rc_domain domain{sizeof(rc_domain), 40000, nullptr, 0.0};
   products.bind(domain);
@@ -152,9 +152,9 @@ void a_near_field_takes_memory_that_grows_with_the_points(void**) {
 // A set that changes by single rows gives what a fresh factor gives, and is not factored anew for it.
 void rows_are_added_and_deleted(void**) {
   StandInHost host(backend());
-  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 20, 20, 1.0, 1.0);
-  const seam::Problem problem(RC_CAP_FREE, 20, 20, 1.0, 1.0, 0.0);
-  seam::Operator op(backend(), host, system);
+  const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 20, 20, 1.0, 1.0);
+  const contract::Problem problem(RC_CAP_FREE, 20, 20, 1.0, 1.0, 0.0);
+  contract::Operator op(backend(), host, system);
   op.bind(problem.all());
   std::mt19937 generator(5);
   std::vector<bool> in(400, false);
@@ -167,7 +167,7 @@ void rows_are_added_and_deleted(void**) {
     Index points;
     for (std::int64_t i = 0; i < 400; ++i)
       if (in[static_cast<std::size_t>(i)]) points.push_back(i);
-    const Vector b = seam::random_vector(points.size(), static_cast<unsigned>(step));
+    const Vector b = contract::random_vector(points.size(), static_cast<unsigned>(step));
     assert_solves(problem, points, 0.0, b, op.subset(points, b));
   }
 }
@@ -178,7 +178,7 @@ void indefinite_matrices_are_reported(void**) {
     host.set("cholmod.near_field", radius);
     Vector H(900, 0.0);
     for (std::size_t i = 0; i < 30; ++i) H[31 * i] = i == 17 ? -0.25 : 1.0;
-    rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 30, 1, 1.0, 1.0);
+    rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 30, 1, 1.0, 1.0);
     system.op = RC_OPERATOR_DENSE;
     system.dense = H.data();
     system.dense_ld = 30;
@@ -209,7 +209,7 @@ void indefinite_matrices_are_reported(void**) {
 void a_near_field_stops_when_it_is_asked_to(void**) {
   StandInHost host(backend());
   host.set("cholmod.near_field", "2");
-  const rc_system system = seam::halfspace(RC_BOUNDARY_FREE, 12, 12, 1.0, 1.0);
+  const rc_system system = contract::halfspace(RC_BOUNDARY_FREE, 12, 12, 1.0, 1.0);
   Index all(144);
   std::iota(all.begin(), all.end(), 0);
   const Vector b(144, 1.0);
@@ -218,7 +218,7 @@ void a_near_field_stops_when_it_is_asked_to(void**) {
   int needed = 0;
   for (allowed = 0;; ++allowed) {
     asked = 0;
-    rc_operator_spec spec = seam::spec_of(system, host);
+    rc_operator_spec spec = contract::spec_of(system, host);
     spec.poll = [](const rc_operator_spec*) -> rc_status { return asked++ < allowed ? RC_OK : RC_STOP_CANCELLED; };
     void* self = nullptr;
     const rc_domain domain{sizeof(rc_domain), 144, nullptr, 0.0};

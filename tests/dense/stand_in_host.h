@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "support/unit_system.h"
+
 RC_PLUGIN_LINKAGE rc_status rc_builtin_dense(const rc_host*, const rc_plugin**);
 
 namespace stand_in {
@@ -85,7 +87,7 @@ inline const rc_backend& backend() {
 }
 
 inline rc_system half_space(std::int64_t nx, std::int64_t ny, std::int32_t boundary = RC_BOUNDARY_FREE) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = nx;
   system.ny = ny;
   system.boundary = boundary;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace {
 
@@ -52,14 +53,14 @@ rc_options* options_for(const char* solver) {
 
 Outcome solve(const char* solver, std::int64_t nx, std::int64_t ny, double approach) {
   const std::vector<double> gap = rough_gap(nx, ny);
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = nx;
   system.ny = ny;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap.data();
+  step.control = RC_CONTROL_DISPLACEMENT;
+  step.undeformed_gap = gap.data();
   step.target = approach;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = options_for(solver);
   const rc_status status = rc_solve(&system, &step, options, &result);
   rc_options_destroy(options);

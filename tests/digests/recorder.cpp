@@ -3,7 +3,7 @@
 // numbers.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/history.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -63,9 +63,8 @@ template <class Function> Function next(const char* name) { return reinterpret_c
 void write(const char* function, rc_status status, const rc_result* result) {
   if (status < 0 || !result || result->struct_size < sizeof(rc_result)) return write(function, status, 0, 0, {});
   Hash hash;
-  for (const double value :
-       {result->displacement, result->load, result->energy, result->kkt_primal, result->kkt_dual, result->kkt_complementarity,
-        result->load_lower, result->load_upper, result->stiffness, result->error_estimate})
+  for (const double value : {result->approach, result->load, result->energy, result->kkt_primal, result->kkt_dual,
+                             result->kkt_complementarity, result->load_lower, result->load_upper, result->stiffness})
     hash.add(value);
   hash.add(result->p, result->points);
   hash.add(result->gap, result->points);
@@ -101,7 +100,7 @@ RC_API rc_status rc_contact_solve_path(rc_contact* contact, rc_path* path) {
   static const auto real = next<decltype(&rc_contact_solve_path)>("rc_contact_solve_path");
   const rc_status status = real(contact, path);
   Hash hash;
-  for (const double* values : {path->load, path->displacement, path->contact_area, path->stiffness})
+  for (const double* values : {path->load, path->approach, path->contact_area, path->stiffness})
     hash.add(values, path->completed);
   write("path", status, path->completed, path->n, hash);
   return status;
@@ -112,8 +111,7 @@ RC_API rc_status rc_batch_solve(const rc_system* system, const rc_options* optio
   const rc_status status = real(system, options, batch);
   Hash hash;
   if (status >= 0) {
-    for (const double* values : {batch->load, batch->displacement, batch->contact_area})
-      hash.add(values, batch->n * batch->steps);
+    for (const double* values : {batch->load, batch->approach, batch->contact_area}) hash.add(values, batch->n * batch->steps);
     hash.add(batch->p, batch->n * system->nx * system->ny);
   }
   write("batch", status, batch->n, batch->steps, hash);

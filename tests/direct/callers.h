@@ -2,7 +2,7 @@
 #ifndef DIRECT_CALLERS_H
 #define DIRECT_CALLERS_H
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/direct.h>
 
 #ifdef __cplusplus
 extern "C" {

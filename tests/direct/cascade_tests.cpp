@@ -25,8 +25,7 @@ void solves_height_maps(const Language& language, const Call& call) {
     if (problem.kernel != "love" || problem.target <= 0 || each.spacing != 1 || (quick() && s.nx * s.ny > 2500)) continue;
     Field heights = problem.gap, p(problem.points(), -7.0);
     for (double& value : heights) value = 3 - value;  // the datum does not matter
-    rc_direct result;
-    rc_direct_init(&result);
+    rc_direct result = RC_DIRECT_INIT;
     const rc_status status = language.cascade(s.nx, s.ny, s.hx, s.hy, s.modulus, heights.data(), problem.target, call.levels,
                                               call.h, call.inner, p.data(), &result);
     check(status == RC_OK, each.name + ": " + rc_last_error());

@@ -62,7 +62,7 @@ struct Solved {
 Solved solve(const Language& language, int which, const Program& program, const Field& H, std::int64_t ld, const Field& start) {
   const auto n = static_cast<std::size_t>(program.n);
   Solved solved{RC_ERR_INTERNAL, start, Field(n, -7.0), {}, {}};
-  rc_direct_init(&solved.result);
+  solved.result = RC_DIRECT_INIT;
   solved.status = language.matrix(which, program.n, H.data(), ld, program.u.data(), solved.p.data(), solved.w.data(), tol, enough,
                                   &solved.result);
   solved.message = rc_last_error();
@@ -144,8 +144,7 @@ void starts_from_p(const Language& language, int which) {
 void max_iter_stops_with_an_answer(const Language& language) {
   const Program& program = programs().front();
   Field p(static_cast<std::size_t>(program.n), 0.0), w = p;
-  rc_direct result;
-  rc_direct_init(&result);
+  rc_direct result = RC_DIRECT_INIT;
   const rc_status status =
       language.matrix(GP, program.n, program.H.data(), program.n, program.u.data(), p.data(), w.data(), tol, 2, &result);
   check_equal(status, RC_STOP_MAX_ITER, "status");

@@ -126,7 +126,7 @@ roughcontact \\- {escape(top.summary[0].lower() + top.summary[1:])}
 
 def main():
     command, known, document = sys.argv[1:4]
-    for backend in re.findall(r'^RC_BACKEND(?:_BY_NAME)?\("([^"]+)"', pathlib.Path(known).read_text(), re.M):
+    for backend in re.findall(r'^RC_BACKEND\("([^"]+)"', pathlib.Path(known).read_text(), re.M):
         if not re.search(rf'^{backend} ', run(command, 'backends'), re.M):
             print(f'skipped: the backend {backend} is not built')
             sys.exit(77)

@@ -1,10 +1,10 @@
 /* Prints every option of the library and of the solvers and backends of this source tree, as the tables of docs/options.md.
  * Exit code 77 where one of those backends is not built. */
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 #include <stdio.h>
 #include <string.h>
 
-#define RC_BACKEND(name, how) name,
+#define RC_BACKEND(name, points, how) name,
 static const char* const backends[] = {
 #include "backends/known.def"
     NULL};

@@ -1,4 +1,6 @@
 // Analysis of pressures: each row of the first kind is tried on all three functions.
+#include <roughcontact/analysis.h>
+
 #include <cstring>
 
 #include "errors/case.h"
@@ -28,7 +30,7 @@ struct Call {
   rc_histogram* histogram_given = &histogram;
 
   Call() {
-    rc_area_init(&area);
+    area = RC_AREA_INIT;
     area.contacts = patches.count = histogram.contacts = 99;
     patches.room = histogram.bins = 4;
     patches.label = label.data();

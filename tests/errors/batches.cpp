@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include "errors/case.h"
 #include "errors/scene.h"
 
@@ -16,10 +18,11 @@ struct Study {
 
   Study() {
     for (int i = 0; i < 3; ++i) gaps.insert(gaps.end(), scene.gap.begin(), scene.gap.end());
+    batch.control = RC_CONTROL_DISPLACEMENT;
     batch.n = 3;
     batch.steps = 2;
     batch.targets = targets.data();
-    batch.gap = gaps.data();
+    batch.undeformed_gap = gaps.data();
     batch.load = load.data();
     batch.written = 99;
   }
@@ -83,12 +86,12 @@ Section batches() {
            batch_with(0, [](Study& s) { s.batch.targets = nullptr; })},
           {"batch without gaps",
            refused,
-           {"rc_batch_solve: rc_batch.gap is null but n = 3"},
-           batch_with(0, [](Study& s) { s.batch.gap = nullptr; })},
-          {"batch with gap_stride = 15",
+           {"rc_batch_solve: rc_batch.undeformed_gap is null but n = 3"},
+           batch_with(0, [](Study& s) { s.batch.undeformed_gap = nullptr; })},
+          {"batch with undeformed_gap_stride = 15",
            RC_ERR_SHAPE,
-           {"rc_batch.gap_stride = 15 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 16"},
-           batch_with(0, [](Study& s) { s.batch.gap_stride = 15; })},
+           {"rc_batch.undeformed_gap_stride = 15 must be 0, RC_BATCH_SHARED (-1) or at least nx*ny = 16"},
+           batch_with(0, [](Study& s) { s.batch.undeformed_gap_stride = 15; })},
           {"batch with target_stride = -2",
            RC_ERR_SHAPE,
            {"rc_batch.target_stride = -2 must be 0, RC_BATCH_SHARED (-1) or at least steps = 2"},
@@ -103,7 +106,7 @@ Section batches() {
            batch_with(0,
                       [](Study& s) {
                         s.batch.n = 0;
-                        s.batch.targets = s.batch.gap = nullptr;
+                        s.batch.targets = s.batch.undeformed_gap = nullptr;
                       })},
           {"batch with NaN in the gap of contact 1",
            refused,

@@ -1,4 +1,6 @@
 // Direct routines: each row of the first kind is tried on all five routines for a matrix.
+#include <roughcontact/direct.h>
+
 #include <cstring>
 
 #include "errors/case.h"
@@ -50,7 +52,7 @@ template <class Spoil> auto matrix_with(const Spoil& spoil) {
 
 struct CascadeCall {
   std::int64_t nx = side, ny = side, levels = 1;
-  double hx = 1, hy = 1, modulus = 1, delta = 0.5, h = 2;
+  double hx = 1, hy = 1, modulus = 1, approach = 0.5, h = 2;
   std::vector<double> heights = std::vector<double>(points, 0.0), p = std::vector<double>(points, 7.0);
   const double* heights_given = heights.data();
   double* p_given = p.data();
@@ -62,7 +64,7 @@ template <class Spoil> auto cascade_with(const Spoil& spoil) {
     CascadeCall c;
     spoil(c);
     const Outcome outcome =
-        rc_cmr(c.nx, c.ny, c.hx, c.hy, c.modulus, c.heights_given, c.delta, c.levels, c.h, c.inner, c.p_given, nullptr);
+        rc_cmr(c.nx, c.ny, c.hx, c.hy, c.modulus, c.heights_given, c.approach, c.levels, c.h, c.inner, c.p_given, nullptr);
     for (const double value : c.p) assert_true(value == 7);
     return outcome;
   };
@@ -117,8 +119,8 @@ Section direct_routines() {
           {"`rc_cmr`: heights with NaN", refused, {"rc_cmr: heights[3] = nan is not finite"}, cascade_with([](CascadeCall& c) {
              c.heights[3] = nan;
            })},
-          {"`rc_cmr`: delta = NaN", refused, {"rc_cmr: delta = nan is not finite"}, cascade_with([](CascadeCall& c) {
-             c.delta = nan;
+          {"`rc_cmr`: approach = NaN", refused, {"rc_cmr: approach = nan is not finite"}, cascade_with([](CascadeCall& c) {
+             c.approach = nan;
            })},
           {"`rc_cmr`: levels = 0",
            refused,

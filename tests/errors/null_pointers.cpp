@@ -17,18 +17,6 @@ const Scene& scene_of_all() {
 // Calls in which a null pointer is allowed.
 Outcome harmless_nulls() {
   rc_version(nullptr, nullptr, nullptr, nullptr);
-  rc_system_init(nullptr);
-  rc_step_init(nullptr);
-  rc_result_init(nullptr);
-  rc_context_config_init(nullptr);
-  rc_path_init(nullptr);
-  rc_batch_init(nullptr);
-  rc_state_init(nullptr);
-  rc_level_init(nullptr);
-  rc_direct_init(nullptr);
-  rc_area_init(nullptr);
-  rc_patches_init(nullptr);
-  rc_histogram_init(nullptr);
   rc_context_destroy(nullptr);
   rc_options_destroy(nullptr);
   rc_contact_destroy(nullptr);
@@ -248,10 +236,38 @@ Section null_pointers() {
            refused,
            {"rc_contact_certify: rc_result.p is null: the pressures to certify are expected"},
            [] {
-             rc_result result{};
-             rc_result_init(&result);
+             rc_result result = RC_RESULT_INIT;
              return with_contact([&](rc_contact* c, const Scene& s) { return rc_contact_certify(c, &s.step, &result); });
            }},
+          {"`rc_contact_accuracy`: contact is null",
+           refused,
+           {"rc_contact_accuracy: contact is null"},
+           [] {
+             rc_accuracy accuracy = RC_ACCURACY_INIT;
+             return rc_contact_accuracy(nullptr, &accuracy);
+           }},
+          {"`rc_contact_accuracy`: out is null",
+           refused,
+           {"rc_contact_accuracy: rc_accuracy is null"},
+           [] { return with_contact([](rc_contact* c, const Scene&) { return rc_contact_accuracy(c, nullptr); }); }},
+          {"`rc_gap_from_heights`: heights is null",
+           refused,
+           {"rc_gap_from_heights: heights is null"},
+           [] {
+             double gap = 0;
+             return rc_gap_from_heights(1, nullptr, nullptr, &gap);
+           }},
+          {"`rc_gap_from_heights`: undeformed_gap is null",
+           refused,
+           {"rc_gap_from_heights: undeformed_gap is null"},
+           [] {
+             const double height = 0;
+             return rc_gap_from_heights(1, &height, nullptr, nullptr);
+           }},
+          {"`rc_gap_from_heights`: n = -1",
+           refused,
+           {"rc_gap_from_heights: n = -1 must be >= 0"},
+           [] { return rc_gap_from_heights(-1, nullptr, nullptr, nullptr); }},
           {"`rc_contact_reset`: contact is null",
            refused,
            {"rc_contact_reset: contact is null"},

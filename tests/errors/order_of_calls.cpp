@@ -20,8 +20,7 @@ std::int32_t other_thread_solves(const double* x, double* y, std::int64_t n, voi
   if (!intruder.contact || intruder.calls++ > 0) return 0;
   std::thread([&] {
     const Scene scene;
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     intruder.outcome = rc_contact_solve(intruder.contact, &scene.step, &result);
   }).join();
   return 0;
@@ -102,12 +101,12 @@ Outcome refused_step_forgotten() {
   const double load = answer().result()->load;
   const std::vector<double> other(points, 0.0);
   rc_step bad = scene.step;
-  bad.gap = other.data();
+  bad.undeformed_gap = other.data();
   bad.target = nan;
   answer().prepare();
   assert_int_equal(rc_contact_solve(contact.get(), &bad, answer().result()), RC_ERR_ARGUMENT);
   assert_true(answer().untouched());
-  scene.step.gap = nullptr;
+  scene.step.undeformed_gap = nullptr;
   const Outcome outcome = solve(contact.get(), scene);
   assert_true(answer().result()->load == load);
   return outcome;
@@ -119,7 +118,7 @@ Outcome after_reset() {
   assert_int_equal(solve(contact.get(), scene), RC_OK);
   assert_int_equal(rc_contact_reset(contact.get()), RC_OK);
   answer().prepare();
-  scene.step.gap = nullptr;
+  scene.step.undeformed_gap = nullptr;
   return solve(contact.get(), scene);
 }
 
@@ -158,8 +157,7 @@ Outcome context_destroyed_first() {
 struct LastMinute {
   ~LastMinute() {
     const Scene scene;
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     if (rc_solve(&scene.system, &scene.step, nullptr, &result) != RC_OK) abort();
     rc_contact_destroy(contact);
   }
@@ -170,6 +168,16 @@ Outcome used_by_a_static_destructor() {
   const Scene scene;
   const Outcome outcome = rc_contact_create(&scene.system, nullptr, &last_minute.contact);
   assert_int_equal(solve(last_minute.contact, scene), RC_OK);
+  return outcome;
+}
+
+Outcome accuracy_after_a_step() {
+  const Scene scene;
+  const ContactHandle contact = made(scene);
+  assert_int_equal(rc_contact_solve(contact.get(), &scene.step, answer().result()), RC_OK);
+  rc_accuracy accuracy = RC_ACCURACY_INIT;
+  const Outcome outcome = rc_contact_accuracy(contact.get(), &accuracy);
+  assert_true(accuracy.model_nx == scene.system.nx && accuracy.model_ny == scene.system.ny && accuracy.left_out == 0);
   return outcome;
 }
 
@@ -217,12 +225,20 @@ Section order_of_calls() {
                RC_STOP_TIME,
                {"rc_solve: stopped at time_limit before the tolerance was reached"},
                too_little_time},
+              {"accuracy before any step",
+               RC_ERR_ARGUMENT,
+               {"rc_contact_accuracy: there is no answer yet, or the last step failed"},
+               [] {
+                 rc_accuracy accuracy = RC_ACCURACY_INIT;
+                 return rc_contact_accuracy(made(Scene()).get(), &accuracy);
+               }},
+              {"accuracy after a step", RC_OK, {}, accuracy_after_a_step},
               {"step without a gap after a refused step", RC_OK, {}, refused_step_forgotten},
               {"step without a gap after a reset",
                RC_ERR_ARGUMENT,
-               {"rc_step.gap is null and no earlier step gave one"},
+               {"rc_step.undeformed_gap is null and no earlier step gave one"},
                after_reset},
-              {"result.p over step.p0, result.gap over step.gap", RC_OK, {}, result_over_its_input},
+              {"result.p over step.p0, result.gap over step.undeformed_gap", RC_OK, {}, result_over_its_input},
               {"context destroyed before its options and contacts", RC_OK, {}, context_destroyed_first},
               {"contact that a static destructor uses", RC_OK, {}, used_by_a_static_destructor},
           }};

@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include <optional>
 
 #include "errors/case.h"
@@ -18,9 +20,10 @@ struct History {
   std::vector<double> load = std::vector<double>(3, untouched);
 
   History() {
+    path.control = RC_CONTROL_DISPLACEMENT;
     path.n = 3;
     path.targets = targets.data();
-    path.gap = scene.gap.data();
+    path.undeformed_gap = scene.gap.data();
     path.load = load.data();
     path.completed = 99;
   }
@@ -44,7 +47,7 @@ Outcome gap_of_the_step_before() {
   History history;
   const ContactHandle contact = made(history.scene);
   assert_int_equal(solve(contact.get(), history.scene), RC_OK);
-  history.path.gap = nullptr;
+  history.path.undeformed_gap = nullptr;
   return history.run(contact.get(), 3);
 }
 
@@ -76,8 +79,7 @@ Outcome level_after(bool solved, std::int64_t i) {
     assert_int_equal(answer().result()->levels, 0);
     answer().prepare();
   }
-  rc_level level{};
-  rc_level_init(&level);
+  rc_level level = RC_LEVEL_INIT;
   return rc_contact_level(contact.get(), i, &level);
 }
 
@@ -133,8 +135,8 @@ Section paths() {
                path_with(0, [](History& h) { h.scene.gap[5] = nan; })},
               {"path without a gap on a new contact",
                refused,
-               {"rc_contact_solve_path: step 0, targets[0] = 0.2: rc_step.gap is null and no earlier step gave one"},
-               path_with(0, [](History& h) { h.path.gap = nullptr; })},
+               {"rc_contact_solve_path: step 0, targets[0] = 0.2: rc_step.undeformed_gap is null and no earlier step gave one"},
+               path_with(0, [](History& h) { h.path.undeformed_gap = nullptr; })},
               {"path without a gap after a step", RC_OK, {}, gap_of_the_step_before},
               {"path with a negative load",
                RC_ERR_INFEASIBLE,
@@ -222,6 +224,17 @@ Section paths() {
                  std::int64_t n = 0;
                  return rc_contact_points(made(Scene()).get(), -1, nullptr, nullptr, &n);
                }},
+              {"`rc_contact_explain`: contact is null",
+               refused,
+               {"rc_contact_explain: contact is null"},
+               [] {
+                 const char* text = nullptr;
+                 return rc_contact_explain(nullptr, &text);
+               }},
+              {"`rc_contact_explain`: out is null",
+               refused,
+               {"rc_contact_explain: out is null"},
+               [] { return rc_contact_explain(made(Scene()).get(), nullptr); }},
               {"level -1", refused, {"rc_contact_level: level -1 is not in 0 .. -1"}, [] { return level_after(true, -1); }},
           }};
 }

@@ -1,3 +1,5 @@
+#include <roughcontact/history.h>
+
 #include <cmath>
 
 #include "errors/case.h"
@@ -15,7 +17,7 @@ struct Stand {
   rc_state state = RC_STATE_INIT;
 
   Stand() {
-    state.gap = scene.gap.data();
+    state.undeformed_gap = scene.gap.data();
     state.mask = mask.data();
     state.p = p.data();
   }
@@ -28,7 +30,7 @@ template <class Spoil> auto restored(const Spoil& spoil) {
     spoil(stand);
     const ContactHandle contact = made(stand.scene);
     const Outcome outcome = rc_contact_restore(contact.get(), &stand.state);
-    stand.scene.step.gap = nullptr;
+    stand.scene.step.undeformed_gap = nullptr;
     assert_int_equal(solve(contact.get(), stand.scene), RC_ERR_ARGUMENT);
     return outcome;
   };
@@ -38,57 +40,58 @@ template <class Spoil> auto restored(const Spoil& spoil) {
 
 Section restores() {
   const rc_status refused = RC_ERR_ARGUMENT;
-  return {"Restored contacts",
-          {
-              {"`rc_contact_restore`: contact is null",
-               refused,
-               {"rc_contact_restore: contact is null"},
-               [] {
-                 const rc_state state = RC_STATE_INIT;
-                 return rc_contact_restore(nullptr, &state);
-               }},
-              {"`rc_contact_restore`: state is null",
-               refused,
-               {"rc_contact_restore: rc_state is null"},
-               [] { return rc_contact_restore(made(Scene()).get(), nullptr); }},
-              {"rc_state.struct_size = 0",
-               refused,
-               {"rc_contact_restore: rc_state.struct_size = 0 is smaller than 72; set it to sizeof(rc_state)"},
-               restored([](Stand& stand) { stand.state.struct_size = 0; })},
-              {"state without a gap", refused, {"rc_contact_restore: rc_state.gap is null"}, restored([](Stand& stand) {
-                 stand.state.gap = nullptr;
-               })},
-              {"state with a gap that is NaN",
-               refused,
-               {"rc_contact_restore: gap has 1 value(s) that are not finite, first at index 2"},
-               restored([](Stand& stand) { stand.scene.gap[2] = NAN; })},
-              {"state with a step before but no last one",
-               refused,
-               {"rc_contact_restore: rc_state.p is null but rc_state.p_before is not"},
-               restored([](Stand& stand) { std::swap(stand.state.p, stand.state.p_before); })},
-              {"state with an infinite pressure",
-               refused,
-               {"rc_contact_restore: rc_state.p[1] = inf is not finite"},
-               restored([](Stand& stand) { stand.p[1] = INFINITY; })},
-              {"state with a pressure under the mask",
-               refused,
-               {"rc_contact_restore: rc_state.p[0] = 1 but this point is excluded by the mask"},
-               restored([](Stand& stand) {
-                 stand.p[0] = 1;
-                 stand.mask[0] = 0;
-               })},
-              {"state with an approach that is NaN",
-               refused,
-               {"rc_contact_restore: rc_state.displacement = nan is not finite"},
-               restored([](Stand& stand) { stand.state.displacement = NAN; })},
-              {"state with an infinite load of the step before",
-               refused,
-               {"rc_contact_restore: rc_state.load_before = inf is not finite"},
-               restored([](Stand& stand) {
-                 stand.state.p_before = stand.state.p;
-                 stand.state.load_before = INFINITY;
-               })},
-          }};
+  return {
+      "Restored contacts",
+      {
+          {"`rc_contact_restore`: contact is null",
+           refused,
+           {"rc_contact_restore: contact is null"},
+           [] {
+             const rc_state state = RC_STATE_INIT;
+             return rc_contact_restore(nullptr, &state);
+           }},
+          {"`rc_contact_restore`: state is null",
+           refused,
+           {"rc_contact_restore: rc_state is null"},
+           [] { return rc_contact_restore(made(Scene()).get(), nullptr); }},
+          {"rc_state.struct_size = 0",
+           refused,
+           {"rc_contact_restore: rc_state.struct_size = 0 is smaller than 72; set it to sizeof(rc_state)"},
+           restored([](Stand& stand) { stand.state.struct_size = 0; })},
+          {"state without a gap", refused, {"rc_contact_restore: rc_state.undeformed_gap is null"}, restored([](Stand& stand) {
+             stand.state.undeformed_gap = nullptr;
+           })},
+          {"state with a gap that is NaN",
+           refused,
+           {"rc_contact_restore: gap has 1 value(s) that are not finite, first at index 2"},
+           restored([](Stand& stand) { stand.scene.gap[2] = NAN; })},
+          {"state with a step before but no last one",
+           refused,
+           {"rc_contact_restore: rc_state.p is null but rc_state.p_before is not"},
+           restored([](Stand& stand) { std::swap(stand.state.p, stand.state.p_before); })},
+          {"state with an infinite pressure",
+           refused,
+           {"rc_contact_restore: rc_state.p[1] = inf is not finite"},
+           restored([](Stand& stand) { stand.p[1] = INFINITY; })},
+          {"state with a pressure under the mask",
+           refused,
+           {"rc_contact_restore: rc_state.p[0] = 1 but this point is excluded by the mask"},
+           restored([](Stand& stand) {
+             stand.p[0] = 1;
+             stand.mask[0] = 0;
+           })},
+          {"state with an approach that is NaN",
+           refused,
+           {"rc_contact_restore: rc_state.approach = nan is not finite"},
+           restored([](Stand& stand) { stand.state.approach = NAN; })},
+          {"state with an infinite load of the step before",
+           refused,
+           {"rc_contact_restore: rc_state.load_before = inf is not finite"},
+           restored([](Stand& stand) {
+             stand.state.p_before = stand.state.p;
+             stand.state.load_before = INFINITY;
+           })},
+      }};
 }
 
 }  // namespace errors

@@ -33,8 +33,9 @@ bool Answer::untouched() const {
 Scene::Scene() : gap(points) {
   for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = 0.125 * static_cast<double>(i);
   system.nx = system.ny = side;
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.target = 0.55;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
 }
 
 Scene periodic_scene() {

@@ -1,7 +1,7 @@
 // A small valid problem, to be spoiled in one place by each case.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <array>
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace errors {
 
@@ -43,7 +44,7 @@ Answer& answer();
 
 // A tilted plane with gaps 0, 1/8, ... 15/8, pressed by 0.55.
 struct Scene {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   rc_step step = RC_STEP_INIT;
   std::vector<double> gap;
   std::vector<double> dense;

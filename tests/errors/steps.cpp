@@ -84,7 +84,7 @@ Outcome mask_lifted_over_nan() {
   assert_int_equal(solve(contact.get(), scene), RC_OK);
   answer().prepare();
   mask[2] = 1;
-  scene.step.gap = nullptr;
+  scene.step.undeformed_gap = nullptr;
   return solve(contact.get(), scene);
 }
 
@@ -95,8 +95,7 @@ Outcome certify(double value, bool masked) {
   if (masked) scene.step.mask = mask.data();
   std::vector<double> p(points, 0.0);
   p[0] = value;
-  rc_result result{};
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p.data();
   const ContactHandle contact = made(scene);
   return rc_contact_certify(contact.get(), &scene.step, &result);
@@ -106,82 +105,83 @@ Outcome certify(double value, bool masked) {
 
 Section steps() {
   const rc_status refused = RC_ERR_ARGUMENT, infeasible = RC_ERR_INFEASIBLE;
-  return {"Steps",
-          {
-              {"control = 0",
-               refused,
-               {"rc_step.control = 0 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)"},
-               step_with([](Scene& s) { s.step.control = 0; })},
-              {"target = NaN", refused, {"rc_step.target = nan is not finite"}, step_with([](Scene& s) { s.step.target = nan; })},
-              {"target = infinity", refused, {"rc_step.target = inf is not finite"}, step_with([](Scene& s) {
-                 s.step.target = infinity;
-               })},
-              {"load = NaN", refused, {"rc_step.target = nan is not finite"}, load(nan)},
-              {"gap with NaN",
-               refused,
-               {"gap has 2 value(s) that are not finite, first at index 3 (nan); exclude them with rc_step.mask"},
-               step_with([](Scene& s) { s.gap[3] = s.gap[7] = nan; })},
-              {"gap with infinity",
-               refused,
-               {"gap has 1 value(s) that are not finite, first at index 0 (-inf)"},
-               step_with([](Scene& s) { s.gap[0] = -infinity; })},
-              {"gap with NaN under the mask", RC_OK, {}, nan_under_the_mask},
-              {"mask that lifts NaN of the step before",
-               refused,
-               {"gap has 1 value(s) that are not finite, first at index 2"},
-               mask_lifted_over_nan},
-              {"p0 with NaN", refused, {"rc_step.p0[5] = nan is not finite"}, [] { return start_with(nan); }},
-              {"p0 with infinity", refused, {"rc_step.p0[5] = inf is not finite"}, [] { return start_with(infinity); }},
-              {"p0 negative: taken as 0", RC_OK, {}, [] { return start_with(-1e300); }},
-              {"no gap ever given", refused, {"rc_step.gap is null and no earlier step gave one"}, step_with([](Scene& s) {
-                 s.step.gap = nullptr;
-               })},
-              {"borrow = 2", refused, {"rc_step.borrow = 2 is neither 0 nor 1"}, step_with([](Scene& s) { s.step.borrow = 2; })},
-              {"approach at the lowest point: p = 0", RC_OK, {}, untouched_at(0)},
-              {"approach below the lowest point: p = 0", RC_OK, {}, untouched_at(-1)},
-              {"approach = -1e308: p = 0", RC_OK, {}, untouched_at(-1e308)},
-              {"load = 0: p = 0", RC_OK, {}, load(0)},
-              {"load = -1",
-               infeasible,
-               {"load = -1 is negative; a contact without adhesion cannot pull, the smallest load is 0"},
-               load(-1)},
-              {"every point masked, displacement: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_DISPLACEMENT, 1); }},
-              {"every point masked, load = 0: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_LOAD, 0); }},
-              {"every point masked, load = 1",
-               infeasible,
-               {"load = 1 but every point is excluded by the mask"},
-               [] { return all_masked(RC_CONTROL_LOAD, 1); }},
-              {"periodic approach at the mean plane",
-               infeasible,
-               {"approach = 0.9375 reaches the mean plane of the gap, 0.9375: with periodic boundaries the load is not "
-                "determined there; prescribe the load"},
-               periodic_approach(0.9375)},
-              {"periodic approach beyond the mean plane",
-               infeasible,
-               {"approach = 2 reaches the mean plane of the gap, 0.9375"},
-               periodic_approach(2)},
-              {"periodic approach below the mean plane", RC_OK, {}, periodic_approach(0.9)},
-              {"gap whose range overflows",
-               refused,
-               {"the gap's range, -1e+308 .. 1e+308, and the target 0.55 are too far apart for double precision"},
-               step_with([](Scene& s) {
-                 s.gap[0] = -1e308;
-                 s.gap[1] = 1e308;
-               })},
-              {"load = 1e308: the approach overflows", RC_ERR_NUMERIC, {"rc_solve: the answer is not finite"}, load(1e308)},
-              {"certify a pressure that is NaN",
-               refused,
-               {"rc_contact_certify: rc_result.p[0] = nan is not finite"},
-               [] { return certify(nan, false); }},
-              {"certify a pressure under the mask",
-               refused,
-               {"rc_contact_certify: rc_result.p[0] = 1 but this point is excluded by the mask"},
-               [] { return certify(1, true); }},
-              {"certify a negative pressure",
-               RC_STOP_UNCERTIFIED,
-               {"rc_contact_certify: ", "kkt_primal 1"},
-               [] { return certify(-1, false); }},
-          }};
+  return {
+      "Steps",
+      {
+          {"control = 0",
+           refused,
+           {"rc_step.control = 0 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)"},
+           step_with([](Scene& s) { s.step.control = 0; })},
+          {"target = NaN", refused, {"rc_step.target = nan is not finite"}, step_with([](Scene& s) { s.step.target = nan; })},
+          {"target = infinity", refused, {"rc_step.target = inf is not finite"}, step_with([](Scene& s) {
+             s.step.target = infinity;
+           })},
+          {"load = NaN", refused, {"rc_step.target = nan is not finite"}, load(nan)},
+          {"gap with NaN",
+           refused,
+           {"gap has 2 value(s) that are not finite, first at index 3 (nan); exclude them with rc_step.mask"},
+           step_with([](Scene& s) { s.gap[3] = s.gap[7] = nan; })},
+          {"gap with infinity",
+           refused,
+           {"gap has 1 value(s) that are not finite, first at index 0 (-inf)"},
+           step_with([](Scene& s) { s.gap[0] = -infinity; })},
+          {"gap with NaN under the mask", RC_OK, {}, nan_under_the_mask},
+          {"mask that lifts NaN of the step before",
+           refused,
+           {"gap has 1 value(s) that are not finite, first at index 2"},
+           mask_lifted_over_nan},
+          {"p0 with NaN", refused, {"rc_step.p0[5] = nan is not finite"}, [] { return start_with(nan); }},
+          {"p0 with infinity", refused, {"rc_step.p0[5] = inf is not finite"}, [] { return start_with(infinity); }},
+          {"p0 negative: taken as 0", RC_OK, {}, [] { return start_with(-1e300); }},
+          {"no gap ever given", refused, {"rc_step.undeformed_gap is null and no earlier step gave one"}, step_with([](Scene& s) {
+             s.step.undeformed_gap = nullptr;
+           })},
+          {"borrow = 2", refused, {"rc_step.borrow = 2 is neither 0 nor 1"}, step_with([](Scene& s) { s.step.borrow = 2; })},
+          {"approach at the lowest point: p = 0", RC_OK, {}, untouched_at(0)},
+          {"approach below the lowest point: p = 0", RC_OK, {}, untouched_at(-1)},
+          {"approach = -1e308: p = 0", RC_OK, {}, untouched_at(-1e308)},
+          {"load = 0: p = 0", RC_OK, {}, load(0)},
+          {"load = -1",
+           infeasible,
+           {"load = -1 is negative; a contact without adhesion cannot pull, the smallest load is 0"},
+           load(-1)},
+          {"every point masked, displacement: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_DISPLACEMENT, 1); }},
+          {"every point masked, load = 0: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_LOAD, 0); }},
+          {"every point masked, load = 1",
+           infeasible,
+           {"load = 1 but every point is excluded by the mask"},
+           [] { return all_masked(RC_CONTROL_LOAD, 1); }},
+          {"periodic approach at the mean plane",
+           infeasible,
+           {"approach = 0.9375 reaches the mean plane of the gap, 0.9375: with periodic boundaries the load is not "
+            "determined there; prescribe the load"},
+           periodic_approach(0.9375)},
+          {"periodic approach beyond the mean plane",
+           infeasible,
+           {"approach = 2 reaches the mean plane of the gap, 0.9375"},
+           periodic_approach(2)},
+          {"periodic approach below the mean plane", RC_OK, {}, periodic_approach(0.9)},
+          {"gap whose range overflows",
+           refused,
+           {"the gap's range, -1e+308 .. 1e+308, and the target 0.55 are too far apart for double precision"},
+           step_with([](Scene& s) {
+             s.gap[0] = -1e308;
+             s.gap[1] = 1e308;
+           })},
+          {"load = 1e308: the approach overflows", RC_ERR_NUMERIC, {"rc_solve: the answer is not finite"}, load(1e308)},
+          {"certify a pressure that is NaN",
+           refused,
+           {"rc_contact_certify: rc_result.p[0] = nan is not finite"},
+           [] { return certify(nan, false); }},
+          {"certify a pressure under the mask",
+           refused,
+           {"rc_contact_certify: rc_result.p[0] = 1 but this point is excluded by the mask"},
+           [] { return certify(1, true); }},
+          {"certify a negative pressure",
+           RC_UNCERTIFIED,
+           {"rc_contact_certify: ", "kkt_primal 1"},
+           [] { return certify(-1, false); }},
+      }};
 }
 
 }  // namespace errors

@@ -39,6 +39,14 @@ Section shapes() {
   const rc_status refused = RC_ERR_SHAPE;
   return {"Shape of the grid",
           {
+              {"system and step as the macros begin them",
+               refused,
+               {"rc_solve: nx = 0, ny = 0 must both be >= 1; set the points along x and y"},
+               [] {
+                 const rc_system system = RC_SYSTEM_INIT;
+                 const rc_step step = RC_STEP_INIT;
+                 return rc_solve(&system, &step, nullptr, answer().result());
+               }},
               {"nx = 0", refused, {"rc_contact_create: nx = 0, ny = 4 must both be >= 1"}, grid(0, side)},
               {"ny = -1", refused, {"nx = 4, ny = -1 must both be >= 1"}, grid(side, -1)},
               {"nx = INT64_MIN", refused, {"nx = -9223372036854775808"}, grid(INT64_MIN, side)},

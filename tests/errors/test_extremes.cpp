@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace {
 
@@ -27,7 +28,7 @@ class Draw {
 };
 
 void solve_one(Draw& draw, rc_options* options) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = 1 + draw.below(6);
   system.ny = 1 + draw.below(6);
   system.boundary = draw.rarely(2) ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
@@ -41,7 +42,7 @@ void solve_one(Draw& draw, rc_options* options) {
   rc_step step = RC_STEP_INIT;
   step.control = draw.rarely(2) ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
   step.target = 2 * draw.fraction() * (draw.rarely(2) ? draw.magnitude() : 1) * (draw.rarely(2) ? height : 1);
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   if (draw.rarely(3)) step.p0 = p0.data();
   for (const char* key : {RC_OPT_SOLVER, RC_OPT_BACKEND}) {
     constexpr const char* solvers[] = {"auto", "nnls", "polonsky-keer"};
@@ -50,8 +51,7 @@ void solve_one(Draw& draw, rc_options* options) {
   }
   rc_options_set_int(options, RC_OPT_STIFFNESS, draw.below(2));
 
-  rc_result result{};
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p.data();
   result.gap = g.data();
   const rc_status status = rc_solve(&system, &step, options, &result);
@@ -62,7 +62,7 @@ void solve_one(Draw& draw, rc_options* options) {
   assert_true(documented);
   if (status < 0) return;
   assert_true(std::all_of(p.begin(), p.end(), finite) && std::all_of(g.begin(), g.end(), finite));
-  assert_true(finite(result.load) && finite(result.energy) && finite(result.displacement));
+  assert_true(finite(result.load) && finite(result.energy) && finite(result.approach));
 }
 
 void absurd_magnitudes_give_a_finite_answer_or_a_refusal(void**) {

@@ -1,5 +1,7 @@
 #include "failures/failure_scenes.h"
 
+#include <roughcontact/registry.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -38,8 +40,9 @@ std::int64_t power_of_two(std::int64_t n) {
 
 rc_step Scene::step() const {
   rc_step step = RC_STEP_INIT;
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.target = approach;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   step.mask = mask.empty() ? nullptr : mask.data();
   return step;
 }

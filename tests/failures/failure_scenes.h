@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "failures/rough_surface.h"
+#include "support/unit_system.h"
 
 namespace failures {
 
 struct Scene {
   std::string name;
-  rc_system system = RC_SYSTEM_INIT;  // free half-space
+  rc_system system = support::unit_system();  // free half-space
   std::string kernel = "love";
   Field gap;
   std::vector<std::uint8_t> mask;  // empty: every point

@@ -1,6 +1,6 @@
 #include "failures/inverse_m.h"
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>

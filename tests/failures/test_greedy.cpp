@@ -31,7 +31,7 @@ Count count_failures(const std::string& kernel, std::int64_t side, std::int64_t 
     const Answer found = eliminating.solve(step), truth = reference.solve(step);
     check_status(truth, RC_OK, "nnls");
     const bool wrong = difference(found.p, truth.p) > 1e-6;
-    check(wrong == (found.status == RC_STOP_UNCERTIFIED),
+    check(wrong == (found.status == RC_UNCERTIFIED),
           std::string(wrong ? "a wrong" : "the right") + " answer with " + rc_status_name(found.status));
     if (!wrong) continue;
     ++count.failures;
@@ -92,7 +92,7 @@ void stored_draws_fail_with_greedy_alone() {
     const Answer truth = truth_of(problem);
     for (const std::string& solver : solvers_on("dense", problem)) {
       const Answer answer = solve(problem, {solver, "dense"}, {{"tol", "1e-9"}, {"max_iter", "100000"}, {"greedy.repair", "0"}});
-      check_status(answer, solver == "greedy" ? RC_STOP_UNCERTIFIED : RC_OK, solver);
+      check_status(answer, solver == "greedy" ? RC_UNCERTIFIED : RC_OK, solver);
       if (solver != "greedy") check_near(answer.p, truth.p, 1e-6, solver);
     }
     const Answer repaired = solve(problem, greedy, {{"greedy.repair", "1"}});
@@ -133,7 +133,7 @@ void a_positive_coupling_makes_a_counterexample() {
   for (const std::string kernel : {"eq9", "galerkin", "punch"}) {
     const Problem problem = with_compenetration(greedy_counterexample(kernel, 6), 6, kernel);
     const Answer found = solve(problem, greedy, exact), truth = truth_of(problem);
-    check_status(found, RC_STOP_UNCERTIFIED, kernel);
+    check_status(found, RC_UNCERTIFIED, kernel);
     report(kernel + ": greedy's pressures are off by " + text(difference(found.p, truth.p)));
   }
   for (const char* kernel : {"love", "disc"}) check(greedy_counterexample(kernel, 6).empty(), "there should be none");

@@ -51,7 +51,7 @@ void check_surface(const std::string& file) {
 // Grooves finer than the coarsest grid: the published method fails on them.
 void grooves_defeat_the_published_method(const std::string& file) {
   const Cascade cascade = check_cascade(pressed(file), "subsample");
-  check_status(cascade.plain, RC_STOP_UNCERTIFIED, "as published");
+  check_status(cascade.plain, RC_UNCERTIFIED, "as published");
 }
 
 bool has_grooves(const std::string& file) {

@@ -1,7 +1,7 @@
 /* After a solve, a child solves again: every backend with every solver. A child that hangs is ended by its alarm. */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,11 +14,12 @@ static double gap[N * N];
 static rc_status solve(const char* backend, const char* solver) {
   rc_system system = RC_SYSTEM_INIT;
   system.nx = system.ny = N;
+  system.hx = system.hy = system.modulus = 1;
   rc_options* options = NULL;
   rc_step step = RC_STEP_INIT;
-  rc_result result;
-  rc_result_init(&result);
-  step.gap = gap;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  rc_result result = RC_RESULT_INIT;
+  step.undeformed_gap = gap;
   step.target = 0.5;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);

@@ -11,11 +11,12 @@ static rc_status solve(int n, const char* memory_limit) {
   for (int i = 0; i < n * n; ++i) gap[i] = (double)((random = random * 1664525u + 1013904223u) >> 8) / 16777216;
   rc_system system = RC_SYSTEM_INIT;
   system.nx = system.ny = n;
+  system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  step.undeformed_gap = gap;
   step.target = 0.5;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, "cholmod");

@@ -1,7 +1,7 @@
 // reloaded LIBRARY: opens the library, lists what its plugins bring, makes and destroys a context of its own and closes the
 // library, a thousand times: the process must not grow.
 #include <dlfcn.h>
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <cstdint>
 #include <cstdio>

@@ -11,13 +11,13 @@ static int refused(rc_status status) {
 
 static int solve(rc_contact* contact, const double* gap) {
   rc_step step = RC_STEP_INIT;
-  rc_result result;
+  rc_result result = RC_RESULT_INIT;
   int ended = 0;
-  rc_result_init(&result);
-  step.gap = gap;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  step.undeformed_gap = gap;
   step.target = 2e-7;
   if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;
-  step.gap = NULL;
+  step.undeformed_gap = NULL;
   step.control = RC_CONTROL_LOAD;
   step.target = 0.7 * result.load;
   return refused(rc_contact_solve(contact, &step, &result));

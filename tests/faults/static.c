@@ -1,5 +1,5 @@
 /* In a program linked with -static: plugins are refused with the reason, what is linked in solves. */
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,11 +10,12 @@ static rc_status solve(const char* backend) {
   for (int i = 0; i < N * N; ++i) gap[i] = 0.01 * ((i % N - 3) * (i % N - 3) + (i / N - 3) * (i / N - 3));
   rc_system system = RC_SYSTEM_INIT;
   system.nx = system.ny = N;
+  system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  step.undeformed_gap = gap;
   step.target = 0.1;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);

@@ -1,6 +1,6 @@
 // Lets the k-th allocation fail, k = 1, 2, ... until all succeed. Every call must then return RC_ERR_MEMORY or succeed, write
 // nothing when it failed, lose nothing, and leave its objects fit for another try.
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,7 @@
 
 #include "support/cmocka.hpp"
 #include "support/failing_new.h"
+#include "support/unit_system.h"
 
 namespace {
 
@@ -29,7 +30,7 @@ std::int32_t apply(const double* x, double* y, std::int64_t n, void*) {
 
 struct Given {
   std::vector<double> gap, dense;
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
 
   explicit Given(const Job& job) : gap(points), dense(points * points, 0.05) {
     for (std::int64_t i = 0; i < points; ++i) {
@@ -52,7 +53,7 @@ struct Answer {
   rc_result result{};
 
   Answer() {
-    rc_result_init(&result);
+    result = RC_RESULT_INIT;
     result.p = p.data();
     result.gap = gap.data();
   }
@@ -80,14 +81,15 @@ class Life {
       return status_;
     if (!contact_ && failed(rc_contact_create(&given_.system, options_, &contact_))) return status_;
     rc_step step = RC_STEP_INIT;
-    step.gap = given_.gap.data();
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = given_.gap.data();
     step.target = 0.2;
     if (failed(rc_contact_solve(contact_, &step, &pressed_.result))) return status_;
     if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 1)) || failed(rc_contact_set_options(contact_, options_)))
       return status_;
     step.control = RC_CONTROL_LOAD;
     step.target = 0.5 * pressed_.result.load;
-    step.gap = nullptr;
+    step.undeformed_gap = nullptr;
     if (failed(rc_contact_solve(contact_, &step, &loaded_.result))) return status_;
     std::copy(loaded_.p.begin(), loaded_.p.end(), checked_.p.begin());
     return failed(rc_contact_certify(contact_, &step, &checked_.result)) ? status_ : RC_OK;

@@ -25,7 +25,7 @@ program test_contacts
   integer :: stat
 
   z = rough(nx, ny)
-  gap = rcf_gap(z)
+  gap = rcf_gap_from_heights(z)
   call check('the gap of the highest point is 0', minval(gap) == 0 .and. all(gap == maxval(z) - z))
   system = rc_system(nx=nx, ny=ny, hx=0.5_c_double, hy=0.25_c_double, modulus=3.0_c_double)
   call one_shot()
@@ -41,10 +41,10 @@ contains
     type(rc_result) :: ours, theirs
     type(rc_step) :: step
     real(c_double) :: larger(2 * nx, ny + 3)
-    step = rc_step(target=0.4_c_double, gap=c_loc(gap))
+    step = rc_step(control=RC_CONTROL_DISPLACEMENT, target=0.4_c_double, undeformed_gap=c_loc(gap))
     theirs%p = c_loc(expected)
     call check('rc_solve', rc_solve(system, step, c_null_ptr, theirs) == RC_OK)
-    call rcf_solve(system, gap, displacement=0.4_c_double, p=p, deformed=deformed, result=ours, stat=stat)
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=p, gap=deformed, result=ours, stat=stat)
     call check('rcf_solve is certified', stat == RC_OK .and. ours%status == RC_OK)
     call check('rcf_solve gives the bits of rc_solve', all(p == expected) .and. ours%load == theirs%load)
     call check('the deformed gap comes back', minval(deformed) > -1e-6 .and. maxval(deformed) > 0.1)
@@ -53,7 +53,7 @@ contains
     call check('a section of a larger array is filled', all(larger(1:2 * nx:2, 2:ny + 1) == expected))
     call check('and nothing else of it', all(larger(2:2 * nx:2, :) == -1) .and. all(larger(:, 1) == -1))
     call rcf_solve(system, gap, load=theirs%load, result=ours)
-    call check('the load gives the approach', abs(ours%displacement - 0.4_c_double) < 1e-6)
+    call check('the load gives the approach', abs(ours%approach - 0.4_c_double) < 1e-6)
     call rcf_solve(system, gap, displacement=0.4_c_double, mask=z < 1.9_c_double, p=p)
     call check('masked points carry no pressure', all(p == 0 .or. z < 1.9_c_double) .and. sum(p) > 0)
 
@@ -67,7 +67,7 @@ contains
     gap(3, 2) = -1 / (gap(3, 2) - gap(3, 2))
     call rcf_solve(system, gap, displacement=0.4_c_double, stat=stat, errmsg=message)
     call check('the library''s message: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'not finite') > 0)
-    gap = rcf_gap(z)
+    gap = rcf_gap_from_heights(z)
   end subroutine
 
   subroutine many_steps()
@@ -93,23 +93,25 @@ contains
     call check('a contact that was not made has no points', stat == RC_ERR_ARGUMENT .and. size(points) == 0)
     call rcf_contact_create(contact, system, options, stat)
     call check('a contact', stat == RC_OK .and. contact%nx == nx)
-    call rcf_contact_solve(contact, displacement=0.3_c_double, gap=gap, result=result)
+    call rcf_contact_solve(contact, displacement=0.3_c_double, undeformed_gap=gap, result=result)
     call rcf_contact_solve(contact, displacement=0.4_c_double, p=p, result=result)
     call check('solver by name', rc_from_c(result%solver) == 'nnls' .and. result%stiffness > 0)
     call rcf_contact_points(contact, points, values)
     call check('the contact set', size(points) == result%contacts .and. &
       all(pack(reshape(p, [n]), reshape(p, [n]) > 0) == values))
+    call rcf_contact_explain(contact, text)
+    call check('the choice: '//text, index(text, 'nnls on ') > 0 .and. index(text, ', taken') > 0)
     call rcf_contact_certify(contact, p, displacement=0.4_c_double, stat=stat)
     call check('pressures are certified', stat == RC_OK)
     p = p * 1.01_c_double
     call rcf_contact_certify(contact, p, displacement=0.4_c_double, stat=stat)
-    call check('others are not', stat == RC_STOP_UNCERTIFIED)
+    call check('others are not', stat == RC_UNCERTIFIED)
     call rcf_options_set_text(options, RC_OPT_SOLVER, 'cmr')
     call rcf_contact_set_options(contact, options)
     call rcf_contact_reset(contact)
     call rcf_contact_solve(contact, displacement=0.4_c_double, stat=stat)
     call check('a reset contact has no gap', stat == RC_ERR_ARGUMENT)
-    call rcf_contact_solve(contact, displacement=0.4_c_double, gap=gap, result=result)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, undeformed_gap=gap, result=result)
     call coarse_solutions(contact, int(result%levels))
     call rcf_contact_cancel(contact)
     call rcf_contact_solve(contact, displacement=0.4_c_double, warm_start=.false., stat=stat)
@@ -142,7 +144,7 @@ contains
     type(c_funptr) :: fn
     approaches = [0.1_c_double, 0.3_c_double, 0.2_c_double, 0.4_c_double]
     call rcf_contact_create(contact, system)
-    call rcf_contact_solve_path(contact, approaches, gap=gap, load=load, contact_area=area, certificate=certificate, &
+    call rcf_contact_solve_path(contact, approaches, undeformed_gap=gap, load=load, contact_area=area, certificate=certificate, &
       applications=products, completed=completed)
     call check('a history', completed == 4 .and. load(2) > load(3) .and. all(certificate < 1e-8) .and. all(products > 0))
     seen = 0
@@ -170,7 +172,7 @@ contains
     call check('all of the step before or nothing: '//trim(message), stat == RC_ERR_ARGUMENT .and. index(message, 'or none') > 0)
     call rcf_contact_restore(contact, gap, p(:nx - 1, :), 0.1_c_double, 1.0_c_double, stat=stat)
     call check('pressures of another shape', stat == RC_ERR_SHAPE)
-    call rcf_contact_solve(contact, displacement=targets(1), gap=gap, p=pressures(:, :, 1), result=results(1))
+    call rcf_contact_solve(contact, displacement=targets(1), undeformed_gap=gap, p=pressures(:, :, 1), result=results(1))
     do k = 2, steps
       call rcf_contact_solve(contact, displacement=targets(k), p=pressures(:, :, k), result=results(k))
     end do
@@ -178,10 +180,10 @@ contains
     do cut = 1, steps - 1
       call rcf_contact_create(contact, system, options)
       if (cut == 1) then
-        call rcf_contact_restore(contact, gap, pressures(:, :, 1), results(1)%displacement, results(1)%load)
+        call rcf_contact_restore(contact, gap, pressures(:, :, 1), results(1)%approach, results(1)%load)
       else
-        call rcf_contact_restore(contact, gap, pressures(:, :, cut), results(cut)%displacement, results(cut)%load, &
-          pressures(:, :, cut - 1), results(cut - 1)%displacement, results(cut - 1)%load)
+        call rcf_contact_restore(contact, gap, pressures(:, :, cut), results(cut)%approach, results(cut)%load, &
+          pressures(:, :, cut - 1), results(cut - 1)%approach, results(cut - 1)%load)
       end if
       do k = cut + 1, steps
         call rcf_contact_solve(contact, displacement=targets(k), p=p, result=again)
@@ -200,7 +202,7 @@ contains
     type(rc_result) :: alone
     integer :: k, certified, first
     do k = 1, 3
-      gaps(:, :, k) = rcf_gap(k * z)
+      gaps(:, :, k) = rcf_gap_from_heights(k * z)
     end do
     approaches(:, 1) = [0.2_c_double, 0.4_c_double]
     call rcf_batch_solve(system, gaps, approaches, p=all_p, load=load, status=statuses, iterations=iterations, &

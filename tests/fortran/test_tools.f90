@@ -16,6 +16,7 @@ program test_tools
 contains
 
   subroutine listings()
+    type(rc_system) :: system
     type(rc_component) :: component
     type(rc_option_spec) :: spec
     type(c_ptr) :: context
@@ -35,8 +36,9 @@ contains
     call check('no kernel after the last', stat == RC_ERR_ARGUMENT)
     call rcf_options_describe(1, spec)
     call check('an option', len(rc_from_c(spec%key)) > 0)
-    call check('a pair', rcf_pair_supported('nnls', 'dense', rc_system(nx=4, ny=4), RC_CONTROL_LOAD))
-    call check('no pair', .not. rcf_pair_supported('nnls', 'absent', rc_system(nx=4, ny=4), RC_CONTROL_LOAD, errmsg=message) &
+    system = rc_system(nx=4, ny=4, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double)
+    call check('a pair', rcf_pair_supported('nnls', 'dense', system, RC_CONTROL_LOAD))
+    call check('no pair', .not. rcf_pair_supported('nnls', 'absent', system, RC_CONTROL_LOAD, errmsg=message) &
       .and. index(message, 'absent') > 0)
     call rcf_context_create(context, plugins=.false., environment=.false.)
     call check('no plugins', rc_backend_count(context) <= rc_backend_count(c_null_ptr))
@@ -99,17 +101,17 @@ contains
     p(1:2, 1) = [1, 3]
     p(3, 2) = 2
     p(6, 5) = 4
-    call rcf_area_measure(p, area, hx=0.5_c_double, hy=2.0_c_double)
+    call rcf_area_measure(p, 0.5_c_double, 2.0_c_double, area)
     call check('area', area%contacts == 4 .and. area%area == 4)
-    call rcf_patches_find(p, patches, label)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, label)
     call check('three patches', size(patches) == 3 .and. label(2, 1) == 1 .and. label(3, 2) == 2 .and. label(6, 5) == 3)
     call check('their peaks', patches(1)%peak == 2 .and. patches(1)%max_pressure == 3 .and. patches(3)%peak == 30)
     call check('no contact', count(label == 0) == 26)
-    call rcf_patches_find(p, patches, boundary=RC_BOUNDARY_PERIODIC, neighbours=8)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, boundary=RC_BOUNDARY_PERIODIC, neighbours=8)
     call check('one patch across corners and sides', size(patches) == 1 .and. patches(1)%load == 10)
-    call rcf_patches_find(p, patches, mask=p < 4)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, mask=p < 4)
     call check('masked', size(patches) == 2)
-    call rcf_patches_find(p, patches, mask=reshape([.true.], [1, 1]), stat=stat)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, mask=reshape([.true.], [1, 1]), stat=stat)
     call check('mask of another shape', stat == RC_ERR_SHAPE .and. size(patches) == 0)
     call rcf_histogram_fill(p, counts, density, histogram=histogram)
     call check('a histogram', all(counts == 1) .and. histogram%width == 1 .and. all(density == 0.25))

@@ -9,6 +9,7 @@
 #include "chain.h"
 #include "contact_law.h"
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 #include "topography_tests.h"
 
 namespace {
@@ -25,7 +26,7 @@ std::vector<double> rough(std::uint64_t seed) {
 }
 
 rc_system grid() {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = side;
   system.modulus = 2;
   return system;
@@ -39,14 +40,14 @@ double direct_load(const std::vector<double>& heights, double displacement) {
   for (const double z : heights) gap.push_back(largest(heights) - z);
   const rc_system system = grid();
   rc_step step = RC_STEP_INIT;
+  step.control = RC_CONTROL_DISPLACEMENT;
   step.target = displacement;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
   assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, 1e-10), RC_OK);
   assert_int_equal(rc_options_set_int(options, RC_OPT_STIFFNESS, 1), RC_OK);
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   assert_int_equal(rc_solve(&system, &step, options, &result), RC_OK);
   rc_options_destroy(options);
   return result.load;

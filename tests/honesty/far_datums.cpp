@@ -29,8 +29,8 @@ void check_offset(Problem problem, double offset, const Settings& settings, doub
     const Answer far = solved(problem, pair, settings), near = solved(from_zero, pair, settings);
     const std::string what = pair.name() + ", gaps from " + text(problem.lowest_gap());
     check_near(far.p, near.p, allowed * largest(near.p), what);
-    check_near(far.result.displacement, problem.lowest_gap() + near.result.displacement,
-               2 * epsilon * std::abs(problem.lowest_gap()) + allowed * near.result.displacement, what);
+    check_near(far.result.approach, problem.lowest_gap() + near.result.approach,
+               2 * epsilon * std::abs(problem.lowest_gap()) + allowed * near.result.approach, what);
     check(far.result.load_lower <= problem.target * (1 + allowed) && problem.target * (1 - allowed) <= far.result.load_upper,
           what + ": the interval is " + text(far.result.load_lower) + " to " + text(far.result.load_upper));
   }
@@ -74,7 +74,7 @@ void given_approaches_far_from_zero() {
   for (double& h : problem.gap) h += 1e6;
   for (const Pair& pair : some_pairs()) {
     const Answer answer = solved(problem, pair, {{RC_OPT_TOL, "1e-10"}});
-    check(answer.result.displacement == problem.target, pair.name() + ": another approach");
+    check(answer.result.approach == problem.target, pair.name() + ": another approach");
   }
 }
 

@@ -75,7 +75,7 @@ void more_pressure_is_not_certified() {
   for (const double factor : {1.0, 10.0, 1e4}) {
     Field more = answer.p;
     for (double& p : more) p += factor * answer.result.mean_pressure;
-    check_status(contact.certify(problem.step(), more), RC_STOP_UNCERTIFIED, text(1 + factor) + " times the load");
+    check_status(contact.certify(problem.step(), more), RC_UNCERTIFIED, text(1 + factor) + " times the load");
   }
 }
 

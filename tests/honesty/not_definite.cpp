@@ -51,7 +51,7 @@ void pressures_that_yield_work_are_refused() {
   const Problem problem = by_product(definite);
   Field p(n, 0.0);
   p[4] = 1e-180;
-  check_status(Contact(problem, {"polonsky-keer", "callback"}).certify(problem.step(), p), RC_STOP_UNCERTIFIED);
+  check_status(Contact(problem, {"polonsky-keer", "callback"}).certify(problem.step(), p), RC_UNCERTIFIED);
 }
 
 // Every pair of unknowns, and the sum of the entries, is as it should be: (1, 1, 1, 0) is not.
@@ -67,7 +67,7 @@ void a_solution_of_an_indefinite_matrix_is_refused() {
   const Contact contact(problem, {"polonsky-keer", "dense"});
   check_refused(contact.certify(problem.step(), {1, 1, 1, 0}), "certify");
   const Answer plain = contact.certify(problem.step(), {1, 0, 0, 1});
-  check_status(plain, RC_STOP_UNCERTIFIED);
+  check_status(plain, RC_UNCERTIFIED);
 }
 
 void no_solver_certifies_an_indefinite_product() {

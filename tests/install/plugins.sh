@@ -21,7 +21,7 @@ build_with() {  # build_with make|cmake KIND: example KIND, installed into the p
   local from=$scratch/$1-$2
   cp -r "$source/examples/plugin-$2" "$from"
   if [ "$1" = make ]; then
-    clean make -C "$from" CC="$cc" CXX="$cxx" CFLAGS="$strict" CXXFLAGS="$strict"
+    clean make -C "$from" CC="$cc" CXX="$cxx" CFLAGS="$strict" CXXFLAGS="$strict -Wno-missing-field-initializers"
     beside_a_plugin_nothing_is_found "$from" "$2"
     clean make -C "$from" install
   else
@@ -45,6 +45,7 @@ beside_a_plugin_nothing_is_found() {  # beside_a_plugin_nothing_is_found FOLDER 
 prefix=$scratch/prefix
 install_to "$prefix"
 clean "$prefix/bin/roughcontact" generate spectral --output "$scratch/surface.npy" --size 24 --rms-slope 0.3 >/dev/null
+clean "$prefix/bin/roughcontact" generate spectral --output "$scratch/larger.npy" --size 64 --rms-slope 0.3 >/dev/null
 for tool in make cmake; do
   build_with $tool backend >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the backend"; }
   build_with $tool solver >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the solver"; }
@@ -65,6 +66,10 @@ for tool in make cmake; do
     [ "$load" = "$expected" ] || fail "$tool: ${words[0]} finds load $load, dense $expected"
     echo "$tool: ${words[0]}: load $load"
   done
+  # To a rough answer it is the one that takes least time.
+  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --displacement 12 --tol 0.1 --explain 2>"$scratch/why" | tail -1)
+  [[ $row == *" spg/"*RC_OK* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
+  grep -q "spg on .* taken" "$scratch/why" && grep -q "haar-cg on .* slower" "$scratch/why" || fail "no reasons: $(cat "$scratch/why")"
   mv "$prefix" "$scratch/moved-$tool"
   prefix=$scratch/moved-$tool
   find_pc "$prefix"

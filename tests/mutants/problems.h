@@ -11,6 +11,7 @@
 #include "contact/step_surface.h"
 #include "contact/system.h"
 #include "core/thread_team.h"
+#include "support/unit_system.h"
 
 namespace mutants {
 
@@ -28,7 +29,7 @@ class Numbers {
 };
 
 struct Small {
-  rc_system given = RC_SYSTEM_INIT;
+  rc_system given = support::unit_system();
   std::string kernel = "auto";
   std::vector<double> gap, matrix;
   std::vector<std::uint8_t> mask;

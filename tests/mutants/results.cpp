@@ -22,16 +22,18 @@ double sum_of(const char* text) {
   return sum;
 }
 
-void put(Figures& figures, rc_status status, const rc_result& r, const std::vector<double>& p, const std::vector<double>& gap,
-         bool solved) {
+void put(Figures& figures, rc_contact* contact, rc_status status, const rc_result& r, const std::vector<double>& p,
+         const std::vector<double>& gap, bool solved) {
   figures.exact("status", status);
   figures.exact("told", std::string(rc_last_error()).find("kkt_primal") != std::string::npos);
   if (status < 0) {
     figures.exact("message", sum_of(rc_last_error()));
     return;
   }
+  rc_accuracy a = RC_ACCURACY_INIT;
+  rc_contact_accuracy(contact, &a);
   figures.near("load", r.load);
-  figures.near("displacement", r.displacement);
+  figures.near("approach", r.approach);
   figures.near("mean", r.mean_pressure);
   figures.near("energy", r.energy);
   figures.exact("contacts", static_cast<double>(r.contacts));
@@ -40,13 +42,13 @@ void put(Figures& figures, rc_status status, const rc_result& r, const std::vect
   figures.exact("area", r.contact_area);
   figures.exact("modelled", static_cast<double>(r.modelled));
   figures.exact("tolerance", r.tolerance);
-  figures.exact("estimate", r.error_estimate);
-  figures.exact("area_estimate", r.area_estimate);
-  figures.exact("left_out", r.left_out);
+  figures.exact("estimate", a.error_estimate);
+  figures.exact("area_estimate", a.area_estimate);
+  figures.exact("left_out", a.left_out);
   figures.exact("reserved", r.reserved);
   figures.exact("points", static_cast<double>(r.points));
-  figures.exact("model_nx", static_cast<double>(r.model_nx));
-  figures.exact("model_ny", static_cast<double>(r.model_ny));
+  figures.exact("model_nx", static_cast<double>(a.model_nx));
+  figures.exact("model_ny", static_cast<double>(a.model_ny));
   figures.exact("solver", sum_of(r.solver));
   figures.exact("backend", sum_of(r.backend));
   figures.exact("bounded", !std::isnan(r.load_lower));
@@ -74,8 +76,7 @@ void put(Figures& figures, rc_status status, const rc_result& r, const std::vect
 // What an earlier result left in a struct.
 void spoil(rc_result& r) {
   r.reserved = 5;
-  r.points = r.model_nx = r.model_ny = -5;
-  r.left_out = r.error_estimate = r.area_estimate = -5;
+  r.points = -5;
   r.load_lower = r.load_upper = r.duality_gap = r.area_lower = r.area_upper = -5;
   r.proven_contacts = r.proven_open = r.undecided = -5;
 }
@@ -115,14 +116,15 @@ void beyond_double_precision(Figures& figures) {
     diagonal = factor;
     std::vector<double> p(3, size), deformed(3);
     rc_step step = RC_STEP_INIT;
-    step.gap = factor < 1 ? flat.data() : small.gap.data();
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = factor < 1 ? flat.data() : small.gap.data();
     step.target = factor < 1 ? 1e-25 : 0.4;
     rc_result r{};
     r.struct_size = sizeof r;
     r.p = p.data();
     figures.section("beyond/" + std::to_string(std::log10(size)));
     const rc_status status = rc_contact_certify(handle.contact, &step, &r);
-    put(figures, status, r, p, deformed, true);
+    put(figures, handle.contact, status, r, p, deformed, true);
   }
 }
 
@@ -138,7 +140,7 @@ void stopped_far_from_the_answer(Figures& figures) {
         std::vector<double> p(small.points()), p0(small.points(), start), deformed(small.points());
         rc_step step = RC_STEP_INIT;
         step.control = control;
-        step.gap = small.gap.data();
+        step.undeformed_gap = small.gap.data();
         step.target = 0.1;
         step.p0 = p0.data();
         rc_result r{};
@@ -146,7 +148,7 @@ void stopped_far_from_the_answer(Figures& figures) {
         r.p = p.data();
         figures.section(std::string("stopped/") + solver + std::to_string(start) + std::to_string(control));
         const rc_status status = rc_contact_solve(handle.contact, &step, &r);
-        put(figures, status, r, p, deformed, true);
+        put(figures, handle.contact, status, r, p, deformed, true);
         figures.near("kkt_primal", r.kkt_primal);
         figures.near("kkt_dual", r.kkt_dual);
       }
@@ -164,7 +166,7 @@ void masks_that_leave_little(Figures& figures) {
       mask[5] = one;
       rc_step step = RC_STEP_INIT;
       step.control = control;
-      step.gap = gap.data();
+      step.undeformed_gap = gap.data();
       step.mask = mask.data();
       step.target = control == RC_CONTROL_DISPLACEMENT ? 2 : one ? 0.3 : 0;
       rc_result r{};
@@ -172,7 +174,7 @@ void masks_that_leave_little(Figures& figures) {
       r.p = p.data();
       figures.section(std::string("little/") + std::to_string(one) + std::to_string(control));
       const rc_status status = rc_contact_solve(handle.contact, &step, &r);
-      put(figures, status, r, p, deformed, true);
+      put(figures, handle.contact, status, r, p, deformed, true);
     }
 }
 
@@ -231,7 +233,7 @@ void figures_of_results(Figures& figures) {
               rc_step step = RC_STEP_INIT;
               step.control = control;
               step.target = control == RC_CONTROL_LOAD ? size : size + datum;
-              step.gap = gap.data();
+              step.undeformed_gap = gap.data();
               step.mask = masked ? mask.data() : nullptr;
               rc_result r{};
               r.struct_size = sizeof r;
@@ -242,7 +244,7 @@ void figures_of_results(Figures& figures) {
                                        std::to_string(size * 1e9);
               figures.section("solved/" + name);
               rc_status status = rc_contact_solve(contact, &step, &r);
-              put(figures, status, r, p, deformed, true);
+              put(figures, contact, status, r, p, deformed, true);
               // Without the gap, a certificate over the unknowns alone.
               r = {};
               r.struct_size = sizeof r;
@@ -250,7 +252,7 @@ void figures_of_results(Figures& figures) {
               step.warm_start = 0;
               figures.section("unknowns/" + name);
               status = rc_contact_solve(contact, &step, &r);
-              put(figures, status, r, p, deformed, true);
+              put(figures, contact, status, r, p, deformed, true);
               r.gap = deformed.data();
               const std::vector<double> right = p;
               for (const double spoilt : {0.1, 1e-4}) {
@@ -260,7 +262,7 @@ void figures_of_results(Figures& figures) {
                     p[i] += spoilt * static_cast<double>(i % 3) * (p[i] + (i == 2 ? -0.3 : i == 3 ? 0.1 : 0));
                 figures.section("given/" + name + "/" + std::to_string(spoilt));
                 status = rc_contact_certify(contact, &step, &r);
-                put(figures, status, r, p, deformed, false);
+                put(figures, contact, status, r, p, deformed, false);
               }
               // A uniform pressure is added everywhere.
               p = right;
@@ -270,11 +272,11 @@ void figures_of_results(Figures& figures) {
               spoil(r);
               figures.section("more/" + name);
               status = rc_contact_certify(contact, &step, &r);
-              put(figures, status, r, p, deformed, false);
+              put(figures, contact, status, r, p, deformed, false);
               p.assign(p.size(), 0.0);
               figures.section("none/" + name);
               status = rc_contact_certify(contact, &step, &r);
-              put(figures, status, r, p, deformed, false);
+              put(figures, contact, status, r, p, deformed, false);
               if (number == 5) {
                 for (const double worse : {-0.05, -0.1, -0.6, -1.0, 0.0})
                   for (const auto& [first, second] : {std::pair{1e-170, -2e-170}, {-1e-170, -2e-170}, {1e-170, -1e-170}}) {
@@ -284,7 +286,7 @@ void figures_of_results(Figures& figures) {
                     p[3] = second;
                     figures.section("indefinite/" + name + std::to_string(worse) + std::to_string(first / second));
                     status = rc_contact_certify(contact, &step, &r);
-                    put(figures, status, r, p, deformed, false);
+                    put(figures, contact, status, r, p, deformed, false);
                   }
                 diagonal = 1;
               }

@@ -23,9 +23,10 @@ opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "displacement", 0.4);
 
 [p, info] = rc_solve (z, opts);
 check ("shape of p", isequal (size (p), [nx, ny]) && isequal (size (info.gap), [nx, ny]));
+check ("explained", ! isempty (strfind (info.explanation, [info.solver, " on ", info.backend, ": "])));
 check ("certified", info.status == 0 && strcmp (info.status_name, "RC_OK") && isempty (info.message));
 check ("load", abs (sum (p(:)) * 0.5 * 0.25 / info.load - 1) < 1e-12);
-check ("displacement", info.displacement == 0.4);
+check ("approach", info.approach == 0.4);
 check ("area", info.contact_area == info.contacts * 0.125 && info.contacts == nnz (p));
 check ("no pressure where there is a gap", max (p(:) .* max (info.gap(:), 0)) < 1e-6 * max (p(:)));
 check ("proof", info.load_lower <= info.load && info.load <= info.load_upper);
@@ -36,7 +37,7 @@ check ("single heights", norm (rc_solve (single (z), opts) - p) < 1e-4 * norm (p
 by_load = rmfield (opts, "displacement");
 by_load.load = info.load;
 [~, back] = rc_solve (z, by_load);
-check ("the load gives the approach", abs (back.displacement - 0.4) < 1e-6);
+check ("the load gives the approach", abs (back.approach - 0.4) < 1e-6);
 
 % x is the first index
 turned = opts; turned.hx = opts.hy; turned.hy = opts.hx;
@@ -73,7 +74,7 @@ check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (
 e = refused (z, struct ("hx", 1));
 check (e.message, any (strfind (e.message, "displacement or opts.load")));
 e = refused (z, rmfield (opts, "hy"));
-check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "give opts.hx and opts.hy")));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "hy = 0")));
 e = refused (z, setfield (opts, "hx", -1));
 check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "hx = -1")));
 e = refused (z, setfield (opts, "boundary", "open"));
@@ -100,7 +101,7 @@ warning ("off", "roughcontact:RC_STOP_MAX_ITER");
 short = opts; short.max_iter = 1; short.solver = "polonsky-keer";
 lastwarn ("", "");
 [p, info] = rc_solve (z, short);
-check ("stopped early", info.status == 1 && ! isempty (info.message) && any (p(:) > 0));
+check ("stopped early", info.status == 101 && ! isempty (info.message) && any (p(:) > 0));
 warning ("on", "roughcontact:RC_STOP_MAX_ITER");
 rc_solve (z, short);
 [~, id] = lastwarn ();

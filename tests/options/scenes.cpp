@@ -61,8 +61,7 @@ std::string Scene::wrong(rc_status status, const rc_result& result, bool memory)
 
 std::string Scene::judge(const rc_options* options, bool memory) {
   rc_contact* contact = nullptr;
-  rc_result result;
-  rc_result_init(&result);
+  rc_result result = RC_RESULT_INIT;
   result.p = p_.data();
   result.gap = deformed_.data();
   rc_status status = rc_contact_create(&system_, options, &contact);
@@ -71,7 +70,7 @@ std::string Scene::judge(const rc_options* options, bool memory) {
   const std::int32_t controls[] = {RC_CONTROL_DISPLACEMENT, RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD, RC_CONTROL_LOAD};
   for (int k = 0; contact && fault.empty() && k < 4; ++k) {
     rc_step step = RC_STEP_INIT;
-    step.gap = gap_.data();
+    step.undeformed_gap = gap_.data();
     step.control = controls[k];
     step.target = targets[k];
     status = rc_contact_solve(contact, &step, &result);

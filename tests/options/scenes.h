@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/unit_system.h"
+
 namespace options {
 
 inline constexpr const char* kinds[] = {"free", "periodic", "matrix", "product"};
@@ -23,7 +25,7 @@ class Scene {
  private:
   std::string wrong(rc_status status, const rc_result& result, bool memory) const;
 
-  rc_system system_ = RC_SYSTEM_INIT;
+  rc_system system_ = support::unit_system();
   std::vector<double> gap_, matrix_, p_, deformed_;
 };
 

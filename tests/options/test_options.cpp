@@ -2,6 +2,7 @@
 // limits of memory and time. Every run ends with an answer or an error that says why.
 //
 // test_options [KEY]     all, or one key
+#include <roughcontact/registry.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>

@@ -1,5 +1,7 @@
 #include "options/values.h"
 
+#include <roughcontact/registry.h>
+
 #include <cstdio>
 
 namespace options {

@@ -64,7 +64,7 @@ void wave_is_westergaards(const Pair& pair, std::int64_t ny, double t) {
     const double width = answer.result.contact_area / (static_cast<double>(ny) * problem.system.hy);
     const double cells = static_cast<double>(nx);
     check_near(width, 2 * wave.half_width(t), 2 * problem.system.hx, "contact width, nx = " + std::to_string(nx));
-    check_near(answer.result.displacement, wave.approach(t), 10 / (cells * cells) * wave.amplitude,
+    check_near(answer.result.approach, wave.approach(t), 10 / (cells * cells) * wave.amplitude,
                "approach, nx = " + std::to_string(nx));
     errors.push_back(pressure_error(wave, problem, answer, t));
     report("nx = " + std::to_string(nx) + ": contact width " + text(width) + ", Westergaard " + text(2 * wave.half_width(t)) +
@@ -139,7 +139,7 @@ void full_contact_is_exact(const Pair& pair) {
     for (std::size_t i = 0; i < expected.p.size(); ++i) worst = std::max(worst, std::abs(answer.p[i] - expected.p[i]));
     report("largest error of p / max p" + size + ": " + text(worst / largest(expected.p)));
     check_near(answer.p, expected.p, 1e-12, "p" + size);
-    check_near(answer.result.displacement, expected.mean_gap, 1e-12 * expected.mean_gap, "approach is the mean plane" + size);
+    check_near(answer.result.approach, expected.mean_gap, 1e-12 * expected.mean_gap, "approach is the mean plane" + size);
     check_equal(answer.result.contacts, nx * ny, "contacts" + size);
     check(std::isinf(answer.result.stiffness), "the stiffness of full contact is infinite");
   }

@@ -19,15 +19,16 @@ Answer blank(std::size_t points) {
   Answer answer;
   answer.p.assign(points, -7);
   answer.gap.assign(points, -7);
-  rc_result_init(&answer.result);
+  answer.result = RC_RESULT_INIT;
   return answer;
 }
 
-template <class Call> void complete(Answer& answer, Call call) {
+template <class Call> void complete(rc_contact* contact, Answer& answer, Call call) {
   answer.result.p = answer.p.data();
   answer.result.gap = answer.gap.data();
   answer.status = call(&answer.result);
   answer.message = rc_last_error();
+  rc_contact_accuracy(contact, &answer.accuracy);
   // The answer may be copied: its arrays are p and gap.
   answer.result.p = answer.result.gap = nullptr;
 }
@@ -45,7 +46,7 @@ rc_step Problem::step() const {
   rc_step step = RC_STEP_INIT;
   step.control = control;
   step.target = target;
-  step.gap = gap.data();
+  step.undeformed_gap = gap.data();
   step.mask = mask.empty() ? nullptr : mask.data();
   return step;
 }
@@ -77,14 +78,14 @@ Contact::Contact(const Problem& problem, const Pair& pair, const Settings& setti
 
 Answer Contact::solve(const rc_step& step) const {
   Answer answer = blank(points_);
-  complete(answer, [&](rc_result* result) { return rc_contact_solve(handle(), &step, result); });
+  complete(handle(), answer, [&](rc_result* result) { return rc_contact_solve(handle(), &step, result); });
   return answer;
 }
 
 Answer Contact::certify(const rc_step& step, const Field& p) const {
   Answer answer = blank(points_);
   answer.p = p;
-  complete(answer, [&](rc_result* result) { return rc_contact_certify(handle(), &step, result); });
+  complete(handle(), answer, [&](rc_result* result) { return rc_contact_certify(handle(), &step, result); });
   return answer;
 }
 

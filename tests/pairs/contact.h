@@ -1,7 +1,7 @@
 // The C interface with ownership: a problem, options as text, a contact, an answer that holds its arrays.
 #pragma once
 
-#include <roughcontact/roughcontact.h>
+#include <roughcontact/registry.h>
 
 #include <memory>
 #include <string>
@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "harness.h"
+#include "support/unit_system.h"
 
 namespace pairs {
 
 struct Problem {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   std::string kernel = "auto";
   Field gap;
   std::vector<std::uint8_t> mask;
@@ -31,6 +32,7 @@ struct Problem {
 struct Answer {
   rc_status status = RC_ERR_INTERNAL;
   rc_result result = {};
+  rc_accuracy accuracy = RC_ACCURACY_INIT;
   Field p, gap;
   std::string message;
 

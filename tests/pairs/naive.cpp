@@ -116,7 +116,7 @@ Certificate certificate(const Problem& problem, const Field& matrix, const Field
 
 void check_against_naive(const Problem& problem, const Answer& answer) {
   constexpr double round_off = 1e-12;
-  const Certificate expected = certificate(problem, influence_matrix(problem), answer.p, answer.result.displacement);
+  const Certificate expected = certificate(problem, influence_matrix(problem), answer.p, answer.result.approach);
   const rc_result& r = answer.result;
   check_near(r.kkt_primal, expected.primal, round_off, "kkt_primal");
   check_near(r.kkt_dual, expected.dual, round_off, "kkt_dual");

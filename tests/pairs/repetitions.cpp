@@ -19,8 +19,8 @@ Problem problem_of(std::int32_t boundary) {
 void check_identical(const Answer& a, const Answer& b) {
   check_same(a.p, b.p, "p");
   check_same(a.gap, b.gap, "gap");
-  check_same({a.result.load, a.result.displacement, a.result.energy, a.result.kkt_dual, a.result.kkt_complementarity},
-             {b.result.load, b.result.displacement, b.result.energy, b.result.kkt_dual, b.result.kkt_complementarity}, "result");
+  check_same({a.result.load, a.result.approach, a.result.energy, a.result.kkt_dual, a.result.kkt_complementarity},
+             {b.result.load, b.result.approach, b.result.energy, b.result.kkt_dual, b.result.kkt_complementarity}, "result");
   check_equal(a.result.iterations, b.result.iterations, "iterations");
   check_equal(a.result.applications, b.result.applications, "applications");
 }

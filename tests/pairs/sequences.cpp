@@ -41,7 +41,7 @@ void warm_equals_cold(std::int32_t boundary, const Pair& pair) {
       check_status(from_last, RC_OK, "warm");
       check_status(fresh, RC_OK, "cold");
       check_near(from_last.p, fresh.p, 1e-9, "p");
-      check_near(from_last.result.displacement, fresh.result.displacement, 1e-10 * problem.target, "approach");
+      check_near(from_last.result.approach, fresh.result.approach, 1e-10 * problem.target, "approach");
       warm_applications += from_last.result.applications;
       cold_applications += fresh.result.applications;
     }
@@ -56,10 +56,10 @@ void round_trip(std::int32_t boundary, const Pair& pair) {
   const Problem problem = problem_of(boundary);
   const Answer there = solved(problem, pair);
   const Answer back = solved(at_load(problem, there.result.load), pair);
-  check_near(back.result.displacement, problem.target, 1e-9 * problem.target, "approach");
+  check_near(back.result.approach, problem.target, 1e-9 * problem.target, "approach");
   check_near(back.p, there.p, 1e-9, "p at the load");
   Problem again = problem;
-  again.target = back.result.displacement;
+  again.target = back.result.approach;
   const Answer last = solved(again, pair);
   check_near(last.p, there.p, 1e-9, "p at the approach of the load");
   check_near(last.result.load, there.result.load, 1e-9 * there.result.load, "load");
@@ -100,7 +100,7 @@ void gap_and_mask_are_kept(std::int32_t boundary, const Pair& pair) {
   step.target *= 0.9;
   Problem lower = problem;
   lower.target = step.target;
-  step.gap = nullptr;
+  step.undeformed_gap = nullptr;
   step.mask = nullptr;
   check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with gap and mask of the step before");
 
@@ -111,7 +111,7 @@ void gap_and_mask_are_kept(std::int32_t boundary, const Pair& pair) {
 
   lower.mask.clear();
   step.mask = nullptr;
-  step.gap = lower.gap.data();
+  step.undeformed_gap = lower.gap.data();
   check_near(contact.solve(step).p, solved(lower, pair).p, 1e-9, "p with a gap and no mask");
 }
 
@@ -133,7 +133,7 @@ void nothing_touches(std::int32_t boundary, const Pair& pair) {
   step.target = 0;
   const Answer unloaded = contact.solve(step);
   check_status(unloaded, RC_OK);
-  check_near(unloaded.result.displacement, problem.lowest_gap(), 0, "approach of no load");
+  check_near(unloaded.result.approach, problem.lowest_gap(), 0, "approach of no load");
   step.target = 1e-3 * loaded.result.load;
   check_status(contact.solve(step), RC_OK, "a light load after none");
   check_status(contact.solve(problem), RC_OK, "the step after");
@@ -150,7 +150,7 @@ void spike_is_pressed_into_the_plane_below_it(const Pair& pair) {
     problem.target = approach;
     const Answer there = solved(problem, pair);
     const Answer back = solved(at_load(problem, there.result.load), pair);
-    check_near(back.result.displacement, approach, 1e-8, "approach");
+    check_near(back.result.approach, approach, 1e-8, "approach");
   }
 }
 

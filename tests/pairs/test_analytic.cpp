@@ -71,7 +71,7 @@ void area_stiffness_and_energy_are_hertz() {
 
 void approach_is_hertz(const Pair& pair) {
   const Problem problem = at_load(hertz(16, "love"), hertz_load);
-  check_near(solved(problem, pair).result.displacement, 1 / sphere, 1e-3 / sphere, "approach a^2 / R");
+  check_near(solved(problem, pair).result.approach, 1 / sphere, 1e-3 / sphere, "approach a^2 / R");
 }
 
 // A square flat punch of side 1 under unit approach.
@@ -134,7 +134,7 @@ void single_cell(const Pair& pair) {
   const Settings to_round_off = {{RC_OPT_TOL, "1e-14"}};
   const Answer answer = solved(problem, pair, to_round_off);
   check_near(answer.p[0], 0.2 / self, 1e-14 / self, "p = u / H");
-  check_near(solved(at_load(problem, answer.result.load), pair, to_round_off).result.displacement, 0.9, 1e-14, "approach");
+  check_near(solved(at_load(problem, answer.result.load), pair, to_round_off).result.approach, 0.9, 1e-14, "approach");
 }
 
 void two_cells(const Pair& pair) {

@@ -8,6 +8,7 @@
 #include "naive.h"
 #include "reference_cases.h"
 #include "registry.h"
+#include "support/unit_system.h"
 #include "surfaces.h"
 
 namespace pairs {
@@ -91,7 +92,7 @@ void check_solution(const ReferenceCase& reference, const Pair& pair, const Prob
   const bool halfspace = problem.system.op == RC_OPERATOR_HALFSPACE;
   check_near(answer.p, reference.p, accuracy_of(pair, problem.control), "p");
   check_near(r.load, reference.load, dense * reference.load, "load");
-  check_near(r.displacement, reference.problem.target, dense * reference.depth, "approach");
+  check_near(r.approach, reference.problem.target, dense * reference.depth, "approach");
   check(answer.worst_residual() <= tolerance_of(pair, problem), "the residuals are above the tolerance");
   if (reference.count_is_robust) check_equal(r.contacts, reference.contacts, "contacts");
   if (halfspace && reference.load > 0 && problem.control == RC_CONTROL_DISPLACEMENT)
@@ -99,7 +100,8 @@ void check_solution(const ReferenceCase& reference, const Pair& pair, const Prob
   if (reference.load > 0) check(pair.solver == r.solver && pair.backend == r.backend, "the result names another pair");
 }
 
-// Backends are proven against each other by tests/seam: two of them run every case, the others these, unless all is asked for.
+// Backends are proven against each other by tests/backend_contract: two of them run every case, the others these, unless all is
+// asked for.
 const std::set<std::string> in_short = {"s12_spacing2_eq9", "s20_rect_6x15", "s21_SI_units"};
 
 std::string too_large(const ReferenceCase& reference, const Pair& pair, std::int32_t op, std::int32_t control) {
@@ -159,7 +161,7 @@ void check_floor() {
 
 void add_pair(std::vector<Test>& tests, const Pair& pair, std::int32_t op, std::int32_t control,
               const ReferenceCases& reference) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.op = op;
   const double one = 1;
   system.dense = &one;
@@ -190,7 +192,7 @@ std::vector<Test> all_tests(const ReferenceCases& reference) {
                      check_equal(static_cast<std::int64_t>(reference.cases.size()), 29, "cases");
                      check_equal(static_cast<std::int64_t>(reference.load_control.size()), 6, "load_control");
                    }});
-  rc_system periodic = RC_SYSTEM_INIT;
+  rc_system periodic = support::unit_system();
   periodic.boundary = RC_BOUNDARY_PERIODIC;
   for (const Pair& pair : all_pairs())
     for (const std::int32_t control : controls) {

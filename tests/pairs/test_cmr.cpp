@@ -1,4 +1,6 @@
 // Cascade multi-resolution: what it leaves out, what it gives back, and that it never passes off a wrong answer.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +38,7 @@ Pair cmr_on(const Pair& pair) { return {"cmr", pair.backend}; }
 std::vector<rc_level> levels_of(const Contact& contact, const Answer& answer, std::vector<Field>* pressures = nullptr) {
   std::vector<rc_level> levels;
   for (std::int64_t i = 0; i < answer.result.levels; ++i) {
-    rc_level level;
-    rc_level_init(&level);
+    rc_level level = RC_LEVEL_INIT;
     check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
     if (pressures) {
       pressures->emplace_back(static_cast<std::size_t>(level.nx * level.ny));
@@ -97,7 +98,7 @@ void a_hidden_peak_is_detected_and_found() {
   const Settings coarse = {{"cmr.filter", "subsample"}, {"cmr.levels", "3"}};
   const Answer full = solved(problem, {"nnls", "dense"});
   const Answer plain = solve(problem, {"cmr", "dense"}, with(published, coarse));
-  check_status(plain, RC_STOP_UNCERTIFIED);
+  check_status(plain, RC_UNCERTIFIED);
   check(plain.result.kkt_dual > 0.1, "the peak overlaps by " + text(plain.result.kkt_dual));
   check(plain.p[45 * 64 + 51] == 0, "the peak carries pressure");
   const Answer certified = solved(problem, {"cmr", "dense"}, coarse);
@@ -138,9 +139,8 @@ void coarse_solutions_are_given_back() {
   }
   const Answer alone = solved(coarse, {"nnls", "dense"});
   check_near(pressures[0], alone.p, 1e-8, "coarsest pressures");
-  check_near(levels[0].displacement, coarse.target, 1e-12, "coarsest approach");
-  rc_level none;
-  rc_level_init(&none);
+  check_near(levels[0].approach, coarse.target, 1e-12, "coarsest approach");
+  rc_level none = RC_LEVEL_INIT;
   check(rc_contact_level(contact.handle(), 2, &none) == RC_ERR_ARGUMENT, "a level that is not there");
 }
 
@@ -195,7 +195,7 @@ void load_control_and_histories() {
   Problem problem = scene();
   const double load = solved(problem, {"nnls", "dense"}).result.load;
   const Answer answer = solved(at_load(problem, load), {"cmr", "dense"}, {{"tol", "1e-9"}});
-  check_near(answer.result.displacement, problem.target, 1e-7 * problem.target, "approach");
+  check_near(answer.result.approach, problem.target, 1e-7 * problem.target, "approach");
   const Contact contact(problem, {"cmr", "fft"}, {{"tol", "1e-10"}});
   for (const double part : {0.3, 0.7, 1.0, 0.5, 0.2, 0.9}) {
     Problem step = problem;

@@ -47,7 +47,7 @@ void units_scale_the_answer(std::int32_t boundary, const Pair& pair) {
       const Answer other = solved(in_units(problem, units), pair);
       check_near(other.p, scaled(answer.p, units.pressure()), 1e-10, "p");
       check_near(other.result.load, answer.result.load * units.force(), 1e-11 * answer.result.load * units.force(), "load");
-      check_near(other.result.displacement, answer.result.displacement * units.height, 1e-10 * units.height, "approach");
+      check_near(other.result.approach, answer.result.approach * units.height, 1e-10 * units.height, "approach");
       check_near(other.result.energy, answer.result.energy * units.force() * units.height,
                  1e-10 * std::abs(answer.result.energy) * units.force() * units.height, "energy");
       check_equal(other.result.contacts, answer.result.contacts, "contacts");
@@ -78,7 +78,7 @@ void datum_does_not_matter(std::int32_t boundary, const Pair& pair) {
       if (problem.control == RC_CONTROL_DISPLACEMENT) shifted.target += datum;
       const Answer other = solved(shifted, pair, {{RC_OPT_TOL, "1e-11"}});
       check_near(other.p, answer.p, 1e-9, "p");
-      check_near(other.result.displacement, answer.result.displacement + datum, 1e-12 * std::abs(datum), "approach");
+      check_near(other.result.approach, answer.result.approach + datum, 1e-12 * std::abs(datum), "approach");
     }
   });
 }

@@ -1,4 +1,6 @@
 // A path gives the same bits as rc_contact_solve called for each of its steps, for every solver on every backend.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +41,7 @@ History step_by_step(const Problem& problem, const Pair& pair, const Request& re
     const Answer answer = contact.solve(step);
     pairs::check_status(answer, RC_OK);
     history.load.push_back(answer.result.load);
-    history.displacement.push_back(answer.result.displacement);
+    history.approach.push_back(answer.result.approach);
     history.contact_area.push_back(answer.result.contact_area);
     history.stiffness.push_back(answer.result.stiffness);
     history.certificate.push_back(answer.worst_residual());
@@ -75,7 +77,7 @@ void fn_sees_what_is_written(std::int32_t boundary, const Pair& pair) {
   for (std::size_t i = 0; i < request.targets.size(); ++i) {
     const rc_result& r = path.seen[i].result;
     check_equal(r.status, RC_OK, "status");
-    check(r.displacement == request.targets[i] && r.displacement == path.displacement[i], "another step's result");
+    check(r.approach == request.targets[i] && r.approach == path.approach[i], "another step's result");
     check(r.load == path.load[i] && r.applications == path.applications[i], "result and outputs differ");
     check_near(sum(path.seen[i].p) * problem.cell_area(), r.load, 1e-12 * r.load, "force of the pressures");
     check(path.seen[i].p[highest] == 0, "pressure under the mask");
@@ -89,13 +91,14 @@ void outputs_may_be_null() {
   const Contact contact(problem, automatic);
   const Field targets = scaled(orders[0].fractions, problem.target);
   rc_path path = RC_PATH_INIT;
+  path.control = RC_CONTROL_DISPLACEMENT;
   path.n = static_cast<std::int64_t>(targets.size());
   path.targets = targets.data();
-  path.gap = problem.gap.data();
+  path.undeformed_gap = problem.gap.data();
   check(rc_contact_solve_path(contact.handle(), &path) == RC_OK, rc_last_error());
   check_equal(path.completed, path.n, "completed steps");
   rc_step step = problem.step();
-  step.gap = nullptr;
+  step.undeformed_gap = nullptr;
   const Answer last = contact.solve(step);
   pairs::check_status(last, RC_OK);
   check_near(last.p, solved(problem, automatic).p, 1e-9, "p of the step after");
@@ -127,7 +130,7 @@ void no_steps_change_nothing() {
   pairs::check_status(other.solve(problem), RC_OK);
   followed(contact, problem, Request{});
   rc_step step = problem.step();
-  step.gap = nullptr;
+  step.undeformed_gap = nullptr;
   step.target *= 1.1;
   pairs::check_same(contact.solve(step).p, other.solve(step).p, "p after an empty path");
 }

@@ -1,5 +1,7 @@
 #include "paths/history.h"
 
+#include <roughcontact/history.h>
+
 #include <exception>
 
 namespace paths {
@@ -37,7 +39,7 @@ Settings complete(const Pair& pair, Settings more) {
 History follow(const Contact& contact, const Problem& problem, const Request& request) {
   History history;
   const std::size_t n = request.targets.size();
-  for (Field* each : {&history.load, &history.displacement, &history.contact_area, &history.stiffness, &history.certificate})
+  for (Field* each : {&history.load, &history.approach, &history.contact_area, &history.stiffness, &history.certificate})
     each->assign(n, blank);
   history.applications.assign(n, -1);
   Watcher watcher{history, request, problem.points()};
@@ -47,10 +49,10 @@ History follow(const Contact& contact, const Problem& problem, const Request& re
   path.warm_start = request.warm_start;
   path.n = static_cast<std::int64_t>(n);
   path.targets = request.targets.data();
-  path.gap = request.with_gap ? problem.gap.data() : nullptr;
+  path.undeformed_gap = request.with_gap ? problem.gap.data() : nullptr;
   path.mask = request.with_gap && !problem.mask.empty() ? problem.mask.data() : nullptr;
   path.load = history.load.data();
-  path.displacement = history.displacement.data();
+  path.approach = history.approach.data();
   path.contact_area = history.contact_area.data();
   path.stiffness = request.with_stiffness ? history.stiffness.data() : nullptr;
   path.certificate = history.certificate.data();
@@ -88,7 +90,7 @@ void check_same(const History& part, const History& whole, std::size_t from, std
     pairs::check_same(slice(a, 0, steps), slice(b, from, steps), what);
   };
   compare(part.load, whole.load, "load");
-  compare(part.displacement, whole.displacement, "displacement");
+  compare(part.approach, whole.approach, "approach");
   compare(part.contact_area, whole.contact_area, "contact area");
   compare(part.stiffness, whole.stiffness, "stiffness");
   compare(part.certificate, whole.certificate, "certificate");

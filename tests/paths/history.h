@@ -17,7 +17,7 @@ struct Seen {
 struct History {
   rc_status status = RC_ERR_INTERNAL;
   std::int64_t completed = -1;
-  Field load, displacement, contact_area, stiffness, certificate;
+  Field load, approach, contact_area, stiffness, certificate;
   std::vector<std::int64_t> applications;
   std::vector<Seen> seen;
   std::string message;

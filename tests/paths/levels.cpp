@@ -1,4 +1,6 @@
 // Coarse solutions that a multilevel solver leaves behind.
+#include <roughcontact/history.h>
+
 #include <algorithm>
 
 #include "pairs/registry.h"
@@ -13,8 +15,7 @@ namespace {
 using namespace pairs;
 
 rc_level level_of(const Contact& contact, std::int64_t i, double* p = nullptr) {
-  rc_level level{};
-  rc_level_init(&level);
+  rc_level level = RC_LEVEL_INIT;
   level.p = p;
   check(rc_contact_level(contact.handle(), i, &level) == RC_OK, rc_last_error());
   check(level.p == p, "level.p was changed");
@@ -36,8 +37,7 @@ void check_levels(const Contact& contact, const Problem& problem, std::int64_t c
                "width of a level");
     check(level.status == RC_OK && level.contacts > 0 && level.contacts <= level.candidates, "status and counts of a level");
   }
-  rc_level level{};
-  rc_level_init(&level);
+  rc_level level = RC_LEVEL_INIT;
   check(rc_contact_level(contact.handle(), count, &level) == RC_ERR_ARGUMENT, "a level beyond the last");
 }
 
@@ -55,8 +55,7 @@ void coarse_solutions_are_kept_until_the_next_step() {
 
   request.targets = {0};
   check_equal(followed(contact, problem, request).seen.back().result.levels, 0, "levels of a step without contact");
-  rc_level level{};
-  rc_level_init(&level);
+  rc_level level = RC_LEVEL_INIT;
   check(rc_contact_level(contact.handle(), 0, &level) == RC_ERR_ARGUMENT, "a level of the step before");
 }
 

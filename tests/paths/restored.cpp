@@ -1,4 +1,6 @@
 // A history that is continued in a new contact gives the bits of one that is not interrupted.
+#include <roughcontact/history.h>
+
 #include "pairs/registry.h"
 #include "pairs/surfaces.h"
 #include "paths/history.h"
@@ -16,16 +18,16 @@ const Field fractions = {0.3, 0.6, 0.62, 0, 1, 0.5};
 template <class Step>
 void restore(const Contact& contact, const Problem& problem, const std::vector<Step>& steps, std::size_t step) {
   rc_state state = RC_STATE_INIT;
-  state.gap = problem.gap.data();
+  state.undeformed_gap = problem.gap.data();
   state.mask = problem.mask.empty() ? nullptr : problem.mask.data();
   const Step& last = steps[step];
   state.p = last.p.data();
-  state.displacement = last.result.displacement;
+  state.approach = last.result.approach;
   state.load = last.result.load;
   if (step > 0) {
     const Step& before = steps[step - 1];
     state.p_before = before.p.data();
-    state.displacement_before = before.result.displacement;
+    state.approach_before = before.result.approach;
     state.load_before = before.result.load;
   }
   check(rc_contact_restore(contact.handle(), &state) == RC_OK, rc_last_error());
@@ -68,10 +70,10 @@ std::vector<Answer> answers(const Contact& contact, const Problem& problem, cons
   for (const double target : targets) {
     rc_step step = problem.step();
     step.target = target;
-    if (!with_surface || !found.empty()) step.gap = nullptr, step.mask = nullptr;
+    if (!with_surface || !found.empty()) step.undeformed_gap = nullptr, step.mask = nullptr;
     Answer answer;
     answer.p.assign(problem.points(), 0);
-    rc_result_init(&answer.result);
+    answer.result = RC_RESULT_INIT;
     answer.result.p = answer.p.data();
     answer.status = rc_contact_solve(contact.handle(), &step, &answer.result);
     check(answer.status == RC_OK || answer.status == RC_WITHIN_GOAL, rc_last_error());

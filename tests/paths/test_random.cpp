@@ -6,6 +6,7 @@
 #include "pairs/registry.h"
 #include "pairs/surfaces.h"
 #include "paths/history.h"
+#include "support/unit_system.h"
 
 namespace paths {
 
@@ -69,8 +70,7 @@ void agrees_with_cold_solves(std::int32_t boundary, std::int32_t control, const 
   for (std::size_t i = 0; i < r.cold.size(); ++i) {
     check_near(path.seen[i].p, r.cold[i].p, accurate, "step " + std::to_string(i) + ": p");
     check_near(path.load[i], r.cold[i].result.load, accurate * heaviest, "step " + std::to_string(i) + ": load");
-    check_near(path.displacement[i], r.cold[i].result.displacement, accurate * deepest,
-               "step " + std::to_string(i) + ": approach");
+    check_near(path.approach[i], r.cold[i].result.approach, accurate * deepest, "step " + std::to_string(i) + ": approach");
     check(path.certificate[i] <= 1e-8, "certificate");
   }
 }
@@ -80,7 +80,7 @@ std::vector<Test> tests() {
   for (const std::string& solver : solver_names())
     for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
       for (const std::int32_t control : controls) {
-        rc_system system = RC_SYSTEM_INIT;
+        rc_system system = support::unit_system();
         system.boundary = boundary;
         if (!obstacle({solver, "auto"}, system, control).empty() && !obstacle({solver, "dense"}, system, control).empty())
           continue;

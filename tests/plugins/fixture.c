@@ -31,6 +31,9 @@
 #ifndef FIXTURE_NORM
 #define FIXTURE_NORM NULL
 #endif
+#ifndef FIXTURE_SCORE
+#define FIXTURE_SCORE NULL
+#endif
 #ifndef FIXTURE_LICENSE
 #define FIXTURE_LICENSE "BSD-3-Clause"
 #endif
@@ -54,16 +57,22 @@ static const rc_option_spec order = {
     sizeof(rc_option_spec), FIXTURE_KEY, FIXTURE_DEFAULT, "rows|columns", "order of the sum", RC_TYPE_TEXT, 0, 0.0, 0.0};
 static const rc_option_spec* const options[] = {&order};
 
-#define BACKEND(name, n_options, list)                                                                                      \
-  {                                                                                                                         \
-    FIXTURE_BACKEND_SIZE, name, "naive products", FIXTURE_LICENSE, RC_CAP_FREE | RC_CAP_PERIODIC | FIXTURE_CAPS, n_options, \
-        list, toy_create, toy_destroy, toy_bind, FIXTURE_APPLY, toy_field, toy_modelled, FIXTURE_SUBSET, FIXTURE_SHIFTED,   \
-        FIXTURE_NORM, NULL, NULL, NULL                                                                                      \
+#define BACKEND(known, count, list)                                                                                  \
+  {                                                                                                                  \
+    .struct_size = FIXTURE_BACKEND_SIZE, .name = known, .summary = "naive products", .license = FIXTURE_LICENSE,     \
+    .caps = RC_CAP_FREE | RC_CAP_PERIODIC | FIXTURE_CAPS, .n_options = count, .options = list, .create = toy_create, \
+    .destroy = toy_destroy, .bind = toy_bind, .apply = FIXTURE_APPLY, .field = toy_field, .modelled = toy_modelled,  \
+    .subset = FIXTURE_SUBSET, .shifted = FIXTURE_SHIFTED, .norm = FIXTURE_NORM, .score = FIXTURE_SCORE               \
   }
 static const rc_backend first = BACKEND(FIXTURE, 1, options), second = BACKEND(FIXTURE_SECOND, 0, NULL);
 static const rc_backend* const backends[] = {&first, &second};
-static const rc_plugin plugin = {FIXTURE_PLUGIN_SIZE, FIXTURE_MAJOR, FIXTURE_MINOR, FIXTURE_INSIDE, "1.0", 2, 0,
-                                 FIXTURE_BACKENDS,    NULL};
+static const rc_plugin plugin = {.struct_size = FIXTURE_PLUGIN_SIZE,
+                                 .abi_major = FIXTURE_MAJOR,
+                                 .abi_minor = FIXTURE_MINOR,
+                                 .name = FIXTURE_INSIDE,
+                                 .version = "1.0",
+                                 .n_backends = 2,
+                                 .backends = FIXTURE_BACKENDS};
 
 #ifdef FIXTURE_NO_SYMBOL
 RC_API const rc_plugin* rc_plugin_by_another_name(void);

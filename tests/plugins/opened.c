@@ -1,5 +1,6 @@
 /* Which plugins a process opens: none where a built-in backend does as well, those that may serve where not, and the others by
-   name. The dynamic loader's map of the process tells. */
+   name. The dynamic loader's map of the process tells. No thread is started that was not asked for. */
+#include <dirent.h>
 #include <roughcontact/roughcontact.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,17 +15,26 @@ static int opened(const char* file) {
   return found;
 }
 
+static int threads(void) {
+  int found = 0;
+  DIR* const tasks = opendir("/proc/self/task");
+  while (tasks && readdir(tasks)) ++found;
+  if (tasks) closedir(tasks);
+  return found - 2; /* "." and ".." */
+}
+
 static rc_status solve(int64_t n, double approach, const char* backend) {
   rc_system system = RC_SYSTEM_INIT;
   rc_step step = RC_STEP_INIT;
-  rc_result result;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   double* const gap = malloc((size_t)(n * n) * sizeof *gap);
   uint32_t random = 1;
   for (int64_t i = 0; gap && i < n * n; ++i) gap[i] = 1 / 4294967296.0 * (double)(random = random * 1664525u + 1013904223u);
-  rc_result_init(&result);
   system.nx = system.ny = n;
-  step.gap = gap;
+  system.hx = system.hy = system.modulus = 1;
+  step.undeformed_gap = gap;
   step.target = approach;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);
@@ -44,7 +54,11 @@ int main(void) {
   if (opened("/rcb_")) return failed("a small contact opened a plugin");
   if (solve(128, 0.9, "auto") != RC_OK) return failed("a larger contact is not solved");
   if (!opened("/rcb_fft.so")) return failed("a larger contact did not open fft");
+  if (opened("/rcb_split.so")) return failed("a grid of a few points opened split");
   if (opened("/rcb_cholmod.so")) return failed("cholmod was opened unasked");
+  if (solve(512, 0.9, "auto") != RC_OK) return failed("a large contact is not solved");
+  if (!opened("/rcb_split.so")) return failed("a large contact did not open split");
+  if (threads() != 1) return failed("a library has started threads");
   if (solve(16, 0.1, "cholmod") != RC_OK) return failed("cholmod does not solve");
   if (!opened("/rcb_cholmod.so")) return failed("cholmod was not opened when it was named");
   return 0;

@@ -1,5 +1,6 @@
 // Plugins linked into the host program.
 #include "plugins/scratch.h"
+#include "support/unit_system.h"
 
 namespace plugins {
 
@@ -132,18 +133,18 @@ template <class Change> void assert_solve_gives(rc_status expected, const char* 
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
   assert_int_equal(rc_options_set_text(options, RC_OPT_BACKEND, "linked"), RC_OK);
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = 2;
   rc_contact* contact = nullptr;
   assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
   const double gap[] = {0, 0.1};
   rc_step step = RC_STEP_INIT;
-  step.gap = gap;
+  step.control = RC_CONTROL_DISPLACEMENT;
+  step.undeformed_gap = gap;
   step.target = 1;
   // Twice: a failed step must leave the contact usable.
   for (int attempt = 0; attempt < 2; ++attempt) {
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     double deformed[2];
     result.gap = deformed;  // takes the product over all points
     assert_int_equal(rc_contact_solve(contact, &step, &result), expected);
@@ -169,7 +170,7 @@ void products_that_are_not_finite_are_not_an_answer(void**) {
 }
 
 void a_product_that_is_wrong_is_uncertified(void**) {
-  assert_solve_gives(RC_STOP_UNCERTIFIED, "the solver claimed success, the library's own check disagrees", [](rc_backend& b) {
+  assert_solve_gives(RC_UNCERTIFIED, "the solver claimed success, the library's own check disagrees", [](rc_backend& b) {
     b.field = [](void*, const double* x, double* y) {
       y[0] = 2 * x[0];
       y[1] = 2 * x[1];

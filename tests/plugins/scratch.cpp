@@ -5,6 +5,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "support/unit_system.h"
+
 namespace plugins {
 
 namespace fs = std::filesystem;
@@ -47,7 +49,7 @@ namespace {
 constexpr std::int64_t nx = 6, ny = 5;
 
 rc_system small_grid(std::int32_t boundary) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = nx;
   system.ny = ny;
   system.boundary = boundary;
@@ -83,8 +85,8 @@ double Registry::load(const std::string& solver, const std::string& backend, std
   rc_step step = RC_STEP_INIT;
   step.control = control;
   step.target = control == RC_CONTROL_LOAD ? 2 : 0.2;
-  step.gap = gap.data();
-  rc_result_init(&result_);
+  step.undeformed_gap = gap.data();
+  result_ = RC_RESULT_INIT;
   const rc_status status = rc_solve(&system, &step, options, &result_);
   if (status != RC_OK) print_message("%s on %s: %s\n", solver.c_str(), backend.c_str(), rc_last_error());
   rc_options_destroy(options);

@@ -41,11 +41,21 @@ static rc_status solve(const rc_host* host, const rc_problem* problem, const rc_
   return status;
 }
 
-static const rc_solver solver = {
-    sizeof(rc_solver), "toy-solver", "projected gradient", "BSD-3-Clause", 0, RC_CONTROL_DISPLACEMENT, 0, 0, NULL, solve};
+static const rc_solver solver = {.struct_size = sizeof(rc_solver),
+                                 .name = "toy-solver",
+                                 .summary = "projected gradient",
+                                 .license = "BSD-3-Clause",
+                                 .controls = RC_CONTROL_DISPLACEMENT,
+                                 .n_options = 0,
+                                 .solve = solve};
 static const rc_solver* const solvers[] = {&solver};
-static const rc_plugin plugin = {
-    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "toy-solver", "1.0", 0, 1, NULL, solvers};
+static const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                                 .abi_major = RC_PLUGIN_ABI_MAJOR,
+                                 .abi_minor = RC_PLUGIN_ABI_MINOR,
+                                 .name = "toy-solver",
+                                 .version = "1.0",
+                                 .n_solvers = 1,
+                                 .solvers = solvers};
 
 RC_PLUGIN_ENTRY(toy_solver, host, out) {
   (void)host;

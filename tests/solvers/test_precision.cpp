@@ -28,7 +28,7 @@ void certificates_agree() {
       const Answer given = solved(problem, {"haar-cg", "fft"}, single);
       Problem same = problem;
       same.control = RC_CONTROL_DISPLACEMENT;
-      same.target = given.result.displacement;
+      same.target = given.result.approach;
       for (const char* backend : {"fft", "dense"}) {
         if (std::string(backend) == "dense" && problem.points() > 5000) continue;
         const Answer judged = Contact(same, {"auto", backend}, exact).certify(same.step(), given.p);

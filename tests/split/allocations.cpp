@@ -1,6 +1,7 @@
 #include "scene.h"
 #include "support/cmocka.hpp"
 #include "support/failing_new.h"
+#include "support/unit_system.h"
 
 namespace split {
 
@@ -30,12 +31,12 @@ rc_status all_operations(const rc_host& host, const rc_operator_spec& spec, cons
 
 // Lets a later allocation fail each time, until a run succeeds; on a grid that needs coarse grids.
 void any_allocation_may_fail(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = 200;
   system.ny = 160;
   const Index domain{3, system.nx * system.ny - 1};
   const Vector x{1.0, 2.0};
-  seam::StandInHost host(backend());
+  contract::StandInHost host(backend());
   host.set("split.spacing", "16");
   const rc_operator_spec spec{sizeof(rc_operator_spec), &system, "love", host.options(), host.alone(), nullptr};
   Vector y(static_cast<std::size_t>(system.nx * system.ny));
@@ -48,7 +49,7 @@ void any_allocation_may_fail(void**) {
     failed = support::allocation_failed();
     support::fail_allocation(0);
     assert_int_equal(status, failed ? RC_ERR_MEMORY : RC_OK);
-    if (failed) assert_true(seam::StandInHost::message().find("split: ") == 0);
+    if (failed) assert_true(contract::StandInHost::message().find("split: ") == 0);
     failures += failed ? 1 : 0;
   }
   assert_true(failures > 20);

@@ -4,6 +4,7 @@
 
 #include "scene.h"
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 namespace split {
 
@@ -210,7 +211,7 @@ void results_do_not_depend_on_threads(void**) {
 namespace {
 
 rc_status creation(const rc_system& system, const char* kernel) {
-  seam::StandInHost host(backend());
+  contract::StandInHost host(backend());
   const rc_operator_spec spec{sizeof(rc_operator_spec), &system, kernel, host.options(), host.alone(), nullptr};
   void* self = nullptr;
   const rc_status status = backend().create(&host, &spec, &self);
@@ -221,18 +222,18 @@ rc_status creation(const rc_system& system, const char* kernel) {
 }  // namespace
 
 void long_cells_are_refused(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = 300;
   system.hx = 2.0;
   system.hy = 0.5;
   assert_int_equal(creation(system, "love"), RC_OK);
   system.hy = 0.499;
   assert_int_equal(creation(system, "love"), RC_ERR_INCOMPATIBLE);
-  assert_true(seam::StandInHost::message().find("\"fft\"") != std::string::npos);
+  assert_true(contract::StandInHost::message().find("\"fft\"") != std::string::npos);
 }
 
 void periodic_grids_are_refused(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = 300;
   system.boundary = RC_BOUNDARY_PERIODIC;
   assert_int_equal(creation(system, "spectral"), RC_ERR_INCOMPATIBLE);

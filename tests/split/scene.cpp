@@ -9,6 +9,7 @@
 
 #include "kernel/kernel.h"
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 
 extern "C" rc_status rc_builtin_split(const rc_host*, const rc_plugin**);
 
@@ -23,7 +24,7 @@ const rc_backend& backend() {
 namespace {
 
 rc_system system_of(const Grid& grid) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.boundary = RC_BOUNDARY_FREE;
   system.nx = grid.nx;
   system.ny = grid.ny;
@@ -33,7 +34,7 @@ rc_system system_of(const Grid& grid) {
 }
 
 void check(rc_status status) {
-  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), seam::StandInHost::message().c_str());
+  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), contract::StandInHost::message().c_str());
 }
 
 }  // namespace

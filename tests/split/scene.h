@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "seam/stand_in_host.h"
+#include "backend_contract/stand_in_host.h"
 
 namespace split {
 
@@ -53,7 +53,7 @@ class Operator {
   std::int64_t modelled() { return backend().modelled(self_); }
 
  private:
-  seam::StandInHost host_;
+  contract::StandInHost host_;
   rc_system system_;
   std::string kernel_;
   rc::ThreadTeam team_;

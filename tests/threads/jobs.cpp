@@ -1,5 +1,7 @@
 #include "threads/jobs.h"
 
+#include "support/unit_system.h"
+
 namespace threads {
 
 namespace {
@@ -55,7 +57,7 @@ Options options_for(const Job& job, rc_context* context) {
 Sequence solve(const Job& job, const rc_options* options, rc_progress_fn progress, void* user) {
   Sequence sequence;
   const std::vector<double> gap = surface();
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.op = job.op;
   system.boundary = job.boundary;
   system.nx = nx;
@@ -72,9 +74,8 @@ Sequence solve(const Job& job, const rc_options* options, rc_progress_fn progres
     rc_step step = RC_STEP_INIT;
     step.control = job.control;
     step.target = share * (job.control == RC_CONTROL_LOAD ? 6 : 0.12);
-    step.gap = gap.data();
-    rc_result result{};
-    rc_result_init(&result);
+    step.undeformed_gap = gap.data();
+    rc_result result = RC_RESULT_INIT;
     result.p = sequence.p.data();
     status = rc_contact_solve(made, &step, &result);
     if (status != RC_OK) return {{}, complain("rc_contact_solve", status)};

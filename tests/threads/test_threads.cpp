@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "support/cmocka.hpp"
+#include "support/unit_system.h"
 #include "threads/crowd.h"
 #include "threads/jobs.h"
 
@@ -138,7 +139,7 @@ struct Endless {
 void another_thread_cancels(void**) {
   together([](int) -> std::string {
     Endless endless;
-    rc_system system = RC_SYSTEM_INIT;
+    rc_system system = support::unit_system();
     system.op = RC_OPERATOR_CALLBACK;
     system.nx = 2000;
     system.apply = Endless::apply;
@@ -154,10 +155,10 @@ void another_thread_cancels(void**) {
       rc_contact_cancel(made);
     });
     rc_step step = RC_STEP_INIT;
-    step.gap = gap.data();
+    step.control = RC_CONTROL_DISPLACEMENT;
+    step.undeformed_gap = gap.data();
     step.target = 1;
-    rc_result result{};
-    rc_result_init(&result);
+    rc_result result = RC_RESULT_INIT;
     const rc_status status = rc_contact_solve(made, &step, &result);
     const std::string complaint = status == RC_STOP_CANCELLED ? std::string() : complain("rc_contact_solve", status);
     canceller.join();
@@ -167,7 +168,7 @@ void another_thread_cancels(void**) {
 
 // All threads want the same contact: each gets an answer or is told to wait.
 void a_contact_serves_one_thread_and_tells_the_others(void**) {
-  rc_system system = RC_SYSTEM_INIT;
+  rc_system system = support::unit_system();
   system.nx = system.ny = 12;
   rc_contact* made = nullptr;
   assert_int_equal(rc_contact_create(&system, nullptr, &made), RC_OK);
@@ -178,10 +179,10 @@ void a_contact_serves_one_thread_and_tells_the_others(void**) {
   together([&](int member) -> std::string {
     for (int round = 0; round < rounds(60); ++round) {
       rc_step step = RC_STEP_INIT;
-      step.gap = gap.data();
+      step.control = RC_CONTROL_DISPLACEMENT;
+      step.undeformed_gap = gap.data();
       step.target = 0.2 + 0.1 * member;
-      rc_result result{};
-      rc_result_init(&result);
+      rc_result result = RC_RESULT_INIT;
       rc_status status = RC_OK;
       switch (round % 4) {
         case 0:
@@ -195,7 +196,7 @@ void a_contact_serves_one_thread_and_tells_the_others(void**) {
       }
       if (status != RC_OK && status != RC_ERR_BUSY) return complain("contact", status);
       if (status == RC_OK && result.points > 0) ++answers;
-      if (status == RC_OK && result.points > 0 && result.displacement != step.target) return "the answer is another thread's";
+      if (status == RC_OK && result.points > 0 && result.approach != step.target) return "the answer is another thread's";
     }
     return {};
   });

@@ -8,7 +8,7 @@ import subprocess
 import harness
 from harness import CommandTest, gsf, np, paraboloid, rough, without_gnuplot
 
-STEP_FIELDS = """status displacement load mean_pressure area_fraction contacts candidates stiffness kkt_primal kkt_dual
+STEP_FIELDS = """status approach load mean_pressure area_fraction contacts candidates stiffness kkt_primal kkt_dual
     kkt_complementarity kkt_control iterations applications seconds setup_seconds solver backend""".split()
 INPUT_FIELDS = "file nx ny hx hy modulus boundary control targets options library_version".split()
 
@@ -53,7 +53,7 @@ class Answers(CommandTest):
         pressed = self.steps(*common, "--displacement", "1e-7:3e-7:3")
         loads = ",".join(repr(step["load"]) for step in pressed)
         for there, back in zip(pressed, self.steps(*common, "--load", loads)):
-            self.assertAlmostEqual(back["displacement"] / there["displacement"], 1, delta=1e-7)
+            self.assertAlmostEqual(back["approach"] / there["approach"], 1, delta=1e-7)
 
     def test_pressure_is_load_over_the_whole_surface(self):
         surface = self.npy(rough())
@@ -68,7 +68,7 @@ class Answers(CommandTest):
             (step,) = self.steps(self.npy(z * factor), "--unit", unit, "--pitch", "%r,%r" % (1e-6 * factor, 2e-6 * factor),
                                  "--modulus", 1e9, "--displacement", 1.5e-7 * factor)
             self.assertAlmostEqual(step["load"] / metres["load"], 1, delta=1e-7)
-            self.assertAlmostEqual(step["displacement"] / 1.5e-7, 1, delta=1e-12)
+            self.assertAlmostEqual(step["approach"] / 1.5e-7, 1, delta=1e-12)
 
     def test_young_and_poisson_make_the_modulus(self):
         surface = self.npy(paraboloid(24))
@@ -81,7 +81,7 @@ class Answers(CommandTest):
         surface = self.npy(paraboloid(24))
         for text, values in (("2", [2]), ("1,3,2", [1, 3, 2]), ("1:3:5", [1, 1.5, 2, 2.5, 3]), ("4:2:2", [4, 2]), ("3:9:1", [3]), ("0", [0])):
             steps = self.steps(surface, "--pitch", 1, "--unit", "um", "--modulus", 1e9, "--displacement", text)
-            np.testing.assert_allclose([step["displacement"] for step in steps], np.array(values) * 1e-6, rtol=1e-14)
+            np.testing.assert_allclose([step["approach"] for step in steps], np.array(values) * 1e-6, rtol=1e-14)
 
     def test_summary_names_input_and_results(self):
         surface = self.file("s.gsf", gsf(rough(), 1e-6, 2e-6, "XYUnits = m\nZUnits = m\n"))
@@ -115,11 +115,17 @@ class Output(CommandTest):
         lines = done.stdout.splitlines()
         self.assertEqual(len(lines), 4)
         self.assertRegex(lines[0], r"surface.npy, 24 x 24 .*1e-06 m x 1e-06 m.*1e\+09")
-        for word in ("displacement", "load", "mean pressure", "area", "stiffness", "residual", "iterations", "seconds", "status"):
+        for word in ("approach", "load", "mean pressure", "area", "stiffness", "residual", "iterations", "seconds", "status"):
             self.assertIn(word, lines[1])
         for number, line in enumerate(lines[2:], 1):
             self.assertRegex(line, r"^ +%d .* RC_OK$" % number)
         self.assertEqual(done.stderr.count("\n"), 2)
+
+    def test_the_choice_is_explained(self):
+        done = self.hertz("--displacement", "1e-8", "--explain")
+        self.assertRegex(done.stderr, r"(?m)^roughcontact: [\w-]+ on [\w-]+: .* s, .* MiB, taken$")
+        self.assertIn("admm: by name only", done.stderr)
+        self.assertNotIn("by name only", self.hertz("--displacement", "1e-8").stderr)
 
     def test_quiet_prints_nothing(self):
         done = self.hertz("--displacement", "1e-8", "--quiet")

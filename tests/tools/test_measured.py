@@ -35,17 +35,17 @@ class Measured(CommandTest):
             with self.subTest(surface.stem):
                 pressures = (slope_of(surface) * p for p in (0.005, 0.05, 0.2))
                 loaded = self.steps(surface, "--pressure", ",".join(map(repr, map(float, pressures))))
-                pressed = self.steps(surface, "--displacement", ",".join(repr(step["displacement"]) for step in loaded))
+                pressed = self.steps(surface, "--displacement", ",".join(repr(step["approach"]) for step in loaded))
                 back = self.steps(surface, "--load", ",".join(repr(step["load"]) for step in pressed))
                 self.assertEqual({step["status"] for step in loaded + pressed + back}, {"RC_OK"})
                 worst = max(step["kkt_" + kind] for step in loaded + pressed + back for kind in ("primal", "dual", "complementarity", "control"))
                 self.assertLessEqual(worst, 1e-8)
-                approach = [[step["displacement"] for step in steps] for steps in (pressed, back)]
+                approach = [[step["approach"] for step in steps] for steps in (pressed, back)]
                 np.testing.assert_allclose(approach[1], approach[0], rtol=1e-7)
                 for step, again in zip(pressed, back):
                     print("%-24s contact %5.1f %%  approach %.4e, recovered to %.0e  certificate %.0e  %.1f s" % (
-                        surface.stem, 100 * step["area_fraction"], step["displacement"],
-                        abs(again["displacement"] / step["displacement"] - 1), worst, step["seconds"]), flush=True)
+                        surface.stem, 100 * step["area_fraction"], step["approach"],
+                        abs(again["approach"] / step["approach"] - 1), worst, step["seconds"]), flush=True)
 
 
 if __name__ == "__main__":

@@ -49,13 +49,14 @@ from .context import (
     solvers,
     version,
 )
-from .result import BatchResult, Grid, Level, PathResult, Result
+from .result import Accuracy, BatchResult, Grid, Level, PathResult, Result
 from ._solve import path, solve
 from .system import HalfSpace, Matrix, Product, System, supported
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Accuracy",
     "Area",
     "ArgumentError",
     "BatchResult",

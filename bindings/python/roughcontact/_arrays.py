@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._c import bytes_, ctype, doubles, integers, statuses
 from ._errors import ArgumentError, RoughContactError, ShapeError
-from ._structs import rc_system
 
 Doubles = NDArray[np.float64]
 Mask = NDArray[np.uint8]
@@ -94,11 +93,8 @@ def as_mask(values: Optional[ArrayLike], name: str, shape: Optional[Shape] = Non
     return array
 
 
-def as_pitch(pitch: Optional[Pitch]) -> Tuple[float, float]:
-    """(hx, hy); None: the library's"""
-    if pitch is None:
-        system = rc_system()
-        return system.hx, system.hy
+def as_pitch(pitch: Pitch) -> Tuple[float, float]:
+    """(hx, hy)"""
     sides = np.atleast_1d(np.asarray(pitch, dtype=np.float64)).tolist()
     if len(sides) not in (1, 2):
         raise ShapeError(f"pitch has {len(sides)} values: one, or (hx, hy) with hx along the last axis")

@@ -25,7 +25,7 @@ def batch(
     *,
     displacement: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
-    gap: Optional[ArrayLike] = None,
+    undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
     start: Optional[ArrayLike] = None,
@@ -43,8 +43,8 @@ def batch(
 ) -> BatchResult:
     """Solves the histories of many contacts on one grid, each as by `path`: the same bits, whatever the number of threads.
 
-    heights or gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights each surface's
-        highest point touches at displacement 0 [length]
+    heights or undeformed_gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights
+        each surface's highest point touches at approach 0 [length]
     displacement or load: [contacts, steps], or one history [steps] for all of them, or one number [length] or [force]
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
@@ -56,7 +56,7 @@ def batch(
     options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
     the others: as in `solve`
     """
-    system, gaps, masks = _surfaces(heights, gap, mask, missing, system, pitch, modulus, boundary)
+    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary)
     control, values = control_and_target(displacement, load)
     targets = as_doubles(values, "load" if displacement is None else "displacement")
     targets = np.atleast_1d(targets)
@@ -67,7 +67,7 @@ def batch(
     counts = {
         name: len(array)
         for name, array, shared in (
-            ("heights or gap", gaps, gaps.ndim == axes),
+            ("heights or undeformed_gap", gaps, gaps.ndim == axes),
             ("histories", targets, targets.ndim == 1),
             ("mask", masks, masks is None or masks.ndim == axes),
             ("start", starts, starts is None),
@@ -80,7 +80,7 @@ def batch(
     if starts is not None and starts.shape != (n, *system.shape):
         raise ShapeError(f"start has shape {starts.shape}; {(n, *system.shape)} is needed")
 
-    out = {name: np.full((n, steps), np.nan) for name in ("load", "displacement", "contact_area", "certificate")}
+    out = {name: np.full((n, steps), np.nan) for name in ("load", "approach", "contact_area", "certificate")}
     if stiffness:
         out["stiffness"] = np.full((n, steps), np.nan)
     whole = {name: np.full((n, steps), -1, np.int64) for name in ("iterations", "applications")}
@@ -90,7 +90,7 @@ def batch(
     struct = rc_batch()
     given(struct, control=control, warm_start=as_switch(warm_start), n=n, steps=steps)
     struct.targets, struct.target_stride = pointer(targets), _constants.RC_BATCH_SHARED if targets.ndim == 1 else 0
-    struct.gap, struct.gap_stride = pointer(gaps), _constants.RC_BATCH_SHARED if gaps.ndim == axes else 0
+    struct.undeformed_gap, struct.undeformed_gap_stride = pointer(gaps), _constants.RC_BATCH_SHARED if gaps.ndim == axes else 0
     struct.mask = pointer(masks)
     struct.mask_stride = _constants.RC_BATCH_SHARED if masks is not None and masks.ndim == axes else 0
     struct.p0, struct.p, struct.status = pointer(starts), pointer(pressures), pointer(statuses)
@@ -134,7 +134,7 @@ def batch(
 
 def _surfaces(
     heights: Any,
-    gap: Optional[ArrayLike],
+    undeformed_gap: Optional[ArrayLike],
     mask: Optional[ArrayLike],
     missing: str,
     system: Optional[System],
@@ -143,8 +143,8 @@ def _surfaces(
     boundary: Optional[str],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
-    if (heights is None) == (gap is None):
-        raise ArgumentError("exactly one of heights and gap is needed")
+    if (heights is None) == (undeformed_gap is None):
+        raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     periodic = False
     if heights is not None and _is_sequence_of_surfaces(heights):
         if mask is not None:
@@ -153,7 +153,7 @@ def _surfaces(
         if any(one.shape != each[0].shape or one.pitch != each[0].pitch for one in each):
             raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
         pitch, periodic = each[0].pitch, each[0].periodic
-        gaps = np.stack([one.gap() for one in each])
+        gaps = np.stack([one.undeformed_gap() for one in each])
         masks = None
         if any(one.mask is not None for one in each):
             masks = np.stack([np.ones(one.shape, np.uint8) if one.mask is None else one.mask for one in each])
@@ -166,7 +166,7 @@ def _surfaces(
         gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
         pitch, periodic = surface.pitch, surface.periodic
     else:
-        gaps, masks = as_doubles(gap, "gap"), as_mask(mask, "mask")  # type: ignore[arg-type]
+        gaps, masks = as_doubles(undeformed_gap, "undeformed_gap"), as_mask(mask, "mask")  # type: ignore[arg-type]
     if system is None:
         if modulus is None or pitch is None:
             raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")
@@ -174,7 +174,7 @@ def _surfaces(
             gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary or ("periodic" if periodic else None)
         )
     axes = len(system.shape)
-    for name, array in (("heights or gap", gaps), ("mask", masks)):
+    for name, array in (("heights or undeformed_gap", gaps), ("mask", masks)):
         if array is not None and (array.shape[-axes:] != system.shape or array.ndim > axes + 1):
             raise ShapeError(f"{name} has shape {array.shape}; {system.shape} or (contacts, *{system.shape}) is needed")
     return system, gaps, masks

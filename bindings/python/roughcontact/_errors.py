@@ -74,7 +74,7 @@ class BusyError(RoughContactError, status=Status.ERR_BUSY):
     """The contact is in use, by another thread or by the call that a callback belongs to."""
 
 
-class InternalError(RoughContactError, status=Status.STOP_UNCERTIFIED):
+class InternalError(RoughContactError, status=Status.UNCERTIFIED):
     """A defect in the library or a plugin."""
 
 
@@ -98,7 +98,7 @@ def as_status(number: int) -> Status:
     try:
         return Status(number)
     except ValueError:
-        return Status.ERR_INTERNAL if number < 0 else Status.STOP_UNCERTIFIED
+        return Status.ERR_INTERNAL if number < 0 else Status.UNCERTIFIED
 
 
 def error_for(number: int, message: str, result: Any = None) -> RoughContactError:

@@ -94,10 +94,10 @@ class Handle(OwnsHandle):
         return Grid(self.system.shape, self.system.pitch, self.system.periodic, self._mask)
 
     @contextmanager
-    def _pressing(self, gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:
+    def _pressing(self, undeformed_gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:
         """Follows which mask the library has: a step that it refuses changes nothing."""
         before = self._mask
-        if gap is not None or mask is not None:
+        if undeformed_gap is not None or mask is not None:
             self._mask = mask
         try:
             yield

@@ -19,7 +19,7 @@ def path_on(
     contact: Handle,
     control: int,
     values: ArrayLike,
-    gap: Optional[Doubles],
+    undeformed_gap: Optional[Doubles],
     mask: Optional[Mask],
     warm_start: Optional[bool],
     stiffness: bool,
@@ -32,19 +32,19 @@ def path_on(
     if targets.ndim != 1:
         raise ArgumentError(f"the history has {targets.ndim} axes: one value for each step is needed")
     n = len(targets)
-    out = {name: np.full(n, np.nan) for name in ("load", "displacement", "contact_area", "certificate")}
+    out = {name: np.full(n, np.nan) for name in ("load", "approach", "contact_area", "certificate")}
     applications, tangents = np.full(n, -1), np.full(n, np.nan) if stiffness else None
     pressures = np.zeros((n, *contact.system.shape)) if keep_pressure else None
 
     struct = rc_path()
-    given(struct, control=control, warm_start=as_switch(warm_start), n=n, targets=pointer(targets), gap=pointer(gap))
-    struct.mask = pointer(mask)
+    given(struct, control=control, warm_start=as_switch(warm_start), n=n, targets=pointer(targets))
+    struct.undeformed_gap, struct.mask = pointer(undeformed_gap), pointer(mask)
     for name, array in out.items():
         setattr(struct, name, pointer(array))
     struct.applications, struct.stiffness = pointer(applications), pointer(tangents)
 
     def after(step: int, answer: Any, _: Any) -> object:
-        found = result_with_copies(answer.contents, contact.grid())
+        found = result_with_copies(answer.contents, contact.grid(), contact._handle)
         if pressures is not None:
             pressures[step] = found.pressure
         return each is not None and each(step, found)
@@ -52,8 +52,8 @@ def path_on(
     callbacks = Callbacks()
     if pressures is not None or each is not None:
         struct.fn = rc_path_fn(callbacks.guarded(after))
-    keep = (targets, gap, mask, out, applications, tangents, callbacks)
-    with contact._holding() as handle, contact._pressing(gap, mask):
+    keep = (targets, undeformed_gap, mask, out, applications, tangents, callbacks)
+    with contact._holding() as handle, contact._pressing(undeformed_gap, mask):
         status, message, interrupt = contact._run(
             lambda: int(contact_library().rc_contact_solve_path(handle, struct)), keep, n > 0
         )

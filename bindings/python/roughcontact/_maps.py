@@ -7,8 +7,10 @@ from typing import Any, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, pointer
+from ._calls import check
 from ._errors import ArgumentError, ShapeError
+from ._library import contact_library
 
 METRES = {
     "km": 1e3,
@@ -55,19 +57,19 @@ class Surface:
         factor = METRES[self.unit] / METRES[unit]
         return replace(self, heights=self.heights * factor, pitch=(self.pitch[0] * factor, self.pitch[1] * factor), unit=unit)
 
-    def gap(self) -> Doubles:
+    def undeformed_gap(self) -> Doubles:
         """Distance of every point to a plane through the highest one [length]."""
         return gap_below(self.heights, self.mask, 0)
 
 
 def gap_below(heights: Doubles, mask: Optional[NDArray[Any]], leading: int) -> Doubles:
     """max - heights; the first `leading` axes count surfaces that each have a highest point of their own."""
-    axes = tuple(range(leading, heights.ndim))
-    if heights.size == 0:
-        return heights
-    seen = heights if mask is None else np.where(mask != 0, heights, -np.inf)
-    highest = seen.max(axis=axes, keepdims=True)
-    return np.subtract(np.where(np.isfinite(highest), highest, 0) if mask is not None else highest, heights)
+    given, gap = as_doubles(heights, "heights"), np.empty(heights.shape)
+    masks = None if mask is None else np.ascontiguousarray(np.broadcast_to(mask, heights.shape))
+    for i in np.ndindex(heights.shape[:leading]):
+        there = None if masks is None else pointer(masks[i])
+        check(contact_library().rc_gap_from_heights(gap[i].size, pointer(given[i]), there, pointer(gap[i])))
+    return gap
 
 
 def _has_methods_of_a_topography(thing: Any) -> bool:

@@ -17,7 +17,7 @@ from .system import HalfSpace, System
 
 def system_for(
     heights: Any,
-    gap: Optional[ArrayLike],
+    undeformed_gap: Optional[ArrayLike],
     mask: Optional[ArrayLike],
     missing: str,
     system: Optional[System],
@@ -26,15 +26,15 @@ def system_for(
     boundary: Optional[str],
     unit: Optional[str],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
-    """(system, gap, mask) from what one-shot functions are given."""
-    if (heights is None) == (gap is None):
-        raise ArgumentError("exactly one of heights and gap is needed")
+    """(system, undeformed_gap, mask) from what one-shot functions are given."""
+    if (heights is None) == (undeformed_gap is None):
+        raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     if system is not None:
         given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit}
         twice = [name for name, value in given.items() if value is not None]
         if twice:
             raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
-        found, mask_array = gap_and_mask(system.shape, heights, gap, mask, missing)
+        found, mask_array = gap_and_mask(system.shape, heights, undeformed_gap, mask, missing)
         assert found is not None
         return system, found, mask_array
     if modulus is None:
@@ -42,10 +42,11 @@ def system_for(
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
         boundary = boundary or ("periodic" if surface.periodic else None)
-        return HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary), surface.gap(), surface.mask
+        half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary)
+        return half_space, surface.undeformed_gap(), surface.mask
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
-    array = as_doubles(gap, "gap")  # type: ignore[arg-type]
+    array = as_doubles(undeformed_gap, "undeformed_gap")  # type: ignore[arg-type]
     half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
@@ -55,7 +56,7 @@ def solve(
     *,
     displacement: Optional[float] = None,
     load: Optional[float] = None,
-    gap: Optional[ArrayLike] = None,
+    undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
     start: Optional[ArrayLike] = None,
@@ -74,9 +75,9 @@ def solve(
 ) -> Result:
     """Presses a surface into an elastic half-space.
 
-    heights: a `Surface`, a topography of SurfaceTopography, or an array [ny, nx]; the highest point touches at displacement 0
+    heights: a `Surface`, a topography of SurfaceTopography, or an array [ny, nx]; the highest point touches at approach 0
         [length]
-    gap: the undeformed gap instead of heights [length]
+    undeformed_gap: the undeformed gap instead of heights [length]
     displacement: approach of the bodies [length], or load: normal force [force]
     pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface brings its
         own
@@ -87,12 +88,12 @@ def solve(
     options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
     progress, every, context: as in `Contact`; the others: as in `Contact.solve`
     """
-    system, gap, mask = system_for(heights, gap, mask, missing, system, pitch, modulus, boundary, unit)
+    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
             displacement=displacement,
             load=load,
-            gap=gap,
+            undeformed_gap=undeformed_gap,
             mask=mask,
             start=start,
             borrow=True,
@@ -107,7 +108,7 @@ def path(
     *,
     displacement: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
-    gap: Optional[ArrayLike] = None,
+    undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
     warm_start: Optional[bool] = None,
@@ -136,7 +137,7 @@ def path(
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
     the others: as in `solve`
     """
-    system, gap, mask = system_for(heights, gap, mask, missing, system, pitch, modulus, boundary, unit)
+    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
-        return path_on(contact, control, targets, gap, mask, warm_start, stiffness, keep_pressure, each, check)
+        return path_on(contact, control, targets, undeformed_gap, mask, warm_start, stiffness, keep_pressure, each, check)

@@ -7,15 +7,15 @@ import enum
 
 
 class Status(enum.IntEnum):
-    """0 certified, > 0 usable but not certified, < 0 failed."""
+    """0 certified, 100 and above usable but not certified, < 0 failed."""
 
     OK = 0
-    STOP_MAX_ITER = 1
-    STOP_TIME = 2
-    STOP_CANCELLED = 3
-    STOP_STALLED = 4
-    STOP_UNCERTIFIED = 5
-    WITHIN_GOAL = 6
+    WITHIN_GOAL = 100
+    STOP_MAX_ITER = 101
+    STOP_TIME = 102
+    STOP_CANCELLED = 103
+    STOP_STALLED = 104
+    UNCERTIFIED = 105
     ERR_ARGUMENT = -1
     ERR_SHAPE = -2
     ERR_OPTION = -3

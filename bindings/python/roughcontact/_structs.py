@@ -12,15 +12,15 @@ rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 @struct
 class rc_system(Sized):
     members = """
-    size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx=1 ny=1;
-    double hx=1.0 hy=1.0 modulus=1.0; doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user
+    size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx ny; double hx hy modulus;
+    doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user
     """
 
 
 @struct
 class rc_step(Sized):
     members = """
-    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; double target; doubles gap p0; bytes_ mask;
+    size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap p0; bytes_ mask;
     int32_t borrow reserved
     """
 
@@ -28,29 +28,30 @@ class rc_step(Sized):
 @struct
 class rc_result(Sized):
     members = """
-    size_t struct_size; doubles p gap; rc_status status; int32_t reserved;
+    size_t struct_size; doubles p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
     int64_t iterations applications points candidates modelled contacts;
-    double load displacement mean_pressure contact_area energy stiffness kkt_primal kkt_dual;
-    double kkt_complementarity kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
+    double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
+    double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper; int64_t proven_contacts proven_open undecided levels;
-    double tolerance; int64_t model_nx model_ny; double error_estimate left_out area_estimate
+    double tolerance
     """
 
 
 @struct
-class rc_level(Sized):
+class rc_accuracy(Sized):
     members = """
-    size_t struct_size; doubles p; rc_status status; int32_t reserved; int64_t nx ny; double hx hy displacement load;
-    int64_t candidates contacts
+    size_t struct_size; int64_t model_nx model_ny; double error_estimate area_estimate left_out
     """
 
 
 @struct
-class rc_state(Sized):
+class rc_progress(Sized):
     members = """
-    size_t struct_size; doubles gap; bytes_ mask; doubles p; double displacement load; doubles p_before;
-    double displacement_before load_before
+    size_t struct_size; int64_t iteration applications; double kkt seconds
     """
+
+
+rc_progress_fn = callback(int32_t, rc_progress, handle)
 
 
 rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
@@ -59,9 +60,17 @@ rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
 @struct
 class rc_path(Sized):
     members = """
-    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n; doubles targets gap; bytes_ mask;
-    doubles load displacement contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
+    size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
+    doubles load approach contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
     int64_t completed
+    """
+
+
+@struct
+class rc_state(Sized):
+    members = """
+    size_t struct_size; doubles undeformed_gap; bytes_ mask; doubles p; double approach load; doubles p_before;
+    double approach_before load_before
     """
 
 
@@ -71,17 +80,25 @@ rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 @struct
 class rc_batch(Sized):
     members = """
-    size_t struct_size; int32_t control=RC_CONTROL_DISPLACEMENT warm_start=1; int64_t n steps; doubles targets;
-    int64_t target_stride; doubles gap; int64_t gap_stride; bytes_ mask; int64_t mask_stride;
-    doubles p0 p load displacement contact_area stiffness certificate; statuses status; integers iterations applications;
+    size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
+    doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride;
+    doubles p0 p load approach contact_area stiffness certificate; statuses status; integers iterations applications;
     rc_batch_fn fn; handle user; int64_t written certified first=-1
+    """
+
+
+@struct
+class rc_level(Sized):
+    members = """
+    size_t struct_size; doubles p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny; double hx hy approach load;
+    int64_t candidates contacts
     """
 
 
 @struct
 class rc_direct(Sized):
     members = """
-    size_t struct_size; rc_status status; int32_t reserved; int64_t iterations applications contacts;
+    size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t iterations applications contacts;
     double load energy kkt duality_gap load_lower load_upper; char*160 note
     """
 
@@ -107,16 +124,6 @@ class rc_histogram(Sized):
     size_t struct_size; int64_t bins; double upper; integers counts; doubles density; double width; int64_t contacts above;
     double mean_pressure max_pressure
     """
-
-
-@struct
-class rc_progress(Sized):
-    members = """
-    size_t struct_size; int64_t iteration applications; double kkt seconds
-    """
-
-
-rc_progress_fn = callback(int32_t, rc_progress, handle)
 
 
 rc_log_fn = callback(None, int32_t, text, handle)

@@ -69,7 +69,7 @@ class Histogram:
 
 
 def _grid(
-    pressure: ArrayLike, pitch: Optional[Pitch], periodic: bool, mask: Optional[ArrayLike]
+    pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[ArrayLike]
 ) -> Tuple[Any, Doubles, Optional[Mask]]:
     array = as_doubles(pressure, "pressure")
     if array.ndim not in (1, 2):
@@ -117,7 +117,7 @@ def histogram(
     bins: int,
     upper: Optional[float] = None,
     *,
-    pitch: Optional[Pitch] = None,
+    pitch: Pitch,
     periodic: bool = False,
     mask: Optional[ArrayLike] = None,
 ) -> Histogram:

@@ -29,17 +29,18 @@ def control_and_target(displacement: Any, load: Any) -> Tuple[int, Any]:
 
 
 def gap_and_mask(
-    shape: Tuple[int, ...], heights: Any, gap: Optional[ArrayLike], mask: Optional[ArrayLike], missing: str
+    shape: Tuple[int, ...], heights: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike], missing: str
 ) -> Tuple[Optional[Doubles], Optional[Mask]]:
     """What a step presses: from heights, whose highest point touches first, or from a gap; neither: (None, mask)."""
-    if heights is not None and gap is not None:
-        raise ArgumentError("heights and gap are both given; give one of them")
+    if heights is not None and undeformed_gap is not None:
+        raise ArgumentError("heights and undeformed_gap are both given; give one of them")
     if heights is None:
-        return None if gap is None else as_doubles(gap, "gap", shape), as_mask(mask, "mask", shape)
+        array = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", shape)
+        return array, as_mask(mask, "mask", shape)
     surface = as_surface(heights, 1.0, mask=mask, missing=missing)  # the pitch is the system's
     if surface.shape != shape:
         raise ShapeError(f"heights have shape {surface.shape}, the grid {shape}")
-    return surface.gap(), surface.mask
+    return surface.undeformed_gap(), surface.mask
 
 
 class Contact(Handle):
@@ -61,7 +62,7 @@ class Contact(Handle):
         *,
         displacement: Optional[float] = None,
         load: Optional[float] = None,
-        gap: Optional[ArrayLike] = None,
+        undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
         start: Optional[ArrayLike] = None,
@@ -73,9 +74,9 @@ class Contact(Handle):
     ) -> Result:
         """Solves one step and certifies the answer.
 
-        heights: a `Surface`, a topography, or an array of the system's shape; the highest point touches at displacement 0
+        heights: a `Surface`, a topography, or an array of the system's shape; the highest point touches at approach 0
             [length]
-        gap: the undeformed gap instead [length]. Neither: as in the previous step
+        undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step
         displacement: approach of the bodies [length], or load: normal force [force]
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: what masked or NaN heights are: "reject" or "exclude"
@@ -88,7 +89,7 @@ class Contact(Handle):
             status. Status.WITHIN_GOAL never raises
         """
         control, target = control_and_target(displacement, load)
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         step = self._step(control, target, gap_array, mask_array)
         given(step, p0=pointer(first), warm_start=as_switch(warm_start), borrow=as_switch(borrow or None))
@@ -113,7 +114,7 @@ class Contact(Handle):
         *,
         displacement: Optional[float] = None,
         load: Optional[float] = None,
-        gap: Optional[ArrayLike] = None,
+        undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
         want_gap: bool = False,
@@ -121,7 +122,7 @@ class Contact(Handle):
     ) -> Result:
         """Certifies given pressures [force/length^2] for this step; nothing is solved. Arguments as in `solve`."""
         control, target = control_and_target(displacement, load)
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
         given = as_doubles(pressure, "pressure", self.system.shape).copy()
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding(), self._pressing(gap_array, mask_array):
@@ -135,10 +136,10 @@ class Contact(Handle):
                 mask_array,
             )
 
-    def _step(self, control: int, target: Any, gap: Optional[Doubles], mask: Optional[Mask]) -> rc_step:
+    def _step(self, control: int, target: Any, undeformed_gap: Optional[Doubles], mask: Optional[Mask]) -> rc_step:
         step = rc_step()
         step.control, step.target = control, float(target)
-        step.gap, step.mask = pointer(gap), pointer(mask)
+        step.undeformed_gap, step.mask = pointer(undeformed_gap), pointer(mask)
         return step
 
     def _run_step(
@@ -151,11 +152,10 @@ class Contact(Handle):
         *inputs: Any,
     ) -> Result:
         struct = rc_result()
-        contact_library().rc_result_init(struct, ctypes.sizeof(struct))
         struct.p, struct.gap = pointer(pressure), pointer(deformed)
         keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
-        answer = result_from(struct, message, self.grid(), pressure, deformed) if status >= 0 else None
+        answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer
@@ -166,7 +166,7 @@ class Contact(Handle):
         *,
         displacement: Optional[ArrayLike] = None,
         load: Optional[ArrayLike] = None,
-        gap: Optional[ArrayLike] = None,
+        undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
         warm_start: Optional[bool] = None,
@@ -175,8 +175,8 @@ class Contact(Handle):
         each: Optional[Callable[[int, Result], object]] = None,
         check: bool = True,
     ) -> PathResult:
-        """Solves a loading history; see `roughcontact.path`. Without heights and gap, on the surface of the last step."""
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
+        """Solves a loading history; see `roughcontact.path`. Without either, on the surface of the last step."""
+        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
         control, targets = control_and_target(displacement, load)
         return path_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
 
@@ -206,6 +206,13 @@ class Contact(Handle):
             check(library.rc_contact_points(handle, n.value, pointer(index), pointer(pressure), n))
         return index, pressure
 
+    def explain(self) -> str:
+        """Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend."""
+        text = ctypes.c_char_p()
+        with self._holding() as handle:
+            check(contact_library().rc_contact_explain(handle, text))
+            return (text.value or b"").decode()
+
     def set_options(self, options: Options) -> None:
         """Changes options that are not fixed; the others keep the values they have."""
         together = {**self._options, **(options or {})}
@@ -225,27 +232,27 @@ class Contact(Handle):
         *,
         last: Tuple[ArrayLike, float, float],
         before: Optional[Tuple[ArrayLike, float, float]] = None,
-        gap: Optional[ArrayLike] = None,
+        undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
     ) -> None:
         """Goes on after a certified step that this contact or another one of the same system has solved.
 
-        heights, gap, mask, missing: its surface, as in `solve`
-        last: its pressures, displacement and load, as its result has them
+        heights, undeformed_gap, mask, missing: its surface, as in `solve`
+        last: its pressures, approach and load, as its result has them
         before: likewise of the step before it, on the same surface; None: there was none
 
         With options={"resumable": 1} in both contacts the next steps give the same bits as in the other, without it to
         round-off.
         """
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
         state = rc_state()
-        state.gap, state.mask = pointer(gap_array), pointer(mask_array)
+        state.undeformed_gap, state.mask = pointer(gap_array), pointer(mask_array)
         pressure = as_doubles(last[0], "last[0]", self.system.shape)
-        state.p, state.displacement, state.load = pointer(pressure), float(last[1]), float(last[2])
+        state.p, state.approach, state.load = pointer(pressure), float(last[1]), float(last[2])
         earlier = None if before is None else as_doubles(before[0], "before[0]", self.system.shape)
         if before is not None:
-            state.p_before, state.displacement_before, state.load_before = pointer(earlier), float(before[1]), float(before[2])
+            state.p_before, state.approach_before, state.load_before = pointer(earlier), float(before[1]), float(before[2])
         with self._holding() as handle:
             check(contact_library().rc_contact_restore(handle, state))
             self._borrowed, self._mask = [], mask_array

@@ -106,27 +106,27 @@ def cmr(
     *,
     pitch: Pitch,
     modulus: float,
-    delta: float,
+    approach: float,
     levels: int,
-    h: Optional[float] = None,
+    radius: Optional[float] = None,
     inner: Optional[str] = None,
     check: bool = True,
 ) -> DirectResult:
     """Cascade multi-resolution (Algorithm 6) on a height map, free boundaries.
 
-    heights: [ny, nx], the highest touches first [length]; delta: compression below it [length]
+    heights: [ny, nx], the highest touches first [length]; approach: from there [length]
     pitch: one number or (hx, hy) [length]; modulus: E* [force/length^2]
     levels: grids of the cascade, the given one included
-    h: radius of influence in coarse cells, >= 1; None: as option cmr.radius
+    radius: of influence in coarse cells, >= 1; None: as option cmr.radius
     inner: solver on every level, None: chosen by the library
     """
     z = as_doubles(heights, "heights")
     if z.ndim not in (1, 2):
         raise ShapeError(f"heights have {z.ndim} axes: [ny, nx] is needed")
     (hx, hy), (nx, ny), grids = as_pitch(pitch), columns_and_rows(z.shape), as_int(levels, "levels")
-    radius = default("cmr.radius") if h is None else h
+    reach = default("cmr.radius") if radius is None else radius
     p = np.zeros(z.shape)
     name = None if inner is None else as_text(inner, "inner")
     return _call(
-        contact_library().rc_cmr, (nx, ny, hx, hy, modulus, pointer(z), delta, grids, radius, name, pointer(p)), p, None, check
+        contact_library().rc_cmr, (nx, ny, hx, hy, modulus, pointer(z), approach, grids, reach, name, pointer(p)), p, None, check
     )

@@ -14,7 +14,7 @@ from .analysis import Histogram, Patches
 from .result import Grid, PathResult, Result
 from .surface import PowerLaw, Spectrum
 
-UNITS = {"displacement": "m", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
+UNITS = {"approach": "m", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
 
 
 def _axes(ax: Any) -> Any:
@@ -72,7 +72,7 @@ def patches(result: Result, found: Optional[Patches] = None, *, ax: Any = None, 
     return _map(shown, result.grid, ax, "", "m" if si else None, None, **{"cmap": "tab20", **how})
 
 
-def history(path: PathResult, *, ax: Any = None, x: str = "displacement", y: str = "load", si: bool = True, **how: Any) -> Any:
+def history(path: PathResult, *, ax: Any = None, x: str = "approach", y: str = "load", si: bool = True, **how: Any) -> Any:
     """One array of a loading history over another. how: for plot."""
     ax = _axes(ax)
     ax.plot(getattr(path, x), getattr(path, y), **{"marker": "o", "markersize": 3, **how})

@@ -10,8 +10,9 @@ from . import analysis
 from ._arrays import Doubles, Mask, Shape
 from ._c import members_for
 from ._errors import as_status
+from ._library import contact_library
 from ._status import Status
-from ._structs import rc_level, rc_result
+from ._structs import rc_accuracy, rc_level, rc_result
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,23 @@ class Grid:
     pitch: Tuple[float, float]
     periodic: bool = False
     mask: Optional[Mask] = None
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Which grid an answer is of, and how far off it may be.
+
+    model_nx, model_ny: points of the grid that was solved
+    error_estimate: with option accuracy: estimated relative error of what it is of, load or area
+    area_estimate: likewise of the area, which a goal of the load does not hold
+    left_out: roughness that the solved grid does not see, rms over the points in contact [length]
+    """
+
+    model_nx: int
+    model_ny: int
+    error_estimate: float
+    area_estimate: float
+    left_out: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +61,7 @@ class Result:
     #: products with H, the certificate's and the stiffness' included
     applications: int
     points: int
-    #: points that can carry pressure at this displacement
+    #: points that can carry pressure at this approach
     candidates: int
     #: unknowns or transform points of the operator used
     modelled: int
@@ -51,8 +69,8 @@ class Result:
     contacts: int
     #: [force]
     load: float
-    #: approach of the bodies from first touch of the undeformed gap's zero [length]
-    displacement: float
+    #: of the bodies from first touch of the undeformed gap's zero [length]
+    approach: float
     #: load over the area of the grid [force/length^2]
     mean_pressure: float
     #: [length^2]
@@ -76,7 +94,7 @@ class Result:
     note: str
     #: the energy is above the least one by this at most [force length]; NaN where no proof is known
     duality_gap: float
-    #: the exact load at this displacement lies between [force]
+    #: the exact load at this approach lies between [force]
     load_lower: float
     load_upper: float
     #: the exact contact area lies between [length^2]
@@ -90,15 +108,8 @@ class Result:
     levels: int
     #: what the residuals were held to
     tolerance: float
-    #: points of the grid that was solved
-    model_nx: int
-    model_ny: int
-    #: with option accuracy: estimated relative error of what it is of, load or area
-    error_estimate: float
-    #: roughness that the solved grid does not see, rms over the points in contact [length]
-    left_out: float
-    #: with option accuracy: estimated relative error of the area, which a goal of the load does not hold
-    area_estimate: float
+    #: which grid it is of, and estimated errors; None in `batch`
+    accuracy: Optional[Accuracy]
 
     @property
     def certified(self) -> bool:
@@ -132,24 +143,30 @@ class Result:
 
     def __repr__(self) -> str:
         return (
-            f"Result({self.status.name}, load={self.load:.6g}, displacement={self.displacement:.6g}, "
+            f"Result({self.status.name}, load={self.load:.6g}, approach={self.approach:.6g}, "
             f"contacts={self.contacts} of {self.points}, residual={self.residual:.1e}, {self.solver} on {self.backend})"
         )
 
 
-def result_from(struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles]) -> Result:
+def result_from(
+    struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles], contact: Any = None
+) -> Result:
+    """contact: the C object that the accuracy is asked of, or None."""
     own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}
+    accuracy = rc_accuracy()
+    known = contact is not None and contact_library().rc_contact_accuracy(contact, accuracy) == Status.OK
+    own["accuracy"] = Accuracy(**members_for(Accuracy, accuracy)) if known else None
     return Result(**{**members_for(Result, struct), **own})
 
 
-def result_with_copies(struct: rc_result, grid: Grid) -> Result:
+def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Result:
     """From inside a callback, whose arrays last only until it returns."""
     n = int(np.prod(grid.shape))
 
     def copy(values: Any) -> Optional[Doubles]:
         return np.ctypeslib.as_array(values, (n,)).reshape(grid.shape).copy() if values else None
 
-    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap))
+    return result_from(struct, "", grid, copy(struct.p), copy(struct.gap), contact)
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +177,7 @@ class Level:
     pressure: Doubles
     status: Status
     pitch: Tuple[float, float]
-    displacement: float
+    approach: float
     load: float
     candidates: int
     contacts: int
@@ -175,7 +192,7 @@ def level_from(struct: rc_level, pressure: Doubles) -> Level:
 class PathResult:
     """Answers of a loading history. Arrays have one value for each completed step.
 
-    load [force], displacement [length], contact_area [length^2], certificate: largest residual, applications: products with H
+    load [force], approach [length], contact_area [length^2], certificate: largest residual, applications: products with H
     stiffness: dW/dd [force/length]; None unless asked for
     pressure: [steps, ny, nx] [force/length^2]; None unless asked for
     targets: as given, those of steps that were not completed as well
@@ -185,7 +202,7 @@ class PathResult:
     message: str
     targets: Doubles
     load: Doubles
-    displacement: Doubles
+    approach: Doubles
     contact_area: Doubles
     certificate: Doubles
     applications: NDArray[np.int64]
@@ -207,7 +224,7 @@ class BatchResult:
     """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
 
     statuses: of every step, see `Status`
-    load [force], displacement [length], contact_area [length^2], certificate: largest residual, iterations, applications
+    load [force], approach [length], contact_area [length^2], certificate: largest residual, iterations, applications
     stiffness: dW/dd [force/length]; None unless asked for
     pressure: [contacts, ny, nx] of each contact's last step, 0 where it has none [force/length^2]; None unless asked for
     certified: contacts of which every step is certified
@@ -218,7 +235,7 @@ class BatchResult:
     message: str
     statuses: NDArray[np.int32]
     load: Doubles
-    displacement: Doubles
+    approach: Doubles
     contact_area: Doubles
     certificate: Doubles
     iterations: NDArray[np.int64]

@@ -33,6 +33,12 @@ from ._structs import (
 Grid = Union[int, Sequence[int]]
 
 
+def _pitch(pitch: Optional[Pitch]) -> Tuple[float, float]:
+    """(hx, hy); None: as specifications begin."""
+    spec = rc_surface_shape_spec()
+    return (spec.hx, spec.hy) if pitch is None else as_pitch(pitch)
+
+
 def rmd(
     levels: int,
     *,
@@ -60,7 +66,7 @@ def rmd(
     side = 2**at + (0 if crop else 1) if 0 <= at <= spec.levels <= 14 else 1  # what is refused is not written to
     heights = np.empty((side, side))
     check_surface(surface_library().rc_surface_rmd(spec, at, int(bool(crop)), pointer(heights)))
-    return Surface(heights, as_pitch(pitch))
+    return Surface(heights, _pitch(pitch))
 
 
 def spectral(
@@ -83,7 +89,7 @@ def spectral(
     rms_height [length] or rms_slope: one of them
     fixed_amplitudes: only the phases are random
     """
-    sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
+    sides, (hx, hy) = as_shape(shape), _pitch(pitch)
     spec = given(rc_surface_spectral_spec(), seed=as_seed(seed), hx=hx, hy=hy, hurst=hurst, q_low=q_low, q_rolloff=q_rolloff)
     spec.nx, spec.ny = columns_and_rows(sides)
     if rms_slope is not None:
@@ -106,7 +112,7 @@ def _shape(
     period: Tuple[Optional[float], Optional[float]] = (None, None),
     **values: Any,
 ) -> Surface:
-    sides, (hx, hy) = as_shape(shape), as_pitch(pitch)
+    sides, (hx, hy) = as_shape(shape), _pitch(pitch)
     nx, ny = columns_and_rows(sides)
     spec = given(rc_surface_shape_spec(), shape=kind, nx=nx, ny=ny, hx=hx, hy=hy, **values)
     given(spec, period_x=period[0], period_y=period[1])

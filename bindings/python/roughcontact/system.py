@@ -81,12 +81,10 @@ class Matrix(System):
 
     H: [n, n]; not copied where it is an array of doubles whose rows or columns are contiguous, and then to stay as it is
     shape: of gaps and pressures, n points altogether; None: (n,)
-    pitch: hx hy is the area of a cell
+    pitch: one number or (hx, hy): hx hy is the area of a cell
     """
 
-    def __init__(
-        self, H: ArrayLike, *, shape: Optional[Union[int, Sequence[int]]] = None, pitch: Optional[Pitch] = None
-    ) -> None:
+    def __init__(self, H: ArrayLike, *, pitch: Pitch, shape: Optional[Union[int, Sequence[int]]] = None) -> None:
         self.H = square(H)
         n = self.H.shape[0]
         self.shape, self.pitch = (n,) if shape is None else as_shape(shape), as_pitch(pitch)
@@ -127,9 +125,7 @@ class Product(System):
     shape, pitch: as in `Matrix`
     """
 
-    def __init__(
-        self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Optional[Pitch] = None
-    ) -> None:
+    def __init__(self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Pitch) -> None:
         self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
 
     def _call(self, x: Any, y: Any, n: int, _: Any) -> int:

@@ -33,18 +33,18 @@ def test_patches(how, count):
 
 def test_no_contact():
     assert len(rc.analysis.patches(np.zeros((3, 3)), pitch=1.0)) == 0
-    assert rc.analysis.histogram(np.zeros((3, 3)), 4).contacts == 0
+    assert rc.analysis.histogram(np.zeros((3, 3)), 4, pitch=1.0).contacts == 0
 
 
 def test_histogram():
-    found = rc.analysis.histogram(P, 4)
+    found = rc.analysis.histogram(P, 4, pitch=1.0)
     assert found.counts.tolist() == [2, 1, 1, 1] and found.edges.tolist() == [0, 1, 2, 3, 4]
     assert found.density.sum() == pytest.approx(1.0) and found.mean_pressure == pytest.approx(11 / 5)
-    cut = rc.analysis.histogram(P, 2, upper=2.0)
+    cut = rc.analysis.histogram(P, 2, upper=2.0, pitch=1.0)
     assert cut.above == 2 and cut.counts.tolist() == [2, 1]
     for bins in (0, -3):
         with pytest.raises(rc.ArgumentError, match="bins"):
-            rc.analysis.histogram(P, bins)
+            rc.analysis.histogram(P, bins, pitch=1.0)
 
 
 def test_results_have_them_as_methods(rough):

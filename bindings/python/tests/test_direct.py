@@ -32,12 +32,12 @@ def test_stops_are_exceptions_or_answers(small_matrix):
 
 
 def test_cascade(sphere_gap):
-    whole = rc.solve(gap=sphere_gap - sphere_gap.min(), pitch=1e-6, modulus=1e11, displacement=3e-7)
-    found = direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, levels=3)
+    whole = rc.solve(undeformed_gap=sphere_gap - sphere_gap.min(), pitch=1e-6, modulus=1e11, displacement=3e-7)
+    found = direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, approach=3e-7, levels=3)
     assert found.load == pytest.approx(whole.load, rel=1e-6) and found.p.shape == (64, 64) and found.w is None
-    assert direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, levels=3, inner="nnls").status == rc.Status.OK
+    assert direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, approach=3e-7, levels=3, inner="nnls").status == rc.Status.OK
     with pytest.raises(rc.NoSolverError):
-        direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, delta=3e-7, levels=3, inner="nonesuch")
+        direct.cmr(-sphere_gap, pitch=1e-6, modulus=1e11, approach=3e-7, levels=3, inner="nonesuch")
 
 
 def test_defaults_are_the_options(small_matrix, sphere_gap):
@@ -45,5 +45,5 @@ def test_defaults_are_the_options(small_matrix, sphere_gap):
     options = rc.effective_options()
     explicit = direct.gp(small_matrix, u, tol=options["tol"], max_iter=options["max_iter"])
     assert np.array_equal(direct.gp(small_matrix, u).p, explicit.p)
-    how = {"pitch": 1e-6, "modulus": 1e11, "delta": 3e-7, "levels": 3}
-    assert np.array_equal(direct.cmr(-sphere_gap, **how).p, direct.cmr(-sphere_gap, **how, h=options["cmr.radius"]).p)
+    how = {"pitch": 1e-6, "modulus": 1e11, "approach": 3e-7, "levels": 3}
+    assert np.array_equal(direct.cmr(-sphere_gap, **how).p, direct.cmr(-sphere_gap, **how, radius=options["cmr.radius"]).p)

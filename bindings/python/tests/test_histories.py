@@ -17,7 +17,7 @@ def test_path_is_its_steps(rough):
         for k, target in enumerate(targets):
             step = contact.solve(rough if k == 0 else None, displacement=target)
             assert np.array_equal(step.pressure, history.pressure[k])
-            for name in ("load", "displacement", "contact_area", "stiffness", "applications"):
+            for name in ("load", "approach", "contact_area", "stiffness", "applications"):
                 assert getattr(step, name) == getattr(history, name)[k]
             assert history.certificate[k] == step.residual
 
@@ -27,7 +27,7 @@ def test_path_in_load_control_on_a_kept_contact(rough):
         first = contact.path(rough, load=[1e-4, 1e-3])
         second = contact.path(load=2e-3)
     assert np.allclose(first.load, [1e-4, 1e-3], rtol=1e-7) and second.load.shape == (1,)
-    assert second.displacement[0] > first.displacement[1] > first.displacement[0]
+    assert second.approach[0] > first.approach[1] > first.approach[0]
     assert first.pressure is None and first.stiffness is None
 
 
@@ -71,27 +71,27 @@ def test_batch_is_its_paths(threads):
     for k, surface in enumerate(each):
         alone = rc.path(surface, modulus=1e9, load=loads[k], stiffness=True, keep_pressure=True)
         assert np.array_equal(answer.pressure[k], alone.pressure[-1])
-        for name in ("load", "displacement", "contact_area", "stiffness", "certificate", "applications"):
+        for name in ("load", "approach", "contact_area", "stiffness", "certificate", "applications"):
             assert np.array_equal(getattr(answer, name)[k], getattr(alone, name))
 
 
 def test_batch_shares_surfaces_histories_and_masks():
     each = surfaces(3)
-    gaps = np.stack([s.gap() for s in each])
+    gaps = np.stack([s.undeformed_gap() for s in each])
     how = {"pitch": 1e-6, "modulus": 1e9, "boundary": "periodic"}
     by_surfaces = rc.batch(each, modulus=1e9, load=[1e-4, 1e-3])
-    assert np.array_equal(by_surfaces.load, rc.batch(gap=gaps, load=[1e-4, 1e-3], **how).load)
+    assert np.array_equal(by_surfaces.load, rc.batch(undeformed_gap=gaps, load=[1e-4, 1e-3], **how).load)
     stacked = rc.batch(np.stack([s.heights for s in each]), load=[1e-4, 1e-3], **how)
-    assert np.array_equal(by_surfaces.displacement, stacked.displacement)  # every surface touches at 0
-    assert rc.batch(gap=gaps, load=1e-3, **how).load.shape == (3, 1)
-    one = rc.batch(gap=gaps[0], load=[[1e-4], [1e-3]], **how)
-    assert one.load.shape == (2, 1) and one.displacement[0, 0] == by_surfaces.displacement[0, 0]
+    assert np.array_equal(by_surfaces.approach, stacked.approach)  # every surface touches at 0
+    assert rc.batch(undeformed_gap=gaps, load=1e-3, **how).load.shape == (3, 1)
+    one = rc.batch(undeformed_gap=gaps[0], load=[[1e-4], [1e-3]], **how)
+    assert one.load.shape == (2, 1) and one.approach[0, 0] == by_surfaces.approach[0, 0]
     mask = np.ones((32, 32), bool)
     mask[:, 16:] = False
-    shared = rc.batch(gap=gaps, load=1e-3, mask=mask, keep_pressure=True, **how)
-    own = rc.batch(gap=gaps, load=1e-3, mask=np.stack([mask] * 3), keep_pressure=True, **how)
+    shared = rc.batch(undeformed_gap=gaps, load=1e-3, mask=mask, keep_pressure=True, **how)
+    own = rc.batch(undeformed_gap=gaps, load=1e-3, mask=np.stack([mask] * 3), keep_pressure=True, **how)
     assert shared.pressure[..., 16:].max() == 0 and np.array_equal(shared.pressure, own.pressure)
-    how.update(gap=gaps, displacement=1e-7, options={"solver": "gp"})
+    how.update(undeformed_gap=gaps, displacement=1e-7, options={"solver": "gp"})
     cold = rc.batch(keep_pressure=True, **how)
     assert rc.batch(start=cold.pressure, **how).iterations.sum() < cold.iterations.sum() / 2
 
@@ -115,8 +115,8 @@ def test_batch_that_is_refused():
         rc.batch(surfaces(2), modulus=1e9, displacement=[[1e-8], [1e-8], [1e-8]])
     with pytest.raises(rc.ShapeError, match="differ in shape or pitch"):
         rc.batch(surfaces(1) + [rc.surface.noise((8, 8))], modulus=1e9, load=1)
-    with pytest.raises(rc.ShapeError, match="heights or gap has shape"):
-        rc.batch(gap=np.zeros((2, 3, 4)), system=rc.HalfSpace((5, 4), pitch=1, modulus=1), load=1)
+    with pytest.raises(rc.ShapeError, match="heights or undeformed_gap has shape"):
+        rc.batch(undeformed_gap=np.zeros((2, 3, 4)), system=rc.HalfSpace((5, 4), pitch=1, modulus=1), load=1)
 
 
 def test_batch_shows_every_step():
@@ -132,18 +132,19 @@ def test_batch_shows_every_step():
     with pytest.raises(RuntimeError, match="mine"):
         rc.batch(surfaces(4), modulus=1e9, load=1e-3, each=lambda i, k, r: (_ for _ in ()).throw(RuntimeError("mine")))
     stopped = rc.batch(surfaces(4), modulus=1e9, load=1e-3, each=lambda i, k, r: i == 1, check=False)
-    assert stopped.status == rc.Status.STOP_CANCELLED and stopped.statuses[0, 0] == 0 and stopped.statuses[3, 0] == 3
+    assert stopped.status == rc.Status.STOP_CANCELLED and stopped.statuses[0, 0] == 0 and stopped.statuses[3, 0] == 103
 
 
 def test_batch_of_products(small_matrix):
     gaps = np.array([np.linspace(0, 2, 12), np.linspace(0, 3, 12)])
-    answer = rc.batch(gap=gaps, displacement=1.5, system=rc.Product(lambda x: small_matrix @ x, 12), options={"threads": 2})
-    dense = rc.batch(gap=gaps, displacement=1.5, system=rc.Matrix(small_matrix))
+    product = rc.Product(lambda x: small_matrix @ x, 12, pitch=1)
+    answer = rc.batch(undeformed_gap=gaps, displacement=1.5, system=product, options={"threads": 2})
+    dense = rc.batch(undeformed_gap=gaps, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
     assert np.allclose(answer.load, dense.load, rtol=1e-6)
 
 
 def test_history_of_a_sphere_follows_hertz(sphere_gap):
     d = np.array([1e-7, 2e-7, 3e-7, 1e-7])
-    history = rc.path(gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=d)
+    history = rc.path(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=d)
     assert np.allclose(history.load, 4 / 3 * MODULUS * np.sqrt(1e-3) * d**1.5, rtol=0.03)
     assert history.load[3] == pytest.approx(history.load[0], rel=1e-6)

@@ -14,14 +14,14 @@ CASES = {
     "seed": lambda: rc.surface.noise((4, 4), seed=2**64 + 1),
     "seed below zero": lambda: rc.surface.spectral((4, 4), seed=-1),
     "levels of advice": lambda: rc.surface.cmr_advice(rc.surface.noise((8, 8)), 2**32 + 1),
-    "bins": lambda: rc.analysis.histogram(GAP, bins=-(2**64) + 200000),
+    "bins": lambda: rc.analysis.histogram(GAP, bins=-(2**64) + 200000, pitch=1.0),
     "a side": lambda: rc.HalfSpace((2**64 + 4, 4), **HOW),
     "a fraction": lambda: rc.HalfSpace((2.7, 3.2), **HOW),
     "text": lambda: rc.HalfSpace("44", **HOW),
     "every": lambda: rc.Contact(rc.HalfSpace((4, 4), **HOW), every=2**64 + 1),
-    "every of one call": lambda: rc.solve(gap=GAP, displacement=1.0, every=1.5, **HOW),
+    "every of one call": lambda: rc.solve(undeformed_gap=GAP, displacement=1.0, every=1.5, **HOW),
     "max_iter": lambda: rc.direct.nnls(np.eye(2), np.ones(2), max_iter=2**64 + 1),
-    "levels of the cascade": lambda: rc.direct.cmr(GAP, delta=1.0, levels=2**64 + 2, **HOW),
+    "levels of the cascade": lambda: rc.direct.cmr(GAP, approach=1.0, levels=2**64 + 2, **HOW),
     "sides of coefficients": lambda: rc.kernel_coefficients("love", 2**64 + 2, 1.0),
 }
 

@@ -67,14 +67,14 @@ def test_path_keeps_its_steps(large):
 
 
 def test_batch_keeps_its_contacts():
-    gaps = np.stack([rc.surface.spectral((64, 64), seed=k).gap() for k in range(4)])
+    gaps = np.stack([rc.surface.spectral((64, 64), seed=k).undeformed_gap() for k in range(4)])
     targets = np.tile([1.0, 2.0], 20000)
     for each in (lambda i, k, result: press() if k == 2 else None, None):
         timer = threading.Timer(0.3, press)
         with pytest.raises(rc.Interrupted) as caught:
             if each is None:
                 timer.start()
-            rc.batch(gap=gaps, pitch=1.0, modulus=1.0, displacement=targets, each=each, options={"threads": 2})
+            rc.batch(undeformed_gap=gaps, pitch=1.0, modulus=1.0, displacement=targets, each=each, options={"threads": 2})
     timer.join()
     done = caught.value.result
     assert (done.statuses == rc.Status.STOP_CANCELLED).sum() > 4
@@ -95,7 +95,7 @@ def test_products_in_python_end():
         return H @ x
 
     with pytest.raises(rc.Interrupted):
-        rc.solve(gap=np.linspace(0, 1, n), displacement=0.9, system=rc.Product(product, n), options=LONG["options"])
+        rc.solve(undeformed_gap=np.linspace(0, 1, n), displacement=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"])
 
 
 def test_handlers_of_the_caller_are_respected(large):
@@ -196,12 +196,14 @@ def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kin
         return 2.0 * x
 
     escape(monkeypatch)
-    gap, how = np.linspace(0, 1, 1000), {"displacement": 0.9, "system": rc.Product(product, 1000)}
+    gap, how = np.linspace(0, 1, 1000), {"displacement": 0.9, "system": rc.Product(product, 1000, pitch=1)}
     calls = {
-        "solve": lambda: rc.solve(gap=gap.copy(), options=LONG["options"], **how),
-        "path": lambda: rc.path(gap=gap.copy(), **{**how, "displacement": [0.5, 0.7, 0.9] * 9}),
-        "batch": lambda: rc.batch(gap=np.tile(gap, (9, 1)), **how),
-        "certify": lambda: [rc.Contact(how["system"]).certify(gap, gap=gap, displacement=0.9, check=False) for _ in range(9)],
+        "solve": lambda: rc.solve(undeformed_gap=gap.copy(), options=LONG["options"], **how),
+        "path": lambda: rc.path(undeformed_gap=gap.copy(), **{**how, "displacement": [0.5, 0.7, 0.9] * 9}),
+        "batch": lambda: rc.batch(undeformed_gap=np.tile(gap, (9, 1)), **how),
+        "certify": lambda: [
+            rc.Contact(how["system"]).certify(gap, undeformed_gap=gap, displacement=0.9, check=False) for _ in range(9)
+        ],
     }
     with pytest.raises(KeyboardInterrupt):
         calls[kind]()

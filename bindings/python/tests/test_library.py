@@ -49,7 +49,7 @@ def test_a_library_of_another_kind(tmp_path):
         tmp_path,
         ROUGHCONTACT_LIBRARY=_libc(),
     )
-    assert "has no function rc_version" in ran.stdout and "install both from one source" in ran.stdout
+    assert "has no function rc_" in ran.stdout and "install both from one source" in ran.stdout
 
 
 def _libc():
@@ -59,7 +59,7 @@ def _libc():
 
 def test_solving_loads_neither_the_surface_library_nor_matplotlib(tmp_path):
     code = (
-        "import roughcontact as rc, sys; rc.solve(gap=[[0.0, 1.0]], pitch=1, modulus=1, displacement=0.5); "
+        "import roughcontact as rc, sys; rc.solve(undeformed_gap=[[0.0, 1.0]], pitch=1, modulus=1, displacement=0.5); "
         "print('surface' in open('/proc/self/maps').read(), 'matplotlib' in sys.modules)"
     )
     ran = python(code, tmp_path, ROUGHCONTACT_LIBRARY=rc.library_file())

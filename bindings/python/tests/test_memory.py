@@ -25,21 +25,21 @@ def grows(call, times):
 
 
 def calls():
-    gap = rc.surface.noise((24, 24)).gap()
+    gap = rc.surface.noise((24, 24)).undeformed_gap()
     how = {"pitch": 1.0, "modulus": 1.0, "displacement": 1.0}
 
     def refused():
         with pytest.raises(rc.OptionError):
-            rc.solve(gap=gap, **how, options={"unknown": 1})
+            rc.solve(undeformed_gap=gap, **how, options={"unknown": 1})
 
     contact = rc.Contact(rc.HalfSpace((24, 24), pitch=1.0, modulus=1.0), progress=lambda p: None)
     H = np.eye(30)
     return {
-        "solve": lambda: rc.solve(gap=gap, **how, want_gap=True),
-        "step": lambda: contact.solve(gap=gap, displacement=1.0),
+        "solve": lambda: rc.solve(undeformed_gap=gap, **how, want_gap=True),
+        "step": lambda: contact.solve(undeformed_gap=gap, displacement=1.0),
         "refused": refused,
-        "product": lambda: rc.solve(gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30)),
-        "path": lambda: rc.path(gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None),
+        "product": lambda: rc.solve(undeformed_gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30, pitch=1)),
+        "path": lambda: rc.path(undeformed_gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None),
     }
 
 

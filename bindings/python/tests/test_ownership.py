@@ -27,7 +27,7 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
         sums.append(x.sum())
         return small_matrix @ x
 
-    rc.solve(gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(apply, 12))
+    rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(apply, 12, pitch=1))
     assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
 
 
@@ -35,11 +35,11 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
 def test_a_late_cancel_is_not_forgotten(half_space, sphere_gap, between):
     """One that came just after its call had ended must not stop the next solve, whatever is called between."""
     with rc.Contact(half_space) as contact:
-        answer = contact.solve(gap=sphere_gap, displacement=3e-7)
+        answer = contact.solve(undeformed_gap=sphere_gap, displacement=3e-7)
         contact.cancel()
         contact._late_cancel = True
         if between == "certify":
-            contact.certify(answer.pressure, gap=sphere_gap, displacement=3e-7)
+            contact.certify(answer.pressure, undeformed_gap=sphere_gap, displacement=3e-7)
         else:
             contact.path(displacement=[])
         assert contact.solve(displacement=2e-7, warm_start=False).certified
@@ -53,14 +53,15 @@ def unaligned(array):
 
 def test_arrays_are_aligned(sphere_gap, small_matrix):
     assert as_doubles(unaligned(sphere_gap), "gap").flags.aligned
-    assert rc.Matrix(unaligned(small_matrix)).H.flags.aligned
+    assert rc.Matrix(unaligned(small_matrix), pitch=1).H.flags.aligned
 
 
 def test_a_batch_of_none_that_is_refused_raises():
     with pytest.raises(rc.OptionError):
-        rc.batch(gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=1.0, options={"threads": -5}, check=False)
+        how = {"displacement": 1.0, "pitch": 1.0, "modulus": 1.0}
+        rc.batch(undeformed_gap=np.zeros((0, 4, 4)), **how, options={"threads": -5}, check=False)
     with pytest.raises(rc.ArgumentError):
-        rc.batch(gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=-1.0, check=False)
+        rc.batch(undeformed_gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=-1.0, check=False)
 
 
 @pytest.mark.parametrize("name", ["surface.txt", pathlib.Path("surface.txt")])
@@ -81,7 +82,7 @@ def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monke
 
 def test_borrowed_masks_are_let_go(half_space, sphere_gap):
     with rc.Contact(half_space) as contact:
-        contact.solve(gap=sphere_gap, displacement=3e-7, borrow=True)
+        contact.solve(undeformed_gap=sphere_gap, displacement=3e-7, borrow=True)
         for _ in range(5):
             contact.solve(mask=np.ones((64, 64), bool), displacement=3e-7, borrow=True)
         assert len(contact._borrowed) <= 2 and np.shares_memory(contact._borrowed[0][0], sphere_gap)
@@ -97,7 +98,7 @@ def test_text_that_c_would_cut_off_is_refused(text, half_space):
         lambda: rc.supported(text, "fft", half_space),
         lambda: rc.supported("gp", text, half_space),
         lambda: rc.Context("/" + text),
-        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, delta=1.0, levels=1, inner=text),
+        lambda: rc.direct.cmr(np.zeros((4, 4)), pitch=1.0, modulus=1.0, approach=1.0, levels=1, inner=text),
     )
     for call in calls:
         with pytest.raises(rc.ArgumentError, match="NUL|surrogate"):

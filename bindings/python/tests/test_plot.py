@@ -28,7 +28,7 @@ def test_every_picture(rough, tmp_path):
     assert (tmp_path / "all.png").stat().st_size > 10000
     figure.canvas.draw()
     assert "µm" in drawn[0].get_xticklabels()[1].get_text() and "m" not in drawn[1].get_xticklabels()[1].get_text()
-    assert np.array_equal(drawn[3].lines[0].get_xdata(), history.displacement)
+    assert np.array_equal(drawn[3].lines[0].get_xdata(), history.approach)
     pyplot.close(figure)
 
 

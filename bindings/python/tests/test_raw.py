@@ -9,7 +9,6 @@ import pytest
 
 import roughcontact as rc
 from roughcontact import raw
-from roughcontact._functions import ContactFunctions
 
 GOLDEN = [pathlib.Path(__file__).resolve().parents[3] / "tests" / "abi" / f"golden_{name}.c" for name in ("contact", "surface")]
 STRUCTS = {
@@ -36,14 +35,10 @@ def test_structs_and_constants_are_those_of_c():
     assert {getattr(raw, name) - int(value) for name, value in values if hasattr(raw, name)} == {0}
 
 
-@pytest.mark.parametrize(
-    "name", [name for name, each in STRUCTS.items() if f"{name}_init" in ContactFunctions.__annotations__ and each.initial]
-)
-def test_a_new_struct_has_the_values_of_the_library(name):
-    ours, theirs = STRUCTS[name](), STRUCTS[name]()
-    ctypes.memset(ctypes.byref(theirs), 0xA5, ctypes.sizeof(theirs))
-    getattr(raw.contact_library(), f"{name}_init")(theirs, ctypes.sizeof(theirs))
-    assert bytes(ours) == bytes(theirs)
+def test_a_new_struct_has_the_values_of_the_macros():
+    assert raw.rc_step().warm_start == 1 and raw.rc_step().control == 0
+    assert raw.rc_result().status == raw.RC_ERR_ARGUMENT and raw.rc_batch().first == -1 and raw.rc_patches().neighbours == 4
+    assert all(each().struct_size == ctypes.sizeof(each) for each in STRUCTS.values())
 
 
 def test_results_have_all_members_of_the_structs():

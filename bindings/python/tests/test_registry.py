@@ -42,7 +42,7 @@ def test_contexts_of_ones_own(sphere_gap, half_space):
         rc.Contact(half_space, options={"backend": "fft"}, context=bare)
     with rc.Contact(half_space, options={"backend": "dense"}, context=bare) as contact:
         del bare  # the contact keeps it
-        assert contact.solve(gap=sphere_gap, displacement=1e-7).backend == "dense"
+        assert contact.solve(undeformed_gap=sphere_gap, displacement=1e-7).backend == "dense"
     said = []
     rc.backends(rc.Context("relative", log=lambda level, message: said.append((level, message))))
     assert said and said[0][0] == "warning" and "relative" in said[0][1]
@@ -54,7 +54,7 @@ def test_pairs_are_judged_without_solving():
     status, reason = rc.supported("nnls", "split", system)
     assert status < 0 and reason
     assert rc.supported("nonesuch", "fft", system)[0] == rc.Status.ERR_NO_SOLVER
-    matrix = rc.Matrix(np.eye(4))
+    matrix = rc.Matrix(np.eye(4), pitch=1)
     assert rc.supported("nnls", "dense", matrix)[0] == rc.Status.OK
 
 

@@ -24,7 +24,7 @@ def test_same_bits_from_every_thread():
 def test_errors_belong_to_their_threads():
     def fail(k):
         with pytest.raises(rc.OptionError, match=f"unknown_{k}"):
-            rc.solve(gap=np.zeros((4, 4)), pitch=1, modulus=1, displacement=1, options={f"unknown_{k}": 1})
+            rc.solve(undeformed_gap=np.zeros((4, 4)), pitch=1, modulus=1, displacement=1, options={f"unknown_{k}": 1})
         return True
 
     with ThreadPoolExecutor(4) as pool:
@@ -58,11 +58,12 @@ def test_a_second_thread_is_told(small_matrix):
         return small_matrix @ x
 
     armed = []  # the product is tried when the contact is made
-    with rc.Contact(rc.Product(product, 12)) as contact:
+    with rc.Contact(rc.Product(product, 12, pitch=1)) as contact:
         armed.append(True)
         answer = []
         gap = np.linspace(0, 2, 12)
-        worker = threading.Thread(target=lambda: answer.append(contact.solve(gap=gap, displacement=1.5, check=False)))
+        how = {"undeformed_gap": gap, "displacement": 1.5, "check": False}
+        worker = threading.Thread(target=lambda: answer.append(contact.solve(**how)))
         worker.start()
         assert inside.wait(60)
         for call in (lambda: contact.solve(displacement=1.0), contact.points, contact.close):

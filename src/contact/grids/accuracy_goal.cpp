@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::int64_t least_side = 16;  // of a coarser grid
 constexpr std::size_t most_grids = 12;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A periodic grid must halve without a remainder, or its period would change.
 bool can_be_halved(const rc_system& system) {
@@ -33,7 +34,7 @@ double relative(double difference, double value) {
 // Relative difference of load to the next coarser grid; in load control from the difference of approach and the stiffness.
 double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) {
   if (control == RC_CONTROL_DISPLACEMENT) return relative(fine.load - coarse.load, fine.load);
-  const double difference = coarse.stiffness * (fine.displacement - coarse.displacement);
+  const double difference = coarse.stiffness * (fine.approach - coarse.approach);
   return std::isfinite(difference) ? relative(difference, fine.load) : std::numeric_limits<double>::infinity();
 }
 
@@ -84,7 +85,7 @@ rc_status AccuracyGoal::solve_on(std::size_t k, const Workspace& given, const rc
   grid.gap.resize(with_gap ? static_cast<std::size_t>(contact.work().system.points()) : 0);
   grid.result.gap = with_gap ? grid.gap.data() : nullptr;
   contact.begin(on_grid);
-  if (nothing_touches(on_grid, contact.work())) return RC_STOP_UNCERTIFIED;
+  if (nothing_touches(on_grid, contact.work())) return RC_UNCERTIFIED;
   Monitor watch = contact.monitor();
   return contact.solve_begun(on_grid, watch, grid.result, std::move(estimate));
 }
@@ -105,7 +106,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
   std::vector<GridLevel> levels;  // up to the coarsest grid with contact
   for (std::size_t k = grids_.size(); k >= 1; --k) {
     Grid& grid = grids_[k - 1];
-    rc_status status = RC_STOP_UNCERTIFIED;
+    rc_status status = RC_UNCERTIFIED;
     try {
       status = solve_on(k, given.work(), step, monitor, std::exchange(found.estimate, {}), with_gap);
     } catch (const Error&) {
@@ -123,7 +124,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
     const bool coarsest = levels.empty();
     if (coarsest) levels.resize(k + 1);
     if (!coarsest) levels[k].difference = difference(grid.result, grids_[k].result, step.control);
-    const double approach = grid.result.displacement;
+    const double approach = grid.result.approach;
     const auto spread_to = [&](std::size_t finer, const Blocks& blocks) {
       return Estimate{spread(grid.halved.contact().memory().last.pressures, blocks, work(finer).surface, Cut::same_pressure),
                       approach};
@@ -149,7 +150,7 @@ void AccuracyGoal::add_work(rc_result& result) const {
 }
 
 // Writes the answer of the last coarser grid that was solved, spread to the given grid.
-void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
+void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
                                    rc_result& result) {
   const Grid& grid = grids_[found.grid - 1];
   const GridContact& contact = grid.halved.contact();
@@ -162,7 +163,7 @@ void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, 
   result.struct_size = size;
   result.p = to_p;
   result.gap = to_gap;
-  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = std::numeric_limits<double>::quiet_NaN();
+  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = nan;
   Bounds{}.write(result);
   result.points = given.system.points();
   result.contacts = p.on.n;
@@ -177,10 +178,8 @@ void AccuracyGoal::deliver_stopped(const Workspace& given, const rc_step& step, 
   result.setup_seconds = 0;
   add_work(result);
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
-  result.model_nx = coarse.nx;
-  result.model_ny = coarse.ny;
-  result.error_estimate = result.area_estimate = std::numeric_limits<double>::quiet_NaN();
-  result.left_out = left_out(p, blocks, given.surface, contact.work().surface.gap());
+  given.record.accuracy = {
+      sizeof(rc_accuracy), coarse.nx, coarse.ny, nan, nan, left_out(p, blocks, given.surface, contact.work().surface.gap())};
   result.status = found.status;
   set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
                    fine.ny, " points")

@@ -46,8 +46,7 @@ class AccuracyGoal {
                      std::optional<Estimate> estimate, bool with_gap);
   Found from_coarse_to_fine(GridContact& given, const rc_step& step, const Monitor& monitor, bool with_gap);
   bool look(GridContact& given, const rc_step& step, Found& found, Monitor& monitor, rc_result& result);
-  void deliver_stopped(const Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor,
-                       rc_result& result);
+  void deliver_stopped(Workspace& given, const rc_step& step, const Found& found, const Monitor& monitor, rc_result& result);
 
   std::vector<Grid> grids_;    // the finest first
   std::int64_t surface_ = -1;  // number of the given contact's surface that the grids show

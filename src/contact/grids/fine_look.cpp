@@ -65,6 +65,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   const Workspace& coarse = grid.halved.contact().work();
   // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
   rc_step at = RC_STEP_INIT;
+  at.control = RC_CONTROL_DISPLACEMENT;
   at.target = found.estimate->approach;
   at.warm_start = 0;
   found.status = RC_OK;
@@ -131,11 +132,12 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   result.levels = 0;
   add_work(result);
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
-  result.model_nx = coarse.system.given.nx;
-  result.model_ny = coarse.system.given.ny;
-  result.error_estimate = error;
-  result.area_estimate = of_area;
-  result.left_out = left_out(corrected.pressures, blocks, surface, coarse.surface.gap());
+  work.record.accuracy = {sizeof(rc_accuracy),
+                          coarse.system.given.nx,
+                          coarse.system.given.ny,
+                          error,
+                          of_area,
+                          left_out(corrected.pressures, blocks, surface, coarse.surface.gap())};
   set_message(join(rc_status_text(RC_WITHIN_GOAL), ": accuracy ", work.goal.error, ", estimated error of the ",
                    work.goal.of_area ? "area " : "load ", error, " from ", coarse.system.given.nx, "x", coarse.system.given.ny,
                    " of ", system.given.nx, "x", system.given.ny, " points")

@@ -31,21 +31,20 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
   step.control = request.control;
   step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
   step.warm_start = work.record.warm;
-  step.gap = request.gap;
+  step.undeformed_gap = request.undeformed_gap;
   step.mask = request.mask;
   rc_result result{};
   result.p = request.p;
   level.current = false;
   const rc_status status = level.contact->solve(step, result);
   if (const rc_status stop = monitor.ask(); stop != RC_OK) return stop;
-  request.approach = result.displacement;
+  request.approach = result.approach;
   if (!request.keep) {
     levels_.erase(system.nx * system.ny);
     return status;
   }
-  level.summary = {
-      sizeof(rc_level), nullptr,           status,         0, system.nx, system.ny, system.hx, system.hy, result.displacement,
-      result.load,      result.candidates, result.contacts};
+  level.summary = {sizeof(rc_level), nullptr,   status,          0,           system.nx,         system.ny,
+                   system.hx,        system.hy, result.approach, result.load, result.candidates, result.contacts};
   level.p.assign(request.p, request.p + system.nx * system.ny);
   level.current = true;
   return status;

@@ -1,6 +1,7 @@
 // Solutions on coarser grids that a solver asks for. Each grid is a contact of its own and is kept for the next step.
 #pragma once
 
+#include <roughcontact/history.h>
 #include <roughcontact/plugin.h>
 
 #include <cstdint>

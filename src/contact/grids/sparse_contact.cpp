@@ -53,7 +53,7 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   rc_screen request{};
   request.struct_size = sizeof request;
   request.approach = surface.limit_of(compression + margin);
-  request.gap = surface.gap().data();
+  request.undeformed_gap = surface.gap().data();
   request.mask = surface.mask();
   request.tile_lowest = surface.tile_lowest().data();
   request.y = y.data();
@@ -215,7 +215,7 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
 
   Monitor watch = monitor.silent();
   std::optional<Answer> answer;
-  if (const auto choice = choose_for_few(options, half.system, at.control, {})) {
+  if (const auto choice = choose_for_few(options, half.system, at.control)) {
     std::optional<Estimate> estimate = coarse_estimate(half, at, monitor);
     if (!estimate) return std::nullopt;
     answer = solve_few(half, {}, at, *choice, std::move(*estimate), watch);
@@ -234,8 +234,8 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
 
 std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
                                      std::optional<Estimate> estimate) {
-  if (step.p0) return std::nullopt;
-  const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control, work.record.failed);
+  if (step.p0 || !work.record.failed.empty()) return std::nullopt;
+  const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control);
   if (!choice) return std::nullopt;
   if (estimate && !few(count_positive(estimate->pressures.p), work.system.points())) return std::nullopt;
   if (!estimate) estimate = last_estimate(work, memory.last, step);

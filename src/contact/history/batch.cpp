@@ -47,14 +47,14 @@ struct Request {
       fail(RC_ERR_ARGUMENT, "rc_batch.control = ", given.control,
            " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
     given.target_stride = resolved_stride(given.target_stride, given.steps, given.n, "target_stride", "steps");
-    given.gap_stride = resolved_stride(given.gap_stride, points, given.n, "gap_stride", "nx*ny");
+    given.undeformed_gap_stride = resolved_stride(given.undeformed_gap_stride, points, given.n, "undeformed_gap_stride", "nx*ny");
     given.mask_stride = resolved_stride(given.mask_stride, points, given.n, "mask_stride", "nx*ny");
     if (given.n == 0 || given.steps == 0) return;
     if (given.n > most / std::max(given.steps, points))
       fail(RC_ERR_SHAPE, "rc_batch: n = ", given.n, " contacts of ", std::max(given.steps, points), " values are more than ",
            most, " values");
     if (!given.targets) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
-    if (!given.gap) fail(RC_ERR_ARGUMENT, "rc_batch.gap is null but n = ", given.n);
+    if (!given.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
   }
 
   double target(std::int64_t i, std::int64_t k) const { return given.targets[i * given.target_stride + k]; }
@@ -65,7 +65,7 @@ struct Request {
     step.warm_start = given.warm_start;
     step.target = target(i, k);
     if (k > 0) return step;  // later steps keep the surface of the first
-    step.gap = given.gap + i * given.gap_stride;
+    step.undeformed_gap = given.undeformed_gap + i * given.undeformed_gap_stride;
     step.mask = given.mask ? given.mask + i * given.mask_stride : nullptr;
     step.borrow = 1;  // the caller's arrays outlive the contacts
     step.p0 = given.p0 ? given.p0 + i * points : nullptr;
@@ -76,7 +76,7 @@ struct Request {
   void write(std::int64_t i, std::int64_t k, const rc_result& result) const {
     const std::int64_t at = i * given.steps + k;
     put(given.load, at, result.load);
-    put(given.displacement, at, result.displacement);
+    put(given.approach, at, result.approach);
     put(given.contact_area, at, result.contact_area);
     put(given.stiffness, at, result.stiffness);
     put(given.certificate, at, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
@@ -88,7 +88,7 @@ struct Request {
   void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
     rc_result none{};
     none.status = status;
-    none.load = none.displacement = none.contact_area = none.stiffness = nan;
+    none.load = none.approach = none.contact_area = none.stiffness = nan;
     none.kkt_primal = nan;  // std::max keeps a NaN that comes first, so the certificate is NaN
     none.iterations = none.applications = -1;
     for (; k < given.steps; ++k) write(i, k, none);

@@ -1,6 +1,8 @@
 // Many contacts on one system: threads share their histories.
 #pragma once
 
+#include <roughcontact/history.h>
+
 #include <cstdint>
 #include <string>
 

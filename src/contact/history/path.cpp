@@ -27,7 +27,7 @@ rc_step step_of(const rc_path& path, std::int64_t i) {
   step.warm_start = path.warm_start;
   step.target = path.targets[i];
   if (i == 0) {  // later steps keep the surface of the first
-    step.gap = path.gap;
+    step.undeformed_gap = path.undeformed_gap;
     step.mask = path.mask;
   }
   return step;
@@ -39,7 +39,7 @@ template <class Number> void put(Number* to, std::int64_t i, Number value) {
 
 void write_outputs(const rc_path& path, std::int64_t i, const rc_result& result) {
   put(path.load, i, result.load);
-  put(path.displacement, i, result.displacement);
+  put(path.approach, i, result.approach);
   put(path.contact_area, i, result.contact_area);
   put(path.stiffness, i, result.stiffness);
   put(path.certificate, i, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
@@ -76,7 +76,7 @@ rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& comple
     p.resize(static_cast<std::size_t>(contact.work().system.points()));
     gap.resize(p.size());
   }
-  bool within_goal = false;
+  std::string within_goal;  // what the last step said that was within its goal
   for (std::int64_t i = 0; i < path.n; ++i) {
     const rc_step step = step_of(path, i);
     rc_result result{};
@@ -91,7 +91,7 @@ rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& comple
     } catch (const Error& error) {
       fail(error.code(), where(path, i), ": ", error.what());
     }
-    within_goal = within_goal || status == RC_WITHIN_GOAL;
+    if (status == RC_WITHIN_GOAL) within_goal = last_message();
     if (status != RC_OK && status != RC_WITHIN_GOAL) {
       set_message(where(path, i).c_str(), last_message()[0] != '\0' ? last_message() : rc_status_text(status));
       return status;
@@ -103,7 +103,8 @@ rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& comple
       return RC_STOP_CANCELLED;
     }
   }
-  return within_goal ? RC_WITHIN_GOAL : RC_OK;
+  set_message(within_goal.c_str());
+  return within_goal.empty() ? RC_OK : RC_WITHIN_GOAL;
 }
 
 }  // namespace rc

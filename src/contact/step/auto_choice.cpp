@@ -1,14 +1,23 @@
 #include "contact/step/auto_choice.h"
 
+#include <unistd.h>
+
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <limits>
+#include <tuple>
 
 #include "core/error.h"
 
 namespace rc {
 
 namespace {
+
+// [s] A step that takes less has no use for plugins: opening them takes longer.
+constexpr double worth_opening = 7.5e-5;
+constexpr double usual_products = 100;  // of a solver that does not say what it costs
+
+constexpr std::int64_t least_dilute_points = 512 * 512;
+constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below
 
 const char* kind_of(const System& system) {
   if (system.given.op == RC_OPERATOR_DENSE) return "the caller's dense matrix";
@@ -21,37 +30,6 @@ bool fits(const rc_backend& backend, const System& system) {
 }
 bool factors(const rc_backend& backend) { return (backend.caps & RC_CAP_SUBSET) != 0; }
 
-// Operations of a direct solve: assembly, about six factorisations of a third of the candidates, and a certificate that sums over
-// contacts and points.
-double direct_cost(const Counts& c) {
-  const double n = static_cast<double>(c.candidates);
-  return 4 * n * n + 6 * std::pow(n / 3, 3) / 3 + 0.5 * n * static_cast<double>(c.points);
-}
-
-// Operations of about forty products by padded transforms on the box, and one on the grid.
-double transform_cost(const Counts& c) {
-  const auto product = [](double points) { return 2.5 * 4 * points * std::log2(4 * points + 1); };
-  return 40 * product(static_cast<double>(c.box)) + product(static_cast<double>(c.points));
-}
-
-constexpr double exact_tol = 1e-12;              // below this, iterations come near the limit of double precision
-constexpr std::int64_t exact_candidates = 4096;  // up to which an exact solve is always affordable
-
-// A factoring backend with an exact solver, or iterations on a matrix-free one.
-bool prefers_direct(const Counts& counts) {
-  if (counts.tol < exact_tol && counts.candidates <= exact_candidates) return true;
-  return direct_cost(counts) <= transform_cost(counts);
-}
-
-constexpr std::int64_t least_dilute_points = 512 * 512;
-constexpr double least_approximate_tol = 1e-9;  // two digits above what approximate products are good for
-constexpr double few_share = 0.05;              // of the grid's points: products that cost by the contact are cheaper below
-
-// Contacts so sparse in their bounding box that products which cost by the contact are cheaper than transforms of the box.
-bool dilute(const Counts& counts) {
-  return counts.points >= least_dilute_points && counts.tol >= least_approximate_tol && 8 * counts.candidates <= counts.box;
-}
-
 std::string describe(const std::vector<std::string>& reasons) {
   std::string text;
   for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
@@ -62,63 +40,194 @@ bool contains(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The backends that "auto" chooses between, one of each kind.
-struct Kinds {
-  const rc_backend *direct = nullptr, *matrix_free = nullptr, *approximate = nullptr;
+double machine_bytes() {
+  static const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  return bytes > 0 ? bytes : std::numeric_limits<double>::infinity();
+}
 
-  template <class Usable> Kinds(const std::vector<const Component<rc_backend>*>& all, const Usable& usable) {
-    const auto repeats = [](const rc_backend& backend) { return (backend.caps & RC_CAP_THREAD_INVARIANT) != 0; };
-    for (const auto* component : all) {
-      const rc_backend& backend = component->vtable;
-      if (!usable(backend)) continue;
-      const bool rough = (backend.caps & RC_CAP_APPROXIMATE) != 0;
-      const rc_backend*& slot = rough ? approximate : factors(backend) ? direct : matrix_free;
-      // Among equals the first by name, but before it one whose results do not depend on the number of threads.
-      if (!slot || (!rough && !repeats(*slot) && repeats(backend))) slot = &backend;
+// A pair, or a backend that no solver can use.
+struct Candidate {
+  const rc_solver* solver = nullptr;
+  const rc_backend* backend = nullptr;
+  double seconds = 0, bytes = 0;
+  bool scored = false;   // both say what they cost
+  bool repeats = true;   // its bits do not depend on threads, or may
+  std::string obstacle;  // why it cannot be chosen; "" if it can
+
+  bool operator<(const Candidate& other) const { return rank() < other.rank(); }
+
+ private:
+  std::tuple<bool, bool, bool, double> rank() const { return {!obstacle.empty(), !scored, !repeats, seconds}; }
+};
+
+using Backends = std::vector<const rc_backend*>;
+using Solvers = std::vector<const rc_solver*>;
+
+template <class Vtable> std::vector<const Vtable*> tables(const std::vector<const Component<Vtable>*>& components) {
+  std::vector<const Vtable*> result;
+  for (const auto* component : components) result.push_back(&component->vtable);
+  return result;
+}
+
+bool can(const std::vector<Candidate>& list) { return !list.empty() && list.front().obstacle.empty(); }
+
+struct Question {
+  const rc_options& options;
+  const System& system;
+  const StepFacts& facts;
+  const std::vector<std::string>& failed;
+  const bool explain;  // obstacles come with their text, and what cannot be chosen is listed as well
+  // A look is for steps that come near soon, whatever solves the problem.
+  const rc_solver* const solver =
+      options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
+  const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";
+  const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0, deterministic = options.integer(RC_OPT_DETERMINISTIC) != 0;
+
+  // Every pair of these, the best first.
+  std::vector<Candidate> pairs(const Backends& backends, const Solvers& solvers) const {
+    std::vector<Candidate> list;
+    for (const rc_backend* backend : backends) add(*backend, solvers, list);
+    std::stable_sort(list.begin(), list.end());  // components come by name
+    return list;
+  }
+
+  // With this backend or, for null, with any. Plugins are opened only where what is built in takes longer than that or cannot do
+  // it, and all of them only where nothing else can.
+  std::vector<Candidate> pairs(const rc_backend* backend) const {
+    Context& context = *options.context;
+    const auto solvers = [&](std::int64_t points) { return solver ? Solvers{solver} : tables(context.solvers_for_auto(points)); };
+    std::vector<Candidate> list;
+    for (const std::int64_t points : {std::int64_t{0}, system.points()}) {
+      list = pairs(backend ? Backends{backend} : tables(context.backends_for_auto(points)), solvers(points));
+      if (can(list) && (backend || list.front().seconds <= worth_opening)) return list;
     }
+    return can(list) || backend ? list : pairs(tables(context.backends()), solvers(system.points()));
+  }
+
+  // All that are in question, the best first. missing: why a named backend is not there.
+  std::vector<Candidate> ranked(std::optional<Error>* missing = nullptr) const {
+    if (any_backend) return pairs(nullptr);
+    std::vector<Candidate> all;
+    for (const std::string& name : split(options.text(RC_OPT_BACKEND), ',')) {
+      try {
+        std::vector<Candidate> list = pairs(&options.context->backend(name));
+        if (can(list)) return list;
+        all.insert(all.end(), list.begin(), list.end());
+      } catch (const Error& error) {
+        if (missing && !*missing) *missing = error;
+      }
+    }
+    return all;
+  }
+
+ private:
+  template <class... Parts>
+  void leave(std::vector<Candidate>& list, const rc_solver* by, const rc_backend& backend, const Parts&... why) const {
+    if (explain) list.push_back({.solver = by, .backend = &backend, .obstacle = join(why...)});
+  }
+
+  // Whether the component says what it costs; one that refuses has set the message.
+  template <class Vtable> static bool says(const Vtable& component, const rc_facts& given, rc_estimate& estimate, bool& refuses) {
+    estimate.struct_size = sizeof estimate;
+    refuses = component.score && component.score(&given, &estimate) != RC_OK;
+    return component.score && !refuses;
+  }
+
+  // What a backend costs that does not say so: products entry by entry.
+  rc_estimate entry_by_entry() const {
+    constexpr double entry = 1e-9;  // [s]
+    const auto n = static_cast<double>(facts.candidates), points = static_cast<double>(system.points());
+    return {.product = entry * n * n, .field = entry * n * points, .factor = entry * n * n * n / 81};
+  }
+
+  void add(const rc_backend& backend, const Solvers& solvers, std::vector<Candidate>& list) const {
+    if (!fits(backend, system))
+      return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot do ", kind_of(system));
+    if (facts.few && (backend.caps & RC_CAP_SCREEN) == 0) return leave(list, nullptr, backend, "does not screen other points");
+    if (contains(failed, backend.name)) return leave(list, nullptr, backend, "has failed");
+    rc_estimate cost{};
+    rc_facts given{.struct_size = sizeof given,
+                   .host = &options.context->host(),
+                   .options = &options,
+                   .system = &system.unit,
+                   .n = facts.candidates,
+                   .box = facts.box,
+                   .tol = facts.tol,
+                   .partial = facts.partial};
+    bool refuses = false;
+    const bool scored = says(backend, given, cost, refuses);
+    if (refuses && any_backend) return leave(list, nullptr, backend, last_message());
+    if (!scored) cost = entry_by_entry();
+    given.backend = &cost;
+    given.caps = backend.caps;
+    for (const rc_solver* each : solvers) add(*each, backend, given, scored, list);
+  }
+
+  void add(const rc_solver& by, const rc_backend& backend, const rc_facts& given, bool scored,
+           std::vector<Candidate>& list) const {
+    if (contains(failed, by.name)) return leave(list, &by, backend, "has failed");
+    if (const std::string why = obstacle(by, backend, system, facts.control, fallbacks); !why.empty())
+      return leave(list, &by, backend, why);
+    rc_estimate whole{};
+    bool refuses = false;
+    const bool known = says(by, given, whole, refuses);
+    if (refuses && !solver) return leave(list, &by, backend, last_message());
+    if (!known) whole.seconds = given.backend->seconds + usual_products * given.backend->product + given.backend->field;
+    whole.bytes += given.backend->bytes;
+    if (any_backend && whole.bytes > machine_bytes())
+      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ", machine_bytes());
+    if (!(whole.seconds >= 0)) return leave(list, &by, backend, "its estimate on ", backend.name, " is not a time");
+    const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic;
+    list.push_back({&by, &backend, whole.seconds, whole.bytes, scored && known, repeats, {}});
   }
 };
 
-// The first of the named backends that can be used; by counts for "auto".
-const rc_backend& choose_backend(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
-                                 const rc_solver* solver, const std::vector<std::string>& failed) {
-  const std::string& wanted = options.text(RC_OPT_BACKEND);
-  const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0;
-  const auto reason = [&](const rc_backend& backend) {
-    if (solver) return obstacle(*solver, backend, system, control, fallbacks);
-    return fits(backend, system) ? std::string() : join("backend \"", backend.name, "\" cannot do ", kind_of(system));
-  };
-  if (wanted != "auto") {
+// What components say in between is no failure.
+std::vector<Candidate> answered(const Question& question, std::optional<Error>* missing = nullptr) {
+  std::vector<Candidate> all = question.ranked(missing);
+  clear_message();
+  return all;
+}
+
+// Throws what is in the way of every pair.
+[[noreturn]] void refuse(const Question& question) {
+  std::optional<Error> missing;
+  const std::vector<Candidate> all = answered(question, &missing);
+  if (!question.any_backend) {
+    if (missing && all.empty()) throw *missing;
     std::vector<std::string> reasons;
-    std::optional<Error> missing;
-    for (const std::string& name : split(wanted, ',')) {
-      try {
-        const rc_backend& backend = options.context->backend(name);
-        reasons.push_back(reason(backend));
-        if (reasons.back().empty()) return backend;
-      } catch (const Error& error) {
-        if (!missing) missing = error;
-      }
-    }
-    if (missing && reasons.empty()) throw *missing;
+    for (const Candidate& each : all)
+      if (!contains(reasons, each.obstacle.c_str())) reasons.push_back(each.obstacle);
     if (missing) reasons.push_back(missing->what());
     fail(RC_ERR_INCOMPATIBLE, describe(reasons));
   }
-  const auto usable = [&](const rc_backend& backend) { return reason(backend).empty() && !contains(failed, backend.name); };
-  // Plugins are opened only where what is built in cannot do as well, and all of them only where nothing else can do it at all.
-  Kinds found(options.context->backends_for_auto(false), usable);
-  const bool enough = system.halfspace() ? found.direct && prefers_direct(counts) : found.direct || found.matrix_free;
-  if (!enough) found = Kinds(options.context->backends_for_auto(true), usable);
-  if (!found.direct && !found.matrix_free) found = Kinds(options.context->backends(), usable);
-  if (!found.direct && !found.matrix_free)
-    fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(system), solver ? " with this solver" : "", "; is a plugin missing?");
-  if (!found.matrix_free || (found.direct && prefers_direct(counts))) return *found.direct;
-  return found.approximate && dilute(counts) ? *found.approximate : *found.matrix_free;
+  const bool usable = std::any_of(all.begin(), all.end(), [](const Candidate& each) { return each.solver != nullptr; });
+  if (usable && !question.solver) fail(RC_ERR_NO_SOLVER, "every solver that suits ", kind_of(question.system), " has failed");
+  fail(RC_ERR_NO_BACKEND, "no backend can do ", kind_of(question.system), question.solver ? " with this solver" : "",
+       "; is a plugin missing?");
+}
+
+// Two digits are enough of an estimate.
+std::string cost_of(const Candidate& pair) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(2);
+  out << pair.seconds << " s, " << pair.bytes / 1048576 << " MiB";
+  return out.str();
+}
+
+// One line, without the end of it.
+std::string line_of(const Candidate& pair, const Candidate& taken) {
+  if (!pair.obstacle.empty()) return join(pair.solver ? pair.solver->name : pair.backend->name, ": ", pair.obstacle);
+  const char* const why = &pair == &taken                  ? "taken"
+                          : !pair.scored && taken.scored   ? "does not say what it costs"
+                          : !pair.repeats && taken.repeats ? "its bits depend on threads, and deterministic is 1"
+                          : pair.seconds > taken.seconds   ? "slower"
+                                                           : "later by name";
+  return join(pair.solver->name, " on ", pair.backend->name, ": ", cost_of(pair), ", ", why);
 }
 
 }  // namespace
-
-const char* suited(bool factors, bool grid) { return factors ? "nnls" : grid ? "haar-cg" : "polonsky-keer"; }
 
 std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks) {
   const auto lacks = [&](std::uint64_t operation) { return !fallbacks && (solver.needs & operation & ~capabilities) != 0; };
@@ -144,21 +253,41 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
   return {};
 }
 
-Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
-              const std::vector<std::string>& failed) {
-  Choice choice;
-  const std::string& wanted = options.text(RC_OPT_SOLVER);
-  if (wanted != "auto") choice.solver = &options.context->solver(wanted);
-  choice.backend = &choose_backend(options, system, control, counts, choice.solver, failed);
-  if (!choice.solver) {
-    const bool direct = factors(*choice.backend) && (prefers_direct(counts) || system.given.op == RC_OPERATOR_DENSE);
-    const char* name = suited(direct, system.halfspace());
-    for (const char* next : {"nnls", "polonsky-keer"})
-      if (contains(failed, name)) name = next;
-    if (contains(failed, name)) fail(RC_ERR_NO_SOLVER, "every solver that suits ", kind_of(system), " has failed");
-    choice.solver = &options.context->solver(name);
+Choice choose(const rc_options& options, const System& system, const StepFacts& facts, const std::vector<std::string>& failed) {
+  const std::vector<Candidate> all = answered({options, system, facts, failed, false});
+  if (!can(all)) refuse({options, system, facts, failed, true});
+  return {all.front().solver, all.front().backend, facts};
+}
+
+const rc_solver& solver_inside(const rc_options& options, const System& system, const StepFacts& facts,
+                               const rc_backend& backend) {
+  const std::vector<std::string> none;
+  const Question question{options, system, facts, none, false, nullptr, false};
+  const std::vector<Candidate> all = question.pairs({&backend}, tables(options.context->solvers_for_auto(0)));
+  clear_message();
+  if (!can(all)) fail(RC_ERR_NO_SOLVER, "no solver suits backend \"", backend.name, "\"");
+  return *all.front().solver;
+}
+
+std::string explained(const rc_options& options, const System& system, const Choice& choice,
+                      const std::vector<std::string>& failed) {
+  const StepFacts& facts = choice.facts;
+  const Question question{options, system, facts, failed, true};
+  std::vector<Candidate> all = answered(question);
+  std::string text = join(facts.candidates, " of ", system.points(), " points may carry pressure, in a box of ", facts.box,
+                          ", tol = ", facts.tol, "\n");
+  const auto taken = std::find_if(all.begin(), all.end(), [&](const Candidate& each) {
+    return each.solver == choice.solver && each.backend == choice.backend;
+  });
+  if (taken == all.end()) return text;
+  std::rotate(all.begin(), taken, taken + 1);
+  for (const Candidate& each : all) {
+    const std::string line = line_of(each, all.front()) + "\n";
+    if (text.find("\n" + line) == std::string::npos) text += line;
   }
-  return choice;
+  if (question.any_backend && all.front().seconds <= worth_opening)
+    text += "plugins: left alone, since to open them takes longer\n";
+  return text;
 }
 
 const rc_backend& certifying_backend(const std::string& name, const rc_options& options, const System& system) {
@@ -173,29 +302,20 @@ bool few(std::int64_t contacts, std::int64_t points) {
   return contacts > 0 && static_cast<double>(contacts) <= few_share * static_cast<double>(points);
 }
 
-std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control,
-                                     const std::vector<std::string>& failed) {
+std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control) {
   if (!system.halfspace() || system.periodic() || !system.positive || system.points() < least_dilute_points ||
       options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
-      !options.text(RC_OPT_CERTIFY_BACKEND).empty())
+      !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_BACKEND).find(',') != std::string::npos)
     return std::nullopt;
-  Choice choice;
-  choice.solver = &options.context->solver(suited(false, true));
-  if (contains(failed, choice.solver->name)) return std::nullopt;
-  const std::string& wanted = options.text(RC_OPT_BACKEND);
-  std::vector<const rc_backend*> candidates;
-  if (wanted != "auto") {
-    if (wanted.find(',') == std::string::npos) candidates = {&options.context->backend(wanted)};
-  } else if (options.real(RC_OPT_TOL) >= least_approximate_tol) {
-    for (const auto* component : options.context->backends_for_auto(true)) candidates.push_back(&component->vtable);
-  }
-  for (const rc_backend* backend : candidates) {
-    if (!(backend->caps & RC_CAP_SCREEN) || contains(failed, backend->name)) continue;
-    if (!obstacle(*choice.solver, *backend, system, control, options.integer(RC_OPT_ALLOW_FALLBACK) != 0).empty()) continue;
-    choice.backend = backend;
-    return choice;
-  }
-  return std::nullopt;
+  const StepFacts facts{.control = control,
+                        .candidates = static_cast<std::int64_t>(few_share * static_cast<double>(system.points())),
+                        .box = system.points(),
+                        .tol = options.real(RC_OPT_TOL),
+                        .few = true};
+  const std::vector<std::string> none;
+  const std::vector<Candidate> all = answered({options, system, facts, none, false});
+  if (!can(all)) return std::nullopt;
+  return Choice{all.front().solver, all.front().backend, facts};
 }
 
 }  // namespace rc

@@ -1,4 +1,5 @@
-// Which solver and which backend: as named, or by counts. Never by clocks, so that the choice can be repeated.
+// Which solver and which backend: as named, or the pair that says it needs least time. By counts and never by clocks, so that the
+// choice can be repeated.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -13,20 +14,21 @@
 
 namespace rc {
 
-struct Counts {
+// What is known of a step before it is solved.
+struct StepFacts {
+  std::int32_t control = RC_CONTROL_DISPLACEMENT;
   std::int64_t candidates = 0;  // points of the trial set
   std::int64_t box = 0;         // points of its bounding box
-  std::int64_t points = 0;      // points of the grid
   double tol = 0;
+  bool partial = false;  // the solver is stopped after some steps, for the pressures that it has by then
+  bool few = false;      // the backend must screen the points that it does not look at
 };
 
 struct Choice {
   const rc_solver* solver = nullptr;
   const rc_backend* backend = nullptr;
+  StepFacts facts;  // for which they were chosen
 };
-
-// The solver that "auto" stands for: on a backend that factors or does not, with unknowns on a grid or without.
-const char* suited(bool factors, bool grid);
 
 // Why this solver cannot run on a backend with these capabilities; "" if it can.
 std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks);
@@ -36,16 +38,23 @@ std::string obstacle(const rc_solver& solver, const rc_backend& backend, const S
                      bool fallbacks);
 
 // Throws Error(NO_SOLVER, NO_BACKEND, INCOMPATIBLE, PLUGIN). "auto" passes over the names of components that failed.
-Choice choose(const rc_options& options, const System& system, std::int32_t control, const Counts& counts,
+Choice choose(const rc_options& options, const System& system, const StepFacts& facts,
               const std::vector<std::string>& failed = {});
+
+// What "auto" stands for inside another solver, on that solver's backend.
+const rc_solver& solver_inside(const rc_options& options, const System& system, const StepFacts& facts,
+                               const rc_backend& backend);
+
+// The text of rc_contact_explain.
+std::string explained(const rc_options& options, const System& system, const Choice& choice,
+                      const std::vector<std::string>& failed);
 
 // The backend named for the certificate. Throws Error(NO_BACKEND, INCOMPATIBLE, PLUGIN).
 const rc_backend& certifying_backend(const std::string& name, const rc_options& options, const System& system);
 
 // For a step whose contact may be far sparser than its candidates: a backend that screens the points it does not look at, and the
 // solver for the others. Nothing where the options name others, or the grid is too small for that to pay.
-std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control,
-                                     const std::vector<std::string>& failed);
+std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control);
 // Whether contacts this dense are still few.
 bool few(std::int64_t contacts, std::int64_t points);
 

@@ -137,7 +137,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   const bool given = step.control == RC_CONTROL_DISPLACEMENT;
   const double limit = given ? step.target : surface.limit_of(compression);
   result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
-  result.displacement = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
+  result.approach = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
   result.mean_pressure = sum / static_cast<double>(system.points());
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = energy * area;
@@ -146,13 +146,11 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.kkt_complementarity = certificate.complementarity;
   result.kkt_control = certificate.control;
   result.tolerance = work.options.real(RC_OPT_TOL);
-  result.model_nx = system.given.nx;
-  result.model_ny = system.given.ny;
-  result.error_estimate = result.area_estimate = work.goal.error > 0 ? 0 : nan;
-  result.left_out = 0;
+  const double estimate = work.goal.error > 0 ? 0 : nan;
+  work.record.accuracy = {sizeof(rc_accuracy), system.given.nx, system.given.ny, estimate, estimate, 0};
   bounds.write(result);
   write_note(work, compression, result);
-  return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_STOP_UNCERTIFIED;
+  return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_UNCERTIFIED;
 }
 
 void count_work(const Workspace& work, const Monitor& monitor, rc_result& result) {

@@ -24,7 +24,7 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
 // The compression at which the mean of the gap, weighted by the pressures, vanishes.
 double fitting_compression(const Workspace& work, const Deflected& answer);
-// Writes certificate, bounds and all that follows from pressures and product. Returns RC_OK or RC_STOP_UNCERTIFIED.
+// Writes certificate, bounds and all that follows from pressures and product. Returns RC_OK or RC_UNCERTIFIED.
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result);
 void name_components(Workspace& work, const Answer& answer, rc_result& result);
 void count_work(const Workspace& work, const Monitor& monitor, rc_result& result);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/conjugate_gradients.h"
 #include "core/error.h"
 #include "core/stall.h"
 #include "core/sums.h"
@@ -14,69 +16,151 @@ namespace {
 constexpr int patience = 20;     // steps without a smaller residual, after which round-off is all that is left
 constexpr double smaller = 0.9;  // of the smallest residual before
 
+constexpr double single_error = 2e-6;  // of a product in single precision, relative, at most
+constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
+constexpr double rounding = 1e-12;     // what those in double precision add in all, over |b|, at most
+
+constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, from which on the trees have the points alone
+constexpr float sharp = 2;         // differences in the finest blocks, over those of haar-cg: no other level counts them
+constexpr double heavy = 4;        // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
+constexpr double turned = 0.36;    // of the grid's sides, by which the second pair of trees begins elsewhere
+
 double dot(std::span<const double> a, std::span<const double> b) {
   return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }
 
+rc_status product_of(Operator& op, const double* x, double* y) { return op.apply(x, y); }
+rc_status product_of(Operator& op, const float* x, float* y) { return op.apply_float(x, y); }
+
+// An odd number of cells, so that blocks are cut on every level.
+std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned * static_cast<double>(n)) | 1; }
+
 }  // namespace
 
-ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set, rc_grid grid, double lowest,
+// Periodic trees see no neighbours across the grid's sides: a second pair, whose sides lie elsewhere, does. Over few points it
+// costs little.
+ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest,
                                  const rc_team& team, const Coefficients& coefficients)
-    : op_(op),
-      team_(team),
-      set_(set.begin(), set.end()),
-      active_(set.size(), 1),
-      spread_(static_cast<std::size_t>(op.trial().n), 0.0),
-      product_(spread_.size()) {
-  std::vector<std::int64_t> points(set.size());
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = op.trial().point(set[i]);
-  grid.index = points.data();
-  const TreeInputs on = tree_inputs(grid, static_cast<std::int64_t>(points.size()), coefficients);
-  mean_ = on.mean;
-  lowest_ = mean_ > 0 ? std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny)) : lowest;
-  trees_.emplace(on.cells, on.table);
-  memory_.reset(new std::byte[trees_->bytes()]);
-  trees_->place(memory_.get());
-  trees_->set_up(active_.data(), 0, team_);
+    : op_(op), team_(team), set_(set.begin(), set.end()), lowest_(lowest) {
+  TreeInputs inputs = tree_inputs(grid, grid.nx * grid.ny, coefficients);
+  if (inputs.mean > 0) {
+    mean_ = heavy * inputs.mean;
+    for (double& value : inputs.table.k) value += mean_ - inputs.mean;
+    lowest_ = std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny));
+  }
+  trees_.push_back(trees_at(inputs, 0, 0));
+  const bool scattered = trees_.front().place.size() == trees_.front().active.size();
+  if (mean_ > 0 || scattered) trees_.push_back(trees_at(inputs, turn_of(inputs.cells.mx), turn_of(inputs.cells.my)));
+}
+
+// inputs: of the whole grid. x, y: where its first cell comes to lie; what is periodic comes back on the other side.
+ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
+  const bool around = inputs.mean > 0;
+  const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my, width = around ? nx : nx + x, height = around ? ny : ny + y;
+  std::vector<std::size_t> place;
+  for (const std::int64_t position : set_) {
+    const std::int64_t point = op_.trial().point(position);
+    place.push_back(static_cast<std::size_t>((point / nx + y) % height * width + (point % nx + x) % width));
+  }
+  Cells cells{width, height, {}, {}};
+  const auto all = static_cast<std::size_t>(width * height);
+  std::vector<std::uint8_t> active(all < sparse * place.size() ? all : 0);
+  if (active.empty()) {
+    std::vector<std::size_t> sorted = place;
+    std::sort(sorted.begin(), sorted.end());
+    for (const std::size_t at : sorted) {
+      cells.x.push_back(static_cast<std::int32_t>(at % static_cast<std::size_t>(width)));
+      cells.y.push_back(static_cast<std::int32_t>(at / static_cast<std::size_t>(width)));
+    }
+    for (std::size_t& at : place)
+      at = static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), at) - sorted.begin());
+    active.resize(place.size());
+  }
+  for (const std::size_t at : place) active[at] = 1;
+  const std::vector<float> none(active.size());
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp), std::move(place), std::move(active), none, none, nullptr};
+  trees.memory.reset(new std::byte[trees.pair.bytes()]);
+  trees.pair.place(trees.memory.get());
+  trees.pair.set_up(trees.active.data(), 0, team_);
+  return trees;
 }
 
 // q = A t
-rc_status ContactSetSolve::multiply(const std::vector<double>& t, std::vector<double>& q) {
-  for (std::size_t k = 0; k < t.size(); ++k) spread_[static_cast<std::size_t>(set_[k])] = t[k];
-  if (const rc_status status = op_.apply(spread_.data(), product_.data()); status != RC_OK) return status;
+template <class Real> rc_status ContactSetSolve::multiply(std::span<const double> t, std::span<double> q) {
+  auto& [spread, product] = std::get<Vectors<Real>>(vectors_);
+  spread.resize(static_cast<std::size_t>(op_.trial().n));
+  product.resize(spread.size());
+  for (std::size_t k = 0; k < t.size(); ++k) spread[static_cast<std::size_t>(set_[k])] = static_cast<Real>(t[k]);
+  const rc_status status = product_of(op_, spread.data(), product.data());
   const double shift = mean_ > 0 ? mean_ * sum_of(t.size(), [&](std::size_t k) { return t[k]; }) : 0;
-  for (std::size_t k = 0; k < t.size(); ++k) q[k] = product_[static_cast<std::size_t>(set_[k])] + shift;
+  for (std::size_t k = 0; k < t.size(); ++k) q[k] = static_cast<double>(product[static_cast<std::size_t>(set_[k])]) + shift;
+  return status;
+}
+
+// z = M r / unit, M the sum of all trees
+void ContactSetSolve::precondition(std::span<const double> r, double unit, std::span<double> z) {
+  std::fill(z.begin(), z.end(), 0.0);
+  for (Trees& trees : trees_) {
+    for (std::size_t i = 0; i < r.size(); ++i) trees.g[trees.place[i]] = static_cast<float>(r[i] / unit);
+    trees.pair.apply<float>(trees.g.data(), trees.active.data(), trees.p.data(), nullptr, team_);
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] += static_cast<double>(trees.p[trees.place[i]]);
+  }
+}
+
+rc_status ContactSetSolve::operator()(std::span<const double> b, double tol, std::span<double> x,
+                                      std::span<ContactSetBound> bounds) {
+  const std::size_t n = set_.size();
+  for (std::size_t k = 0; k < bounds.size(); ++k)
+    if (const rc_status status = solve(b.subspan(k * n, n), tol, x.subspan(k * n, n), bounds[k]); status != RC_OK) return status;
   return RC_OK;
 }
 
-// From x = 0 every iterate has the least energy of all combinations of the directions so far, so b'x = b'A^-1 b - |e|^2 in the
-// norm of the energy, e the error of x; and |e|^2 = r'A^-1 r <= r'r / lowest. What the residual r = b - A x is off by
-// orthogonality lost to rounding, b'x + r'x makes good to first order.
-rc_status ContactSetSolve::operator()(std::span<const double> b, const Enough& enough, std::span<double> x, double& form) {
-  const std::size_t n = set_.size();
-  std::vector<double> r(b.begin(), b.end()), t(n, 0.0), q(n), z(n);
-  std::fill(x.begin(), x.end(), 0.0);
-  Stall stalled(smaller * smaller, patience);
-  double curvature = 0;
-  for (;;) {
-    const double rr = dot(r, r);
-    form = dot(b, x) + dot(r, x);
-    if (rr == 0 || enough(form, rr / lowest_)) return RC_OK;
-    if (stalled(rr)) return RC_STOP_STALLED;
-    // beta from the product, not from norms: the trees work in single precision, so each step is made conjugate to the last only.
-    const double zq = trees_->apply(r.data(), active_.data(), z.data(), curvature > 0 ? q.data() : nullptr, team_);
-    const double beta = curvature > 0 ? -zq / curvature : 0;
-    for (std::size_t i = 0; i < n; ++i) t[i] = z[i] + beta * t[i];
-    if (const rc_status status = multiply(t, q); status != RC_OK) return status;
-    curvature = dot(t, q);
-    if (!(curvature > 0))
-      fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", curvature, " on a set of ", n, " points");
-    const double length = dot(r, t) / curvature;
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] += length * t[i];
-      r[i] -= length * q[i];
+rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
+  const double size = std::sqrt(dot(b, b));
+  std::vector<double> r(b.begin(), b.end()), z(b.size());
+  bound = {};
+  if (std::any_of(x.begin(), x.end(), [](double value) { return value != 0; })) {
+    if (const rc_status status = multiply<double>(x, z); status != RC_OK) return status;
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] -= z[i];
+    if (!(dot(r, r) < size * size)) {  // no better than nothing
+      std::copy(b.begin(), b.end(), r.begin());
+      std::fill(x.begin(), x.end(), 0.0);
     }
   }
+  if (size == 0) return RC_OK;
+  // All residuals are over |b|. Products in single precision are relative to what is left of it: the later, the less they add.
+  const bool has_single = (op_.capabilities() & RC_CAP_FLOAT) != 0;
+  bool single = false, stalled = false;
+  double last = 0, drifted = 0;
+  Stall stalls(smaller, patience);
+  const auto enough = [&](int, double rr) {
+    const double now = std::sqrt(rr);
+    if (single) drifted += single_error * (last + now);
+    last = now;
+    single = has_single && single_error * now <= drift * tol && drifted <= 10 * drift * tol;
+    bound.residual = size * (now + drifted + rounding);
+    if (now + drifted + rounding <= tol) return true;
+    return stalled = now < rounding || stalls(now);
+  };
+  // beta from the product, not from norms: the trees work in single precision, so each step is made conjugate to the last only.
+  const auto turn = [&](int step, double, const std::vector<double>& q, std::vector<double>& t) {
+    precondition(r, size, z);
+    const double beta = step > 0 ? -dot(z, q) / dot(t, q) : 0;
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = z[i] + beta * t[i];
+    return dot(r, t) / size;
+  };
+  const auto multiply_by = [&](const std::vector<double>& t, std::vector<double>& q) {
+    return single ? multiply<float>(t, q) : multiply<double>(t, q);
+  };
+  const ConjugateGradientsEnd end = conjugate_gradients(x, r, size, sum_of, multiply_by, enough, turn);
+  if (end.status != 0) return end.status;
+  if (!end.definite())
+    fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", end.curvature, " on a set of ", set_.size(),
+         " points");
+  // 2 b'x - x'A x = b'A^-1 b - e'A e, e the error of x; and e'A e = r'A^-1 r <= r'r / lowest.
+  bound.form = dot(b, x) + dot(r, x);
+  bound.error = bound.residual * bound.residual / lowest_ + (drifted + rounding) * size * std::sqrt(dot(x, x));
+  return stalled ? RC_STOP_STALLED : RC_OK;
 }
 
 }  // namespace rc

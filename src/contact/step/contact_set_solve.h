@@ -6,10 +6,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "operator/operator.h"
@@ -18,34 +17,52 @@
 
 namespace rc {
 
+// What is known of a solution x.
+struct ContactSetBound {
+  double residual = 0;  // |b - A x| is at most that
+  double form = 0;      // b'A^-1 b
+  double error = 0;     // of the form, at most: that of x in the norm of the energy, squared, and round-off
+};
+
 class ContactSetSolve {
  public:
   // set: ascending positions in the operator's trial set. grid: the operator's, without an index. lowest: a bound from below of
   // the eigenvalues of H, > 0; where it is periodic, of those of all waves but the mean. `op` and `team` must outlive it.
-  ContactSetSolve(Operator& op, std::span<const std::int64_t> set, rc_grid grid, double lowest, const rc_team& team,
+  ContactSetSolve(Operator& op, std::span<const std::int64_t> set, const rc_grid& grid, double lowest, const rc_team& team,
                   const Coefficients& coefficients);
 
   // 0 but where the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
   double mean() const { return mean_; }
 
-  // enough(form, error): whether form = b'A^-1 b is known well enough; it is too small, by less than `error`, but for round-off.
-  // The same error bounds that of x, squared, in the norm of the energy.
-  using Enough = std::function<bool(double form, double error)>;
-  // x: answer out. RC_STOP_STALLED where round-off keeps the error above what is enough, or a status with which a product ended.
-  // Throws where H is not positive definite (NUMERIC).
-  rc_status operator()(std::span<const double> b, const Enough& enough, std::span<double> x, double& form);
+  // For as many right-hand sides as there are bounds, one after the other in b: until |b - A x| <= tol |b|. x: starts in, zeros
+  // where none is known; answers out. RC_STOP_STALLED where round-off may keep a residual larger, or a status with which a
+  // product ended. Throws where H is not positive definite (NUMERIC).
+  rc_status operator()(std::span<const double> b, double tol, std::span<double> x, std::span<ContactSetBound> bounds);
 
  private:
-  rc_status multiply(const std::vector<double>& t, std::vector<double>& q);
+  // Two trees over every cell of the grid, or over the points of the set alone.
+  struct Trees {
+    HaarTreePair pair;
+    std::vector<std::size_t> place;  // of each point of the set
+    std::vector<std::uint8_t> active;
+    std::vector<float> g, p;  // what they are given, and what they make of it
+    std::unique_ptr<std::byte[]> memory;
+  };
+  template <class Real> struct Vectors {
+    std::vector<Real> t, q;  // on the trial set
+  };
+
+  Trees trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const;
+  rc_status solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
+  template <class Real> rc_status multiply(std::span<const double> t, std::span<double> q);
+  void precondition(std::span<const double> r, double unit, std::span<double> z);
 
   Operator& op_;
   const rc_team& team_;
   std::vector<std::int64_t> set_;
   double mean_ = 0, lowest_ = 0;  // lowest_: bound of the eigenvalues of A
-  std::optional<HaarTreePair> trees_;
-  std::unique_ptr<std::byte[]> memory_;  // of the trees
-  std::vector<std::uint8_t> active_;
-  std::vector<double> spread_, product_;  // on the trial set
+  std::vector<Trees> trees_;
+  std::tuple<Vectors<float>, Vectors<double>> vectors_;
 };
 
 }  // namespace rc

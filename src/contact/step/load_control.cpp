@@ -55,7 +55,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
     const double depth = std::max(answer.compression, 1e-3 * d), physical = lowest + answer.compression * answer.length_unit;
     const rc_status solved = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
     // Pressures of less than the accuracy asked for still tell where the load is.
-    if (solved != RC_OK && solved != RC_STOP_STALLED && solved != RC_STOP_UNCERTIFIED) return solved;
+    if (solved != RC_OK && solved != RC_STOP_STALLED && solved != RC_UNCERTIFIED) return solved;
     double sum = 0;
     contact.clear();
     for (std::size_t i = 0; i < n; ++i) {

@@ -30,7 +30,7 @@ namespace {
 
 // Throws where this solver cannot run inside this run.
 void require(const rc_solver& solver, const SolverRun& run, const char* as) {
-  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.gap)
+  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.undeformed_gap)
     fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
@@ -127,8 +127,11 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
                       double* product) {
   SolverRun& run = outer.run;
   if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
-  const rc_solver& solver = run.work.options.context->solver(
-      std::string_view(name) == "auto" ? suited(run.op.has_subset(), run.grid.gap != nullptr) : name);
+  const auto inside = static_cast<std::int64_t>(a.size());
+  const StepFacts facts{.candidates = inside, .box = inside, .tol = tol};
+  const rc_solver& solver = std::string_view(name) == "auto"
+                                ? solver_inside(run.work.options, run.work.system, facts, run.backend)
+                                : run.work.options.context->solver(name);
   require(solver, run, "a solver inside a solver");
 
   BoundProblem problem(run);
@@ -138,7 +141,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
   const auto compenetration = [&](std::int64_t i) {
-    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.gap[outer.trial.point(i)]) / outer.length;
+    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.undeformed_gap[outer.trial.point(i)]) / outer.length;
   };
   for (const std::int64_t i : a) {
     u.push_back(compenetration(i));
@@ -195,7 +198,7 @@ void connect(BoundProblem& problem) {
   problem.length = run.length_unit;
   problem.pressure = run.pressure_unit;
   problem.note = note;
-  if (run.grid.gap) {
+  if (run.grid.undeformed_gap) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
     problem.grid = &problem.where;
     problem.coarse = coarse;
@@ -232,6 +235,7 @@ bool takes_gap(const rc_solver& solver, const rc_options& options) {
 SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch)
     : work(workspace),
       solver(*answer.choice.solver),
+      backend(*answer.choice.backend),
       op(*answer.op),
       monitor(watch),
       fallbacks(workspace.options.integer(RC_OPT_ALLOW_FALLBACK) != 0),

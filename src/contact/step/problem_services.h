@@ -32,6 +32,7 @@ class SolverRun {
   // Members that the services of rc_problem read.
   Workspace& work;
   const rc_solver& solver;
+  const rc_backend& backend;
   Operator& op;
   Monitor& monitor;
   const bool fallbacks;                     // operations that the backend lacks may be replaced

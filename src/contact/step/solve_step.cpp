@@ -17,7 +17,7 @@ bool pass_over(Workspace& work, const char* name, const char* option, const std:
   if (work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
   work.record.failed.emplace_back(name);
   try {
-    choose(work.options, work.system, RC_CONTROL_DISPLACEMENT, {}, work.record.failed);
+    choose(work.options, work.system, {}, work.record.failed);
   } catch (const Error&) {
     return false;
   }
@@ -44,7 +44,7 @@ Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, 
     try {
       Finished finished = certified_result(work, step, answer_of(work, memory, step, monitor, nearer), monitor, result);
       const rc_status status = finished.status;
-      const bool hopeless = status == RC_STOP_STALLED || status == RC_STOP_UNCERTIFIED;
+      const bool hopeless = status == RC_STOP_STALLED || status == RC_UNCERTIFIED;
       if (!hopeless || !pass_over(work, choice.solver->name, RC_OPT_SOLVER, join("which ended with: ", rc_status_text(status))))
         return finished;
       delivered = true;

@@ -1,5 +1,6 @@
 #include "contact/step/stiffness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +11,9 @@ namespace rc {
 
 namespace {
 
-constexpr double stiffness_error = 1e-10;  // relative, where it is found by iteration
-constexpr double subset_tol = 1e-12;       // residual without a preconditioner or a bound: the error is quadratic in it
+// Residuals; the error is quadratic in them.
+constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the contact set's solve, which follows the tolerance between them
+constexpr double subset_tol = 1e-12;                  // without a preconditioner or a bound
 
 }  // namespace
 
@@ -36,9 +38,11 @@ double stiffness(Workspace& work, const Answer& answer) {
                             raise_if_failed(work.coefficients(mx, my, out.data()), "the stiffness");
                           });
     mean += solve.mean();
-    // The division below multiplies the relative error by 1 / (1 - mean sum).
-    const auto enough = [&](double form, double error) { return error <= stiffness_error * form * (1 - mean * form); };
-    status = solve(ones, enough, rate, sum);
+    ContactSetBound bound;
+    status = solve(ones, std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol), rate, {&bound, 1});
+    sum = bound.form;
+    work.options.context->log(RC_LOG_INFO,
+                              join("stiffness: residual ", bound.residual / std::sqrt(static_cast<double>(ones.size()))));
   } else {
     status = answer.op->subset(contact, ones.data(), rate.data(), subset_tol);
     for (const double value : rate) sum += value;

@@ -20,11 +20,12 @@ TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work) {
 
 Choice choose_for(const TrialSet& trial, std::int32_t control, Workspace& work) {
   const rc_system& system = work.system.given;
-  const Counts counts{trial.n, box_points(trial, system.nx, system.ny), work.system.points(), work.options.real(RC_OPT_TOL)};
-  Choice& choice = work.record.choice;
-  choice = choose(work.options, work.system, control, counts, work.record.failed);
-  if (work.record.look > 0) choice.solver = &work.options.context->solver(suited(false, true));
-  return choice;
+  const StepFacts facts{.control = control,
+                        .candidates = trial.n,
+                        .box = box_points(trial, system.nx, system.ny),
+                        .tol = work.options.real(RC_OPT_TOL),
+                        .partial = work.record.look > 0};
+  return work.record.choice = choose(work.options, work.system, facts, work.record.failed);
 }
 
 Answer prepared(const TrialSet& trial, std::int32_t control, double length_unit, Workspace& work) {

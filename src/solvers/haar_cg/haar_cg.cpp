@@ -54,7 +54,7 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   request.nx = coarse.nx;
   request.ny = coarse.ny;
   request.factor = 2;
-  request.gap = coarse.gap.data();
+  request.undeformed_gap = coarse.gap.data();
   request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
   request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
   request.approach = grid.approach;
@@ -68,7 +68,7 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   spread(problem, coarse.nx, pressure, p);
   if (!problem.load_control()) return;
   // The datum from u = (datum - gap) / length.
-  const double datum = problem.u() ? grid.gap[problem.point(0)] + problem.u()[0] * length : grid.approach;
+  const double datum = problem.u() ? grid.undeformed_gap[problem.point(0)] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
 }
 
@@ -102,6 +102,12 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
   problem.note("haar-cg: stalled; nnls finished");
   return problem.by_nnls(p.data());
+}
+
+rc_status haar_cg_score(const rc_facts* facts, rc_estimate* estimate) {
+  estimate->seconds = with_the_rest(*facts, iterating(*facts, 40));
+  estimate->bytes = 10 * sizeof(double) * static_cast<double>(facts->n);
+  return RC_OK;
 }
 
 }  // namespace rc

@@ -68,7 +68,8 @@ void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std:
   level.parents = static_cast<std::int64_t>(x.size());
 }
 
-HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted) : full_(cells.full()), loops_(best_haar_rows()) {
+HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest)
+    : full_(cells.full()), loops_(best_haar_rows()) {
   std::vector<double> k = table.k;
   std::int64_t mx = cells.mx, my = cells.my, kx = table.mx, ky = table.my;
   double hx = table.hx, hy = table.hy, scale = 1;
@@ -114,7 +115,7 @@ HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted)
   }
   levels_.push_back({1, 1});
   size_ = lay_out();
-  tabulate(static_cast<float>(table.k[0]));
+  tabulate(static_cast<float>(table.k[0]), finest);
 }
 
 void HaarTree::take(const Cells& cells, const std::vector<std::int32_t>& unknowns) {
@@ -155,7 +156,7 @@ HaarTree::Size HaarTree::lay_out() {
   return size;
 }
 
-void HaarTree::tabulate(float self) {
+void HaarTree::tabulate(float self, float finest) {
   float first[32], second[32];  // children of 16 blocks, one block for each pattern
   for (unsigned pattern = 0; pattern < 16; ++pattern)
     for (unsigned i = 0; i < 4; ++i) {
@@ -169,7 +170,9 @@ void HaarTree::tabulate(float self) {
     for (std::size_t i = 0; i < 4; ++i) finest_.w[i][pattern] = static_cast<float>(from.w[i][pattern % 8]) / haar_unit_share;
     for (std::size_t i = 0; i < 6; ++i) {
       const std::uint32_t bits = std::uint32_t{from.m[i][pattern % 8]} << 16;
-      std::memcpy(&finest_.m[i][pattern], &bits, sizeof bits);
+      float difference;
+      std::memcpy(&difference, &bits, sizeof bits);
+      finest_.m[i][pattern] = finest * difference;
     }
   }
 }

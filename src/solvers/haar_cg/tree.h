@@ -26,7 +26,8 @@ template <class Real> struct HaarFinestValues {
 class HaarTree {
  public:
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
-  HaarTree(const Cells& cells, const CouplingTable& table, bool shifted);
+  // `finest`: factor of the differences inside the finest blocks.
+  HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest);
 
   // Where not every cell exists: rebuilds the tree over some of the unknowns only, in ascending order. Call place() first.
   void take(const Cells& cells, const std::vector<std::int32_t>& unknowns);
@@ -82,7 +83,7 @@ class HaarTree {
 
   void link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const;
   Size lay_out();
-  void tabulate(float self);
+  void tabulate(float self, float finest);
   bool regular(const Level& level) const { return full_ && level.merge_x && level.merge_y; }
   float* cells(std::size_t level) { return value_ + levels_[level].values; }
   float* above(std::size_t level, std::int64_t row) {

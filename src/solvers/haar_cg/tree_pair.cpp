@@ -18,8 +18,8 @@ constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where not eve
 
 }  // namespace
 
-HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table)
-    : tree_{HaarTree(cells, table, false), HaarTree(cells, table, true)},
+HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest)
+    : tree_{HaarTree(cells, table, false, finest), HaarTree(cells, table, true, finest)},
       cells_(std::move(cells)),
       unknowns_(cells_.full() ? cells_.mx * cells_.my : static_cast<std::int64_t>(cells_.x.size())) {}
 

@@ -9,7 +9,8 @@ namespace rc {
 
 class HaarTreePair {
  public:
-  HaarTreePair(Cells cells, const CouplingTable& table);
+  // finest: factor of the differences inside the finest blocks.
+  HaarTreePair(Cells cells, const CouplingTable& table, float finest = 1);
 
   // The trees live in the caller's memory. After it has moved, or others have written to it, call set_up() again.
   std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }

@@ -71,9 +71,9 @@ void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Visit
   for (std::int64_t i = begin; i < begin + n; i += piece) {
     const std::int64_t count = std::min(piece, begin + n - i);
     if (!u && grid.index)
-      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.gap[grid.index[i + k]]) / length;
+      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.undeformed_gap[grid.index[i + k]]) / length;
     else if (!u)
-      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.gap[i + k]) / length;
+      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.undeformed_gap[i + k]) / length;
     visit(i, count, u ? u + i : room);
   }
 }

@@ -1,0 +1,57 @@
+"""Products that the stiffness takes beside those of the contact, and the residual that its solve reached."""
+import sys
+
+import roughcontact as rc
+
+from case import in_child
+from contact import certified, share_in_contact, unit_square
+from options import ALL_THREADS, CONTROLS, listed, one_of, percent, question, side
+from scaling import light_load
+from store import Store
+from surfaces import self_affine_gap
+from tables import show
+
+PATCH = 64  # points a side of a warm step, as an element of a larger model has them
+
+
+def measure(n, boundary, control, area, request):
+    """Of a cold step; on a patch, of one after a step with a thousandth less load or depth."""
+    system, gap, load, said = unit_square(n, boundary), self_affine_gap(n, request.seed), light_load(area), []
+    with rc.Contact(system, options={'tol': 1e-2, 'threads': request.threads}) as loose:
+        for _ in range(4):
+            found = loose.solve(load=load, gap=gap, want_pressure=False, check=False)
+            load *= min(max(area / max(share_in_contact(found), area / 4), 0.25), 4)
+    target, depth = (found.load, found.load) if control == 'load' else (found.approach, found.approach - gap.min())
+    context = rc.Context(log=lambda _, text: said.append(text))  # the library logs the residual
+    options = {'threads': request.threads, 'tol': request.tol, **({'solver': 'haar-cg', 'backend': 'fft'} if n == PATCH else {})}
+    products = []
+    for stiffness in (0, 1):
+        with rc.Contact(system, options={**options, 'stiffness': stiffness}, context=context) as contact:
+            for k in range(2 if n == PATCH else 1):
+                result = certified(contact.solve(undeformed_gap=gap, want_pressure=False, **{control: target + 1e-3 * k * depth}))
+            products.append(result.applications)
+    extra = products[1] - products[0]
+    return {'found': 100 * share_in_contact(result), 'contact': products[0], 'stiffness': extra, 'ratio': extra / products[0],
+            'residual': float(said[-1].split()[-1]), 'backend': result.backend}
+
+
+def run(request):
+    store, rows = Store(request.json, 'stiffness', request.threads), []
+    for n in [PATCH, *request.sizes]:
+        for case in ((b, c, a) for a in request.percents for b in request.boundaries for c in request.controls):
+            row = in_child(lambda n=n, case=case: measure(n, case[0], case[1], case[2] / 100, request))
+            names = dict(zip(('boundary', 'control', 'percent'), case))
+            rows.append({'n': n, 'step': 'warm' if n == PATCH else 'cold', **names, **row})
+            print(n, *case, file=sys.stderr)
+    store.save(stiffness=rows)
+    print(f'Products of a step certified to {request.tol:g}, and of its stiffness to the residual that is told')
+    show('n; step; %={percent}; found %={found:.2f}; boundary; control; backend; contact; stiffness; ratio={ratio:.2f}; '
+         'residual={residual:.0e}', rows)
+
+
+question('stiffness', 'products of the stiffness beside those of the contact', run, {
+    'sizes': (listed(side), [512, 1024, 2048], 'points per side of cold solves'),
+    'percents': (listed(percent), [1, 10, 40], 'contact areas in percent of the grid, about'),
+    'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),
+    'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'), 'seed': (int, 1, 'of the surfaces'),
+    'tol': (float, 1e-8, 'certified tolerance'), **ALL_THREADS}, {'sizes': [128], 'percents': [10]}, '128^2, 10 %')

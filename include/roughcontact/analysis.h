@@ -1,0 +1,86 @@
+/* roughcontact: what a contact looks like: area, connected patches, distribution of pressure. */
+#ifndef ROUGHCONTACT_ANALYSIS_H
+#define ROUGHCONTACT_ANALYSIS_H
+
+#include "roughcontact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How large a contact is, by rc_area_measure. All of it is written. */
+typedef struct rc_area {
+  size_t struct_size;
+  int64_t contacts;     /* points with p > 0                                                                         */
+  double area;          /* contacts hx hy [length^2]                                                                 */
+  double perimeter;     /* edges between a cell in contact and one that is not [length]; outside of a free grid
+                           and where the mask is 0 nothing is in contact                                             */
+  double corrected_area; /* area less what the cells at its border add, see rc_area_measure [length^2]               */
+} rc_area;
+#define RC_AREA_INIT \
+  { sizeof(rc_area), 0, 0.0, 0.0, 0.0 }
+
+/** Connected parts of a contact, by rc_patches_find. The caller sets neighbours, room and the arrays, which may be
+ *  NULL. Patches are numbered from 0 by their lowest point number, whatever their size. */
+typedef struct rc_patches {
+  size_t struct_size;
+  int32_t neighbours;   /* 4: points are connected across edges; 8: across corners as well                           */
+  int32_t reserved;     /* 0                                                                                         */
+  int64_t room;         /* length of the arrays from `cells` to `peak`: the first `room` patches are written         */
+  int64_t *label;       /* out [nx*ny] number of the patch; -1: no contact                                           */
+  int64_t *cells;       /* out, points of the patch                                                                  */
+  double *area;         /* out, cells hx hy [length^2]                                                               */
+  double *perimeter;    /* out [length], as rc_area.perimeter                                                        */
+  double *load;         /* out, hx hy sum(p) [force]                                                                 */
+  double *mean_pressure; /* out, load / area [force/length^2]                                                        */
+  double *max_pressure; /* out [force/length^2]                                                                      */
+  int64_t *peak;        /* out, the point with max_pressure, of equal ones the first                                 */
+  int64_t count;        /* out: patches, also those beyond room                                                      */
+} rc_patches;
+#define RC_PATCHES_INIT \
+  { sizeof(rc_patches), 4, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+
+/** Distribution of pressure over the points in contact, by rc_histogram_fill. The caller sets bins, upper and the
+ *  arrays, which may be NULL. Bin k holds the pressures k width < p <= (k + 1) width, to round-off. */
+typedef struct rc_histogram {
+  size_t struct_size;
+  int64_t bins;         /* 1 .. 2^40                                                                                 */
+  double upper;         /* end of the last bin [force/length^2]; 0: the largest pressure                             */
+  int64_t *counts;      /* out [bins] points; their sum and `above` are `contacts`                                   */
+  double *density;      /* out [bins] share of the contact per pressure: counts / (contacts width)
+                           [length^2/force]; width sum(density) + above / contacts = 1. Times contacts / (nx*ny):
+                           share of all points. 0 without contact                                                    */
+  double width;         /* out, of a bin [force/length^2]: edges are at k width, k = 0 .. bins                       */
+  int64_t contacts;     /* out: points with p > 0                                                                    */
+  int64_t above;        /* out: points with p > upper                                                                */
+  double mean_pressure; /* out, of the points in contact [force/length^2]; 0 without contact                         */
+  double max_pressure;  /* out [force/length^2]                                                                      */
+} rc_histogram;
+#define RC_HISTOGRAM_INIT \
+  { sizeof(rc_histogram), 0, 0.0, NULL, NULL, 0.0, 0, 0, 0.0, 0.0 }
+
+/** @defgroup analysis Analysis: what a contact looks like
+ *  Functions of pressures alone, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
+ *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid. For DENSE and CALLBACK the points are taken as a free
+ *  grid of nx by ny. p [nx*ny]: >= 0; a point is in contact where p > 0. mask [nx*ny]: 0: not in contact, its p is ignored
+ *  (it may be NaN); NULL: all points. Nothing is written by a call that fails. The same bits in every run.
+ *  Errors: ARGUMENT (null, NaN or negative p, the struct's own limits), SHAPE (nx, ny), MEMORY.
+ *  @{ */
+/** Area, perimeter, and the area corrected for the grid: cells that touch in part carry pressure as well, so that the area of a
+ *  solved contact is too large by about (pi - 1 + ln 2)/24 = 0.118 cells for every edge of its border (Yastrebov, Anciaux &
+ *  Molinari, Tribology International 114 (2017) 161; an edge counts with the pitch across it, which makes hx hy of each). Edges
+ *  at the border of a free grid and of the mask are left out: there the body ends, not the contact.
+ *  The corrected area is between 0.527 and 1 times the area. It says something where patches are several cells wide, nothing of
+ *  single cells (0.527 cells each) or a checkerboard, and cells that were chosen by their centres need no correction. */
+RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const uint8_t *mask, rc_area *out);
+/** Connected parts of the contact, in time proportional to the points. Memory: 40 bytes for each row of neighbouring cells in
+ *  contact, and 56 for each patch. */
+RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
+/** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
+RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

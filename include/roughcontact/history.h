@@ -1,0 +1,151 @@
+/* roughcontact: loading histories, of one contact and of many in one call; restarts; the coarse solutions of multilevel solvers. */
+#ifndef ROUGHCONTACT_HISTORY_H
+#define ROUGHCONTACT_HISTORY_H
+
+#include "roughcontact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @defgroup path Path: one contact, a loading history  @{ */
+/** Called after each completed step 0 .. n-1 of a path, on the solving thread, with pressures and gap that last until
+ *  it returns. May call only rc_contact_cancel and rc_contact_accuracy. Return nonzero to end the path. Must return: no
+ *  exception, no longjmp. */
+typedef int32_t (*rc_path_fn)(int64_t step, const rc_result *result, void *user);
+
+/** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
+typedef struct rc_path {
+  size_t struct_size;
+  int32_t control;      /* RC_CONTROL_*                                                                              */
+  int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
+                           that the new approach can reach (default); 0: each step starts cold                       */
+  int64_t n;            /* steps                                                                                     */
+  const double *targets; /* approaches [length] or loads [force]                                                     */
+  const double *undeformed_gap; /* as rc_step.undeformed_gap, for all steps                                          */
+  const uint8_t *mask;  /* as rc_step.mask                                                                           */
+  double *load;         /* out [force]                                                                               */
+  double *approach;     /* out [length]                                                                              */
+  double *contact_area; /* out [length^2]                                                                            */
+  double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
+  double *certificate;  /* out, the largest kkt_* residual                                                           */
+  int64_t *applications; /* out, products with H                                                                     */
+  rc_path_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                      */
+  void *user;           /* handed to fn                                                                              */
+  int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
+} rc_path;
+#define RC_PATH_INIT \
+  { sizeof(rc_path), 0, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+
+/** Solves the steps of a loading history in order. A step that fails or is not certified ends the path with its
+ *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step
+ *  counts as completed). RC_WITHIN_GOAL: all steps are written, some with this status. Errors: as rc_contact_solve. */
+RC_API rc_status rc_contact_solve_path(rc_contact *contact, rc_path *path);
+/** @} */
+
+/** @defgroup restart Restart  @{ */
+/** Where a loading history stands, for rc_contact_restore: what rc_result gave for its last two steps with RC_OK or
+ *  RC_WITHIN_GOAL. All of it is copied. */
+typedef struct rc_state {
+  size_t struct_size;
+  const double *undeformed_gap; /* [n] of the last step [length]                                                     */
+  const uint8_t *mask;  /* [n] its mask; NULL: all points                                                            */
+  const double *p;      /* [n] its pressures [force/length^2]; NULL: there was no such step                          */
+  double approach;      /* rc_result.approach [length]                                                               */
+  double load;          /* rc_result.load [force]                                                                    */
+  const double *p_before; /* [n] likewise of the step before it; NULL: none, or its surface was another              */
+  double approach_before, load_before;
+} rc_state;
+#define RC_STATE_INIT \
+  { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0 }
+
+/** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a
+ *  certified step: the next steps start from the same pressures and approaches. With option resumable = 1, in the contact that
+ *  solved and in this one, they give the same bits, for every solver and backend; without it to round-off, since operators may
+ *  remember more. A call that fails changes nothing. Errors: ARGUMENT, MEMORY, BUSY. */
+RC_API rc_status rc_contact_restore(rc_contact *contact, const rc_state *state);
+/** @} */
+
+/** @defgroup batch Batch: many contacts in one call  @{ */
+/** Called after each step with status >= 0, on the thread that solves it, with pressures and gap that last until it returns.
+ *  The steps of one contact come in order; those of different contacts in any order and, with several threads, at the same
+ *  time. Return nonzero to end the batch: fn is then not called for further steps. Must return: no exception, no longjmp. */
+typedef int32_t (*rc_batch_fn)(int64_t contact, int64_t step, const rc_result *result, void *user);
+
+enum { RC_BATCH_SHARED = -1 }; /* as a stride: one array for all contacts                                            */
+
+/** The loading histories of many contacts on one system: surfaces of a Monte Carlo study, Gauss points of a finite element
+ *  code. Values of step k of contact i are at index i*steps + k; output arrays may be NULL. */
+typedef struct rc_batch {
+  size_t struct_size;
+  int32_t control;      /* RC_CONTROL_*                                                                              */
+  int32_t warm_start;   /* as in rc_path, from a contact's second step on                                            */
+  int64_t n;            /* contacts                                                                                  */
+  int64_t steps;        /* of each history                                                                           */
+  const double *targets; /* approaches [length] or loads [force]; step k of contact i at i*target_stride + k         */
+  int64_t target_stride; /* 0: steps; RC_BATCH_SHARED; else >= steps                                                 */
+  const double *undeformed_gap; /* as rc_step.undeformed_gap; point m of contact i at i*undeformed_gap_stride + m    */
+  int64_t undeformed_gap_stride; /* 0: nx*ny; RC_BATCH_SHARED; else >= nx*ny                                         */
+  const uint8_t *mask;  /* as rc_step.mask; point m of contact i at i*mask_stride + m; NULL: all points              */
+  int64_t mask_stride;  /* as undeformed_gap_stride                                                                  */
+  const double *p0;     /* [n*nx*ny] as rc_step.p0, for the first step of each contact; may be p; NULL: none         */
+  double *p;            /* out [n*nx*ny] pressures of a contact's last step with status >= 0 [force/length^2];
+                           untouched for a contact that has none                                                     */
+  double *load;         /* out [force]; this and the numbers below: NaN (counts: -1) for a step with status < 0
+                           and those that were not reached                                                           */
+  double *approach;     /* out [length]                                                                              */
+  double *contact_area; /* out [length^2]                                                                            */
+  double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
+  double *certificate;  /* out, the largest kkt_* residual                                                           */
+  rc_status *status;    /* out; the first step that is neither RC_OK nor RC_WITHIN_GOAL ends its contact, and the
+                           steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also where the
+                           batch ended before the step                                                               */
+  int64_t *iterations;  /* out, of the solver                                                                        */
+  int64_t *applications; /* out, products with H                                                                     */
+  rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                                */
+  void *user;           /* handed to fn                                                                              */
+  int64_t written;      /* out: contacts whose outputs are written: n, or 0 if the call itself was refused           */
+  int64_t certified;    /* out: contacts of which every step is certified                                            */
+  int64_t first;        /* out: the contact whose status is returned; -1: none, or RC_WITHIN_GOAL                    */
+} rc_batch;
+#define RC_BATCH_INIT                                                                                                  \
+  { sizeof(rc_batch), 0, 1, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, \
+    NULL, NULL, NULL, 0, 0, -1 }
+
+/** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_path: the same bits, whatever
+ *  the number of threads. Option threads: contacts that are solved at the same time, each by one thread; where the system
+ *  refuses threads, fewer. Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is
+ *  called from several threads at the same time. All threads have ended when the call returns.
+ *  A contact that fails does not stop the others. RC_OK: every step of every contact is certified. Otherwise the status of the
+ *  first contact that failed or, if none did, of the first that is not certified, and rc_last_error() says how many
+ *  contacts ended with which status. RC_WITHIN_GOAL: some steps ended so, all others are certified. All outputs are then
+ *  written (rc_batch.written is n). RC_STOP_CANCELLED if fn ended the batch and no contact failed: what was finished stays.
+ *  Errors: as rc_contact_create and rc_contact_solve; ARGUMENT and SHAPE for the batch itself, with written = 0. */
+RC_API rc_status rc_batch_solve(const rc_system *system, const rc_options *options, rc_batch *batch);
+/** @} */
+
+/** @defgroup level Coarse solutions  @{ */
+/** A solution on a coarser grid that a multilevel solver left behind. The caller sets p. */
+typedef struct rc_level {
+  size_t struct_size;
+  double *p;            /* [nx*ny] pressures [force/length^2]; NULL: not wanted. Ask for nx and ny first             */
+  rc_status status;     /* of this solution on its grid                                                              */
+  int32_t reserved;
+  int64_t nx, ny;
+  double hx, hy;        /* cell size [length]                                                                        */
+  double approach;      /* on this grid [length]                                                                     */
+  double load;          /* [force]                                                                                   */
+  int64_t candidates;   /* points that were allowed pressure                                                         */
+  int64_t contacts;     /* points with p > 0                                                                         */
+} rc_level;
+#define RC_LEVEL_INIT \
+  { sizeof(rc_level), NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0, 0 }
+
+/** The i-th coarse solution of the last step, 0 (coarsest) .. rc_result.levels-1. Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_level(rc_contact *contact, int64_t i, rc_level *out);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

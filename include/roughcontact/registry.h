@@ -1,0 +1,89 @@
+/* roughcontact: contexts, and what there is: solvers, backends, kernels, options. */
+#ifndef ROUGHCONTACT_REGISTRY_H
+#define ROUGHCONTACT_REGISTRY_H
+
+#include "roughcontact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { RC_LOG_INFO = 1, RC_LOG_WARNING = 2 };
+typedef void (*rc_log_fn)(int32_t level, const char *message, void *user);
+
+enum {
+  RC_CONTEXT_NO_PLUGINS = 1,    /* never load code from disk                                                         */
+  RC_CONTEXT_NO_ENVIRONMENT = 2 /* ignore RC_PLUGIN_PATH                                                             */
+};
+typedef struct rc_context_config {
+  size_t struct_size;
+  uint32_t flags;          /* RC_CONTEXT_*                                                                           */
+  uint32_t reserved;       /* 0                                                                                      */
+  const char *plugin_path; /* ':'-separated absolute directories, searched before RC_PLUGIN_PATH and the
+                              installed one; relative ones are refused; NULL: none; copied                           */
+  rc_log_fn log;           /* NULL: silent; the threads of a batch call it, too, and at the same time                */
+  void *log_user;
+} rc_context_config;
+#define RC_CONTEXT_CONFIG_INIT \
+  { sizeof(rc_context_config), 0, 0, NULL, NULL, NULL }
+
+/** Described by rc_backend_describe, rc_solver_describe, rc_kernel_describe. Strings live as long as the context. */
+typedef struct rc_component {
+  size_t struct_size;
+  const char *name;
+  const char *summary;
+  const char *license;     /* of the component with what it links (SPDX); "" for kernels                             */
+  const char *origin;      /* "built-in" or the file it was loaded from                                              */
+} rc_component;
+#define RC_COMPONENT_INIT \
+  { sizeof(rc_component), NULL, NULL, NULL, NULL }
+
+enum { RC_TYPE_INT = 1, RC_TYPE_REAL = 2, RC_TYPE_TEXT = 3 };
+/** Schema of one option. Strings live as long as the context. */
+typedef struct rc_option_spec {
+  size_t struct_size;
+  const char *key;
+  const char *default_value; /* as text                                                                              */
+  const char *choices;     /* TEXT: "a|b|c", NULL: any text                                                          */
+  const char *help;        /* one line                                                                               */
+  int32_t type;            /* RC_TYPE_*                                                                              */
+  int32_t fixed;           /* 1: cannot change after rc_contact_create                                               */
+  double minimum, maximum; /* INT and REAL, inclusive                                                                */
+} rc_option_spec;
+#define RC_OPTION_SPEC_INIT \
+  { sizeof(rc_option_spec), NULL, NULL, NULL, NULL, 0, 0, 0.0, 0.0 }
+
+/** @defgroup context Context: the registry  @{ */
+/** A registry of its own. config may be NULL. Errors: ARGUMENT, MEMORY. The result is destroyed by the caller. */
+RC_API rc_status rc_context_create(const rc_context_config *config, rc_context **out);
+/** NULL is allowed. Contacts and options made from it keep what they need, and may call its log until they are
+ *  destroyed. */
+RC_API void rc_context_destroy(rc_context *context);
+/** Components by number 0 .. count-1, sorted by name. A NULL context is the default one. The first call loads
+ *  every plugin of the search path; files that are refused are reported to the context's log. */
+RC_API int64_t rc_backend_count(rc_context *context);
+RC_API rc_status rc_backend_describe(rc_context *context, int64_t i, rc_component *out);
+RC_API int64_t rc_solver_count(rc_context *context);
+RC_API rc_status rc_solver_describe(rc_context *context, int64_t i, rc_component *out);
+RC_API int64_t rc_kernel_count(rc_context *context);
+RC_API rc_status rc_kernel_describe(rc_context *context, int64_t i, rc_component *out);
+/** RC_OK if this solver can run on this backend for this system and control; otherwise the status that
+ *  rc_contact_solve would give, with the reason in rc_last_error(). options may be NULL. */
+RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, const char *backend, const rc_system *system,
+                                   int32_t control, const rc_options *options);
+/** Influence coefficients of a kernel: out[iy*nx + ix] = E* times the deflection [length] at offset
+ *  (ix*hx, iy*hy) from a cell under unit pressure. Free boundaries; relative error <= 1e-12.
+ *  Errors: ARGUMENT, SHAPE, OPTION (unknown kernel), INCOMPATIBLE (hx != hy where the kernel needs square cells). */
+RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);
+/** @} */
+
+/** @defgroup schema Schema: the options there are  @{ */
+/** The schema, 0 .. count-1: the core's keys, then those of every component. */
+RC_API int64_t rc_options_count(rc_context *context);
+RC_API rc_status rc_options_describe(rc_context *context, int64_t i, rc_option_spec *out);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,163 @@
+#include "fixtures.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "support/cmocka.hpp"
+
+namespace contract {
+
+namespace {
+
+std::int32_t boundary_of(std::uint64_t cap) { return cap == RC_CAP_PERIODIC ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE; }
+
+std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
+  const Matrix& matrix = *static_cast<const Matrix*>(user);
+  for (std::int64_t i = 0; i < n; ++i) y[i] = std::inner_product(x, x + n, matrix.row(i), 0.0);
+  return 0;
+}
+
+void check(rc_status status) {
+  if (status != RC_OK) fail_msg("status %d: %s", static_cast<int>(status), StandInHost::message().c_str());
+}
+
+}  // namespace
+
+Problem::Problem(std::uint64_t cap, std::int64_t nx, std::int64_t ny, double hx, double hy, double zero_mode)
+    : zero_mode_(zero_mode), system_(halfspace(boundary_of(cap), nx, ny, hx, hy)), matrix_(system_, zero_mode) {
+  if (cap == RC_CAP_DENSE_INPUT) {
+    system_.op = RC_OPERATOR_DENSE;
+    system_.dense = matrix_.row(0);
+    system_.dense_ld = matrix_.size();
+  } else if (cap == RC_CAP_CALLBACK) {
+    system_.op = RC_OPERATOR_CALLBACK;
+    system_.apply = multiply;
+    system_.user = &matrix_;
+  }
+}
+
+Index Problem::all() const {
+  Index index(static_cast<std::size_t>(matrix_.size()));
+  std::iota(index.begin(), index.end(), 0);
+  return index;
+}
+
+void for_each_problem(const rc_backend& backend, std::int64_t nx, std::int64_t ny, double hx, double hy,
+                      const std::function<void(const Problem&)>& body) {
+  for (std::uint64_t cap : {RC_CAP_FREE, RC_CAP_PERIODIC, RC_CAP_DENSE_INPUT, RC_CAP_CALLBACK}) {
+    if (!(backend.caps & cap)) continue;
+    body(Problem(cap, nx, ny, hx, hy, 0.0));
+    if (cap == RC_CAP_PERIODIC) body(Problem(cap, nx, ny, hx, hy, 0.7));
+  }
+}
+
+Operator::Operator(const rc_backend& backend, StandInHost& host, const rc_system& system)
+    : backend_(backend),
+      system_(system),
+      kernel_(system.op == RC_OPERATOR_HALFSPACE ? kernel_name(system.boundary) : ""),
+      team_(host.threads()),
+      spec_{sizeof(rc_operator_spec), &system_, kernel_.c_str(), host.options(), &team_, nullptr} {
+  check(backend.create(&host, &spec_, &self_));
+}
+
+Operator::~Operator() { backend_.destroy(self_); }
+
+void Operator::bind(const Index& domain, double zero_mode, bool whole) {
+  domain_ = domain;
+  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain_.size()), whole ? nullptr : domain_.data(),
+                        zero_mode};
+  check(backend_.bind(self_, &bound));
+}
+
+void Operator::forget() { assert_int_equal(backend_.forget(self_), RC_OK); }
+
+Vector Operator::apply(const Vector& x) {
+  Vector y(domain_.size(), std::numeric_limits<double>::quiet_NaN());
+  check(backend_.apply(self_, x.data(), y.data()));
+  return y;
+}
+
+Vector Operator::apply_float(const Vector& x) {
+  const std::vector<float> rounded(x.begin(), x.end());
+  std::vector<float> y(domain_.size(), std::numeric_limits<float>::quiet_NaN());
+  check(backend_.apply_float(self_, rounded.data(), y.data()));
+  return {y.begin(), y.end()};
+}
+
+Vector Operator::field(const Vector& x) {
+  Vector y(static_cast<std::size_t>(system_.nx * system_.ny), std::numeric_limits<double>::quiet_NaN());
+  check(backend_.field(self_, x.data(), y.data()));
+  return y;
+}
+
+Vector Operator::subset(const Index& positions, const Vector& b) {
+  Vector x(positions.size(), std::numeric_limits<double>::quiet_NaN());
+  check(backend_.subset(self_, static_cast<std::int64_t>(positions.size()), positions.data(), b.data(), x.data()));
+  return x;
+}
+
+Vector Operator::shifted(double rho, const Vector& b) {
+  Vector x(b.size(), std::numeric_limits<double>::quiet_NaN());
+  check(backend_.shifted(self_, rho, b.data(), x.data()));
+  return x;
+}
+
+double Operator::norm() {
+  double norm = std::numeric_limits<double>::quiet_NaN();
+  check(backend_.norm(self_, &norm));
+  return norm;
+}
+
+std::vector<Index> domains(std::int64_t nx, std::int64_t ny, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::vector<Index> all;
+  const auto box = [&](std::int64_t x, std::int64_t y, std::int64_t bx, std::int64_t by, unsigned keep_in_16) {
+    Index index;
+    for (std::int64_t iy = y; iy < std::min(y + by, ny); ++iy)
+      for (std::int64_t ix = x; ix < std::min(x + bx, nx); ++ix)
+        if (generator() % 16 < keep_in_16) index.push_back(iy * nx + ix);
+    if (!index.empty()) all.push_back(index);
+  };
+  box(0, 0, nx, ny, 16);
+  box(nx / 2, ny / 2, 1, 1, 16);
+  box(nx - 1, ny - 1, 1, 1, 16);
+  box(0, 0, (nx + 1) / 2, (ny + 2) / 3, 16);
+  box(nx / 3, ny / 4, (nx + 2) / 3, ny / 2 + 1, 16);
+  box(nx / 2, ny / 2, nx, ny, 10);
+  box(0, 0, nx, ny, 8);
+  box(0, 0, nx, ny, 1);
+  all.push_back(nx * ny > 1 ? Index{0, nx * ny - 1} : Index{0});
+  return all;
+}
+
+rc_operator_spec spec_of(const rc_system& system, const StandInHost& host) {
+  return {sizeof(rc_operator_spec), &system, kernel_name(system.boundary), host.options(), host.alone(), nullptr};
+}
+
+rc_status status_of_operations(const rc_backend& backend, const rc_host& host, const rc_operator_spec& spec, const Index& domain,
+                               const double* x, double* y) {
+  void* self = nullptr;
+  rc_status status = backend.create(&host, &spec, &self);
+  if (status != RC_OK) return status;
+  const rc_domain bound{sizeof(rc_domain), static_cast<std::int64_t>(domain.size()), domain.data(), 0.0};
+  status = backend.bind(self, &bound);
+  if (status == RC_OK) status = backend.apply(self, x, y);
+  if (status == RC_OK) status = backend.field(self, x, y);
+  if (status == RC_OK && backend.apply_float) {
+    float in[8], out[8];  // on the stack, for allocations may be failing; no caller has a larger domain
+    assert_true(domain.size() <= std::size(in));
+    std::transform(x, x + domain.size(), in, [](double value) { return static_cast<float>(value); });
+    status = backend.apply_float(self, in, out);
+  }
+  const std::int64_t first = 0;
+  if (status == RC_OK && backend.subset) status = backend.subset(self, 1, &first, x, y);
+  if (status == RC_OK && backend.shifted) status = backend.shifted(self, 0.5, x, y);
+  if (status == RC_OK && backend.norm) status = backend.norm(self, y);
+  backend.destroy(self);
+  return status;
+}
+
+}  // namespace contract

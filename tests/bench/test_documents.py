@@ -1,0 +1,203 @@
+"""`documents PAGE --quick` on nothing measured before: answers that are certified and agree with what is known, a page that is filled, pictures
+that are drawn; a second call measures nothing anew. The second argument names the page: performance, paper, pareto (speed-accuracy), physics."""
+import math
+import os
+import sys
+
+from program import BUILD, check_pictures, counts, load, remade, run
+
+from paper_tables import INDEPENDENT, SECTIONS, measured as rows
+from samples import median, median_interval, values_of
+from speed_accuracy_tables import FAST, cases, enough, front, grid_error, grids, lines, name_of, time_to
+
+CERTIFIED = 1e-7  # of loads, a few times the tolerance
+
+
+def close(value, wanted, tolerance):
+    assert abs(value - wanted) <= tolerance, (value, wanted, tolerance)
+
+
+def performance(folder):
+    first, filled = remade('performance')
+    assert 'measured before' not in first, first
+    for name in ('targets', 'machine', 'product-limits', 'pass-limits', 'scaling', 'growth', 'dilute', 'busy', 'deterministic', 'batch'):
+        assert filled[name].startswith('|') and 'Not measured' not in filled[name], name
+    for name in ('scaling-single', 'baseline', 'profile'):
+        assert filled[name].startswith('Not measured yet'), name
+    # Every row once.
+    assert filled['scaling'].count('²') == 8, filled['scaling']
+    assert run('documents', 'performance', '--quick').count('measured before') == 8 + 6
+
+
+def paper(folder):
+    first, filled = remade('paper')
+    count, failed, before = counts(first)
+    assert count > 100 and failed == 0 and before == 0, first
+    document = load(folder, 'paper')
+
+    # Example 1: within the independent program's interval, widened by the sampling error of few draws.
+    found = {row['n']: row for row in rows(document, 'example_1', kernel='eq9', spacing=1)}
+    for n in (25, 100, 400):
+        share, half = (value / 100 for value in INDEPENDENT[n])
+        close(found[n]['share'], share, math.hypot(half, 1.96 * math.sqrt(share * (1 - share) / found[n]['draws'])))
+    for row in rows(document, 'example_1'):
+        assert row['dishonest'] == 0, row
+        assert row['failures'] == 0 or (row['kernel'], row['spacing']) == ('eq9', 1), row
+    row = rows(document, 'figure_2')[0]
+    assert row['status'] == 'RC_UNCERTIFIED' and min(row['w']) < -1e-6 and min(row['exact']) == 0, row
+    # Smooth shapes: greedy elimination is right there, and Hertz's load comes out as far as the kernel lets it.
+    for row in rows(document, 'smooth'):
+        assert row['kernel'] == 'eq9' or row['failures'] == 0, row
+        if 'load_error' in row:
+            close(row['load_error'], 0, 0.002 if row['kernel'] == 'love' else 0.03)
+
+    for row in rows(document, 'figure_4'):
+        assert row['status'] == 'RC_OK' or row['method'] == 'greedy CG', row
+    for setting in ('small', 'small, love', 'dense', 'fft'):
+        forces = [row['steps'][-1]['mean_pressure'] for row in rows(document, 'figure_4', setting=setting, seed=1) if row['status'] == 'RC_OK']
+        assert len(forces) >= 6 and max(forces) / min(forces) - 1 < 1e-6, forces
+    assert {row['inner'] for row in rows(document, 'figure_5')} == {'cg', 'cholesky', 'gauss-seidel'}
+    for row in rows(document, 'figure_5'):
+        assert row['candidates'] == row['n'], row
+    for row in rows(document, 'figure_6'):
+        assert row['status'] == 'RC_OK' and row['solves'] > 0, row
+
+    lost = {h: median([abs(row['load_error']) for row in rows(document, 'figure_8', hurst=h, backend='fft', kernel='eq9')])
+            for h in values_of(rows(document, 'figure_8'), 'hurst')}
+    assert lost[0.3] > lost[0.6] > lost[0.9], lost
+    for row in rows(document, 'figure_8'):
+        assert row['certified_status'] == 'RC_OK' and abs(row['certified_error']) < CERTIFIED and row['load_error'] < CERTIFIED, row
+        assert 0 < row['kept'] <= row['diagonal']['kept'] <= 1, row
+    for row in rows(document, 'figure_9'):
+        kept = [entry['kept'] for entry in row['radii']]
+        assert kept == sorted(kept) and all(abs(entry['certified_error']) < CERTIFIED for entry in row['radii']), row
+    surfaces = {row['surface']: row for row in rows(document, 'figure_10')}
+    power_law = surfaces['generated, power law']
+    close(power_law['hurst'], 0.6, 0.15)
+    for part in (2, 5):
+        plain = [[abs(case['load_error']) for case in surfaces[name]['cases'] if case['part'] == part] for name in
+                 ('generated, power law', 'generated, roll-off')]
+        assert max(plain[0]) < max(plain[1]), plain
+    for row in surfaces.values():
+        assert all(abs(case['certified_error']) < CERTIFIED for case in row['cases']), row
+
+    # Order statistics: 20 values leave five out at either end.
+    assert median_interval(range(1, 21)) == (10.5, 6, 15) and median_interval([1, 2, 4]) == (2, 1, 4)
+
+    assert set(filled) == {'provenance', 'claims', *SECTIONS}, filled.keys()
+    for name, text in filled.items():
+        assert text.strip() and 'ot measured yet' not in text and 'nan' not in text, (name, text)
+    check_pictures(folder, *(f'paper-figure-{number}' for number in (2, 4, 5, 6, 8, 9, 10)))
+    assert counts(run('documents', 'paper', '--quick')) == [0, 0, count]
+
+
+def check_front():
+    assert front([(3, 1e-3), (1, 1e-1), (2, 1e-1), (4, 1e-2), (5, 1e-9)]) == [(1, 1e-1), (3, 1e-3), (5, 1e-9)]
+    points = [{'tol': 1e-2, 'a': 1e-5, 'b': 1e-1, 'setup_seconds': 1, 'solve_seconds': 1},
+              {'tol': 1e-4, 'a': 1e-5, 'b': 1e-4, 'setup_seconds': 1, 'solve_seconds': 2},
+              {'tol': 1e-6, 'a': 1e-9, 'b': 1e-6, 'setup_seconds': 1, 'solve_seconds': 3}]
+    assert enough(points, {'a': 1e-4, 'b': 1e-3}) == 1e-4 and enough(points, {'a': 1e-4, 'b': 1e-9}) is None
+    assert time_to(points, 1e-4, 'b') == 3 and time_to(points, 1e-8, 'b') is None
+
+
+def check_case(document, case):
+    known = lines(document, case)
+    assert {'auto', FAST, 'haar-cg, fft, double', 'haar-cg, fft, single', 'haar-cg, split', 'polonsky-keer, fft', 'nnls, fft', 'nnls, dense',
+            'gp, fft', 'admm, fft', 'greedy, fft', 'cmr, fft'} <= known.keys(), known.keys()
+    assert case['certified_residual'] <= 1e-12, case
+    for row in document['methods']:
+        for point in row['points']:
+            assert point['status'] in ('RC_OK', 'RC_STOP_TIME'), (name_of(row), point)
+    for name, points in known.items():
+        for point in points:
+            assert point['residual'] <= point['tol'] and point['setup_seconds'] + point['solve_seconds'] > 0, (name, point)
+            # The load is second order in the residual, pressures are first order with a constant of the matrix.
+            assert point['load_error'] < 20 * point['tol'] and point['pressure_error'] < 100 * point['tol'], (name, point)
+            assert point['true_load_error'] < 0.05 + 20 * point['tol'], (name, point)
+        # Those with a matrix may be stopped at their limit of time.
+        assert any(part in name for part in ('single', 'dense', 'cholmod')) or points[-1]['tol'] <= 1e-4, (name, points)
+    assert known[FAST][-1]['pressure_error'] < 1e-6 < grid_error(document, case, 'pressure_error') < 0.3
+    loads = {grid: points[-1]['true_load_error'] for (grid, kernel), points in grids(document, case).items()}
+    assert sorted(loads) == [32, 64, 128] and loads[32] > loads[128], loads
+    kernels = {kernel: points[-1]['true_load_error'] for (grid, kernel), points in grids(document, case, usual=False).items() if grid == 64}
+    assert set(kernels) == {'love', 'galerkin', 'disc', 'punch', 'eq9'} and kernels['eq9'] > 3 * kernels['love'], kernels
+
+
+def pareto(folder):
+    check_front()
+    first, filled = remade('speed-accuracy', '--threads', '1')
+    count, failed, before = counts(first)
+    assert count > 80 and failed == 0 and before == 0, first
+    document = load(folder, 'pareto')
+    assert [case['scene'] for case in cases(document)] == ['hertz', 'self-affine']
+    assert [case['truth'] for case in cases(document)] == ['analytic', 'finest grid']
+    for case in cases(document):
+        assert abs(case['contacts'] / case['points'] / case['contact'] - 1) < 0.1, case
+        check_case(document, case)
+    goals = load(folder, 'goal')['rows']
+    assert len(goals) == 3 * 2 * 2 * 4 and {row['status'] for row in goals} == {'RC_OK', 'RC_WITHIN_GOAL'}, len(goals)
+    assert sum(row['error'] <= row['goal'] for row in goals) >= 0.95 * len(goals), goals
+    for row in goals:
+        assert (row['model'] < row['points']) == (row['status'] == 'RC_WITHIN_GOAL') == (row['estimate'] > 0), row
+    assert [scene['scene'] for scene in load(os.path.join(folder, 'scenes'), 'scenes')] == ['hertz', 'self-affine']
+
+    assert set(filled) == {'provenance', 'picks', 'methods', 'tolerances', 'grids', 'goals'}, filled.keys()
+    for name, text in filled.items():
+        assert text.strip() and 'nan' not in text and 'None' not in text, (name, text)
+    assert filled['tolerances'].count('²') == 2 and filled['picks'].count('\n- ') >= 5, filled
+    check_pictures(folder, 'speed-accuracy', 'pareto-generated', 'pareto-contacts', 'pareto-grids', 'pareto-kernels')
+    assert counts(run('documents', 'speed-accuracy', '--quick', '--threads', '1'))[:2] == [0, 0]
+
+
+def check_rows(document):
+    points = document['surface']['points']
+    curves = {}
+    for row in document['rows']:
+        assert row['status'] == 'RC_OK' and row['kkt_control'] <= row['tol'], row
+        assert 0.527 * row['area'] < row['corrected_area'] <= row['area'], row
+        if row['n'] == points:
+            curves.setdefault(row['seed'], []).append(row)
+    assert len(curves) == 2 and all(len(rows) == 11 for rows in curves.values())
+    for rows in curves.values():
+        for low, high in zip(rows, rows[1:]):
+            assert low['area'] < high['area'] and low['mean_gap'] > high['mean_gap'] >= 0, high
+            if 'stiffness' in high:  # between two loads the slope of the load lies between its ends
+                slope = (high['pressure'] - low['pressure']) / (low['mean_gap'] - high['mean_gap'])
+                assert low['stiffness'] < slope < high['stiffness'], (low, high)
+        for row in rows:
+            if 'histogram' in row:
+                share = sum(row['histogram']['density']) * row['histogram']['width'] + row['histogram']['above'] / points**2
+                assert abs(share / row['area'] - 1) < 1e-12, row
+                assert sum(row['patch_octaves']) == row['patches'] > 1 and 0 < row['largest_patch'] <= 1, row
+
+
+def check_summary(document):
+    fits = document['fits']
+    assert fits['corrected_kappa']['mean'] < fits['kappa']['mean'], fits
+    assert 1.2 < fits['corrected_kappa']['mean'] < 2.6, fits
+    assert abs(fits['decay']['mean'] / fits['stiffness_decay']['mean'] - 1) < 0.25, fits
+    for row in document['curve']:
+        assert row['surfaces'] == 2 and abs(row['area'] - row['persson']) < 0.2, row
+    assert document['curve'][-1]['area'] > 0.95
+    assert len(document['meshes']) == 6
+    for row in document['meshes'][:-1]:
+        assert row['raw_error'] > 0 and abs(row['corrected_error']) < row['raw_error'], row
+
+
+def physics(folder):
+    _, filled = remade('physics', '--threads', '1')
+    first = load(folder, 'physics')
+    check_rows(first)
+    check_summary(first)
+    again = [line for line in run('documents', 'physics', '--quick', '--threads', '1').splitlines() if '^2, surface' in line]
+    assert again and all('measured before' in line for line in again), again
+    second = load(folder, 'physics')
+    assert all(second[key] == first[key] for key in ('rows', 'curve', 'fits', 'meshes'))
+    assert set(filled) == {'fits', 'curve', 'meshes', 'provenance'}, filled.keys()
+    assert filled['curve'].count('\n') == 2 + 11 and filled['meshes'].count('\n') == 2 + 6, filled
+    assert f'{first["fits"]["corrected_kappa"]["mean"]:.2f} (' in filled['fits'], filled['fits']
+    check_pictures(folder, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh')))
+
+
+page = {'pareto': 'speed-accuracy'}.get(sys.argv[2], sys.argv[2])
+globals()[sys.argv[2]](os.path.join(BUILD, f'{page}-quick'))

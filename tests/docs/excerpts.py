@@ -1,0 +1,15 @@
+"""Every piece of C and C++ in a document stands in one of the sources, word for word.
+
+Usage: excerpts.py DOCUMENT SOURCE...
+"""
+import pathlib
+import re
+import sys
+
+document, *sources = (pathlib.Path(name).read_text() for name in sys.argv[1:])
+pieces = re.findall(r'^```(?:c|cpp)\n(.*?)^```$', document, re.M | re.S)
+# A blank line may stand for what the document leaves out.
+missing = [part for piece in pieces for part in piece.strip().split('\n\n') if not any(part in source for source in sources)]
+for part in missing:
+    print(f'in no source:\n{part}\n')
+sys.exit(1 if missing or not pieces else 0)
