@@ -12,7 +12,7 @@ namespace pairs {
 
 namespace {
 
-constexpr double most = 1.2;        // products of haar-cg over those of polonsky-keer
+constexpr double most = 1.5;        // products of haar-cg over those of polonsky-keer; near a stall processors differ by a third
 constexpr std::int64_t spare = 15;  // products by which small counts may differ
 
 std::int64_t products(const Problem& problem, const char* solver) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 #include <tuple>
 
 #include "core/error.h"
@@ -57,7 +58,9 @@ struct Candidate {
   bool operator<(const Candidate& other) const { return rank() < other.rank(); }
 
  private:
-  std::tuple<bool, bool, bool, double> rank() const { return {!obstacle.empty(), !scored, !repeats, seconds}; }
+  std::tuple<bool, bool, bool, double, std::string_view, std::string_view> rank() const {
+    return {!obstacle.empty(), !scored, !repeats, seconds, backend->name, solver ? solver->name : ""};
+  }
 };
 
 using Backends = std::vector<const rc_backend*>;
@@ -87,7 +90,7 @@ struct Question {
   std::vector<Candidate> pairs(const Backends& backends, const Solvers& solvers) const {
     std::vector<Candidate> list;
     for (const rc_backend* backend : backends) add(*backend, solvers, list);
-    std::stable_sort(list.begin(), list.end());  // components come by name
+    std::sort(list.begin(), list.end());
     return list;
   }
 
