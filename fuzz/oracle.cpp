@@ -13,7 +13,7 @@ namespace fuzz {
 namespace {
 
 constexpr std::uint64_t pattern = 0x7ff8dead0badf00d;  // a NaN of our own
-constexpr Real round_off = 1e-11L;                     // of two ways to multiply by H, relative to the largest
+constexpr Real round_off = 2e-11L;                     // of two ways to multiply by H, relative to the largest
 constexpr Real least_double = 5e-324L;
 constexpr Real epsilon = std::numeric_limits<double>::epsilon();
 
@@ -177,6 +177,8 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
 void Oracle::check_intervals(const Answer& answer, const Parts& parts) const {
   const rc_result& r = answer.result;
   if (std::isnan(r.load_lower) || !parts.exact) return;
+  // Of matrices next to singular the exact answer is not known to enough digits.
+  if (parts.scale > 0 && parts.noise > parts.scale) return;
   const std::size_t n = answer.p.size();
   const auto& h = *h_;
   const auto& exact = *parts.exact;
