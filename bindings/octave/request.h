@@ -1,4 +1,5 @@
-/* What rc_solve(z, opts) asks for, as rc_solve_mex.c collects it. A function that fails returns a status other than RC_OK and leaves its text in rc_request.message. */
+/* What rc_solve(z, opts) asks for, as rc_solve_mex.c collects it. A function that fails returns a status other than RC_OK and
+ * leaves its text in rc_request.message. */
 #ifndef ROUGHCONTACT_REQUEST_H
 #define ROUGHCONTACT_REQUEST_H
 
