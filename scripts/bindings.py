@@ -247,8 +247,9 @@ def python_structs(interface: Interface) -> str:
             begins = "" if member == "struct_size" or value in ("0", "0.0", "NULL") else f"={value}"
             members.append((kind.base if interface.callback(kind) else python_type(kind, interface), member + begins))
         groups = [f"{kind} {line}" for kind, names in grouped(members) for line in filled(names, " ", 100)]
-        text = ";\n    ".join(filled(groups, "; "))
-        lines += ["", "", "@struct", f"class {name}(Sized):", f'    members = """\n    {text}\n    """']
+        text = filled(groups, "; ", 108)
+        quote = '"' * (1 if len(text) == 1 else 3)
+        lines += ["", "", "@struct", f"class {name}(Sized):", f"    members = {quote}{(';' + chr(10) + '    ').join(text)}{quote}"]
     return "\n".join(lines).strip("\n")
 
 

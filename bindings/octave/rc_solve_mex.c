@@ -1,6 +1,6 @@
-/* rc_solve as a MEX function, for MATLAB and for Octave. Build, in this folder:
- *   mex -output rc_solve rc_solve_mex.c request.c -I<include> -L<lib> -lroughcontact -lut      (MATLAB)
- *   mkoctfile --mex -o rc_solve.mex rc_solve_mex.c request.c $(pkg-config --cflags --libs roughcontact) */
+/* rc_solve as a MEX function, for Octave and for MATLAB. Build, in this folder:
+ *   mkoctfile --mex -o rc_solve.mex rc_solve_mex.c request.c $(pkg-config --cflags --libs roughcontact)   (Octave)
+ *   mex -output rc_solve rc_solve_mex.c request.c -I<include> -L<lib> -lroughcontact -lut      (MATLAB) */
 #include <mex.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -30,25 +30,28 @@ static void check(rc_request* request, rc_status status) {
   mexErrMsgIdAndTxt(id, "rc_solve: %s", message);
 }
 
-/* The values of a real matrix as doubles; memory that was taken for it is MEX's, freed when the function ends. */
+/* The values of a real matrix as doubles; memory that is taken for it is MEX's, freed when the function ends. */
+static const double* numbers(const mxArray* value) {
+  if (mxIsDouble(value) && !mxIsSparse(value)) return mxGetPr(value);
+  mxArray *given = (mxArray*)value, *doubles, *full;
+  mexCallMATLAB(1, &doubles, 1, &given, "double");
+  mexCallMATLAB(1, &full, 1, &doubles, "full");
+  return mxGetPr(full);
+}
+
 static const double* matrix(rc_request* request, const char* name, const mxArray* value) {
-  if (!(mxIsDouble(value) || mxIsSingle(value)) || mxIsComplex(value) || mxIsSparse(value) || mxGetNumberOfDimensions(value) != 2)
+  if (!(mxIsDouble(value) || mxIsSingle(value)) || mxIsComplex(value) || mxGetNumberOfDimensions(value) != 2)
     check(request, rc_request_refuse(request, RC_ERR_ARGUMENT, "%s must be a real matrix, double or single", name));
-  if (mxIsDouble(value)) return mxGetPr(value);
-  const size_t n = mxGetNumberOfElements(value);
-  const float* single = mxGetData(value);
-  double* values = mxMalloc(n * sizeof *values + 1);
-  for (size_t i = 0; i < n; ++i) values[i] = single[i];
-  return values;
+  return numbers(value);
 }
 
 static void set_mask(rc_request* request, const mxArray* value) {
-  const size_t n = mxGetNumberOfElements(value);
-  if (!(mxIsLogical(value) || mxIsDouble(value)) || mxIsComplex(value) || mxIsSparse(value) ||
-      mxGetNumberOfDimensions(value) != 2)
+  if (!(mxIsLogical(value) || mxIsNumeric(value)) || mxIsComplex(value) || mxGetNumberOfDimensions(value) != 2)
     check(request, rc_request_refuse(request, RC_ERR_ARGUMENT, "opts.mask must be a logical matrix"));
+  const size_t n = mxGetNumberOfElements(value);
+  const double* present = numbers(value);
   uint8_t* bytes = mxMalloc(n + 1);
-  for (size_t i = 0; i < n; ++i) bytes[i] = mxIsLogical(value) ? mxGetLogicals(value)[i] : mxGetPr(value)[i] != 0;
+  for (size_t i = 0; i < n; ++i) bytes[i] = present[i] != 0;
   check(request, rc_request_mask(request, (int64_t)mxGetM(value), (int64_t)mxGetN(value), bytes));
   mxFree(bytes);
 }
@@ -114,7 +117,7 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   mxArray* gap = nlhs > 1 ? mxCreateDoubleMatrix(nx, ny, mxREAL) : NULL;
   rc_result result;
   const rc_status status =
-      rc_request_solve(&request, heights, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, interrupted, NULL, &result);
+      rc_request_solve(&request, heights, p0, mxGetPr(plhs[0]), gap ? mxGetPr(gap) : NULL, interrupted, &result);
   if (status == RC_STOP_CANCELLED) {
     rc_request_close(&request);
     mexErrMsgIdAndTxt("roughcontact:RC_STOP_CANCELLED", "rc_solve: interrupted");

@@ -97,7 +97,7 @@ rc_status rc_request_mask(rc_request* request, int64_t nx, int64_t ny, const uin
 }
 
 rc_status rc_request_solve(rc_request* request, const double* heights, const double* p0, double* p, double* gap,
-                           rc_progress_fn interrupted, void* user, rc_result* result) {
+                           rc_progress_fn interrupted, rc_result* result) {
   if (!request->step.control) return rc_request_refuse(request, RC_ERR_ARGUMENT, "give opts.displacement or opts.load");
   const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
   request->undeformed_gap = malloc(n ? n * sizeof *heights : 1);
@@ -114,7 +114,7 @@ rc_status rc_request_solve(rc_request* request, const double* heights, const dou
 
   rc_contact* contact = NULL;
   status = rc_contact_create(&request->system, request->options, &contact);
-  if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, user, 1);
+  if (status == RC_OK) status = rc_contact_on_progress(contact, interrupted, NULL, 1);
   if (status == RC_OK) status = rc_contact_solve(contact, &request->step, result);
   keep_message(request, status);
   const char* why = NULL;

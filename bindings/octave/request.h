@@ -1,13 +1,9 @@
-/* What rc_solve(z, opts) asks for, as both of its forms (rc_solve.cc for Octave, rc_solve_mex.c for MEX) collect it. A function
- * that fails returns a status other than RC_OK and leaves its text in rc_request.message. */
+/* What rc_solve(z, opts) asks for, as rc_solve_mex.c collects it. A function that fails returns a status other than RC_OK and
+ * leaves its text in rc_request.message. */
 #ifndef ROUGHCONTACT_REQUEST_H
 #define ROUGHCONTACT_REQUEST_H
 
 #include <roughcontact/roughcontact.h>
-
-#ifdef __cplusplus
-extern "C" {
-#endif
 
 typedef struct rc_request {
   rc_system system;
@@ -36,9 +32,6 @@ rc_status rc_request_refuse(rc_request* request, rc_status status, const char* f
 
 /* heights and p0 (may be NULL) have nx*ny values, as has p; gap may be NULL. interrupted is asked in every iteration. */
 rc_status rc_request_solve(rc_request* request, const double* heights, const double* p0, double* p, double* gap,
-                           rc_progress_fn interrupted, void* user, rc_result* result);
+                           rc_progress_fn interrupted, rc_result* result);
 
-#ifdef __cplusplus
-}
-#endif
 #endif

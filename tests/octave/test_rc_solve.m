@@ -1,4 +1,4 @@
-% The same interface whether rc_solve is an .oct or a MEX file: the folder of the one to be tested is on the path.
+% What rc_solve takes, returns and refuses; its folder is on the path.
 1;
 
 function check (name, holds)
@@ -31,6 +31,7 @@ check ("area", info.contact_area == info.contacts * 0.125 && info.contacts == nn
 check ("no pressure where there is a gap", max (p(:) .* max (info.gap(:), 0)) < 1e-6 * max (p(:)));
 check ("proof", info.load_lower <= info.load && info.load <= info.load_upper);
 check ("the highest point is in contact", p(z == max (z(:))) > 0);
+check ("help", ! isempty (strfind (help ("rc_solve"), "opts")));
 check ("one output", isequal (rc_solve (z, opts), p));
 check ("single heights", norm (rc_solve (single (z), opts) - p) < 1e-4 * norm (p));
 
@@ -58,9 +59,15 @@ holes = z; holes(! masked.mask) = NaN;
 masked.displacement = 0.2;
 p = rc_solve (holes, masked);
 check ("masked points carry nothing", all (p(! masked.mask) == 0) && any (p(:) > 0));
+masked.mask = int32 (5 * masked.mask);
+check ("a mask of integers", isequal (rc_solve (holes, masked), p));
+masked.mask = sparse (masked.mask != 0);
+check ("a sparse mask", isequal (rc_solve (holes, masked), p));
 started = opts; started.p0 = rc_solve (z, opts);
-[~, info] = rc_solve (z, started);
+[p, info] = rc_solve (z, started);
 check ("an explicit start", info.status == 0);
+started.p0 = sparse (started.p0);
+check ("a sparse start", isequal (rc_solve (sparse (z), started), p));
 
 e = refused (z, struct ("displacement", 0.4, "solvr", "nnls"));
 check (["nearest option: ", e.message], strcmp (e.identifier, "roughcontact:RC_ERR_OPTION"));

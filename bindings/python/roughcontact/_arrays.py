@@ -6,7 +6,7 @@ from typing import Any, Dict, Optional, Sequence, Tuple, Type, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._c import bytes_, ctype, doubles, integers, statuses
+from ._c import S, bytes_, ctype, doubles, integers, statuses
 from ._errors import ArgumentError, RoughContactError, ShapeError
 
 Doubles = NDArray[np.float64]
@@ -121,3 +121,11 @@ def pointer(array: Optional[NDArray[Any]]) -> Any:
         return None
     kinds: Dict[str, Any] = {"float64": doubles, "int64": integers, "int32": statuses, "uint8": bytes_}
     return array.ctypes.data_as(ctype(kinds[array.dtype.name]))
+
+
+def given(members: S, **values: Any) -> S:
+    """Sets members of a struct, of arrays to `pointer`; those that are None stay as they are."""
+    for name, value in values.items():
+        if value is not None:
+            setattr(members, name, pointer(value) if isinstance(value, np.ndarray) and value.ndim else value)
+    return members

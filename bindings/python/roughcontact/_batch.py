@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, pointer
-from ._c import given
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given
 from ._calls import Callbacks, interruptible
 from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
@@ -87,15 +86,10 @@ def batch(
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
-    struct = rc_batch()
-    given(struct, control=control, warm_start=as_switch(warm_start), n=n, steps=steps)
-    struct.targets, struct.target_stride = pointer(targets), _constants.RC_BATCH_SHARED if targets.ndim == 1 else 0
-    struct.undeformed_gap, struct.undeformed_gap_stride = pointer(gaps), _constants.RC_BATCH_SHARED if gaps.ndim == axes else 0
-    struct.mask = pointer(masks)
-    struct.mask_stride = _constants.RC_BATCH_SHARED if masks is not None and masks.ndim == axes else 0
-    struct.p0, struct.p, struct.status = pointer(starts), pointer(pressures), pointer(statuses)
-    for name, array in {**out, **whole}.items():
-        setattr(struct, name, pointer(array))
+    struct = given(rc_batch(), control=control, warm_start=as_switch(warm_start), n=n, steps=steps, **out, **whole)
+    given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures, status=statuses)
+    for name, array, own in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
+        setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
 
     stop: List[bool] = []
     grid = Grid(system.shape, system.pitch, system.periodic, masks if masks is not None and masks.ndim == axes else None)

@@ -83,11 +83,3 @@ def members_for(cls: type, members: Sized) -> Dict[str, Any]:
     """The members whose names the fields of a dataclass have, with texts decoded."""
     found = {each.name: getattr(members, each.name) for each in dataclasses.fields(cls) if hasattr(members, each.name)}
     return {name: value.decode(errors="replace") if isinstance(value, bytes) else value for name, value in found.items()}
-
-
-def given(members: S, **values: Any) -> S:
-    """Sets members; those that are None stay as they are."""
-    for name, value in values.items():
-        if value is not None:
-            setattr(members, name, value)
-    return members

@@ -5,8 +5,7 @@ from typing import Any, Callable, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, as_doubles, as_switch, pointer
-from ._c import given
+from ._arrays import Doubles, Mask, as_doubles, as_switch, given
 from ._calls import Callbacks
 from ._errors import ArgumentError, as_status
 from ._handle import Handle
@@ -36,12 +35,8 @@ def path_on(
     applications, tangents = np.full(n, -1), np.full(n, np.nan) if stiffness else None
     pressures = np.zeros((n, *contact.system.shape)) if keep_pressure else None
 
-    struct = rc_path()
-    given(struct, control=control, warm_start=as_switch(warm_start), n=n, targets=pointer(targets))
-    struct.undeformed_gap, struct.mask = pointer(undeformed_gap), pointer(mask)
-    for name, array in out.items():
-        setattr(struct, name, pointer(array))
-    struct.applications, struct.stiffness = pointer(applications), pointer(tangents)
+    struct = given(rc_path(), control=control, warm_start=as_switch(warm_start), n=n, targets=targets, **out)
+    given(struct, undeformed_gap=undeformed_gap, mask=mask, applications=applications, stiffness=tangents)
 
     def after(step: int, answer: Any, _: Any) -> object:
         found = result_with_copies(answer.contents, contact.grid(), contact._handle)

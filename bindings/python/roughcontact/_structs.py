@@ -11,44 +11,34 @@ rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 
 @struct
 class rc_system(Sized):
-    members = """
-    size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx ny; double hx hy modulus;
-    doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user
-    """
+    members = """size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx ny;
+    double hx hy modulus; doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user"""
 
 
 @struct
 class rc_step(Sized):
-    members = """
-    size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap p0; bytes_ mask;
-    int32_t borrow reserved
-    """
+    members = """size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap p0; bytes_ mask;
+    int32_t borrow reserved"""
 
 
 @struct
 class rc_result(Sized):
-    members = """
-    size_t struct_size; doubles p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
+    members = """size_t struct_size; doubles p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
     int64_t iterations applications points candidates modelled contacts;
     double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
     double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
-    double duality_gap load_lower load_upper area_lower area_upper; int64_t proven_contacts proven_open undecided levels;
-    double tolerance
-    """
+    double duality_gap load_lower load_upper area_lower area_upper;
+    int64_t proven_contacts proven_open undecided levels; double tolerance"""
 
 
 @struct
 class rc_accuracy(Sized):
-    members = """
-    size_t struct_size; int64_t model_nx model_ny; double error_estimate area_estimate left_out
-    """
+    members = "size_t struct_size; int64_t model_nx model_ny; double error_estimate area_estimate left_out"
 
 
 @struct
 class rc_progress(Sized):
-    members = """
-    size_t struct_size; int64_t iteration applications; double kkt seconds
-    """
+    members = "size_t struct_size; int64_t iteration applications; double kkt seconds"
 
 
 rc_progress_fn = callback(int32_t, rc_progress, handle)
@@ -59,19 +49,15 @@ rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
 
 @struct
 class rc_path(Sized):
-    members = """
-    size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
+    members = """size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
     doubles load approach contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
-    int64_t completed
-    """
+    int64_t completed"""
 
 
 @struct
 class rc_state(Sized):
-    members = """
-    size_t struct_size; doubles undeformed_gap; bytes_ mask; doubles p; double approach load; doubles p_before;
-    double approach_before load_before
-    """
+    members = """size_t struct_size; doubles undeformed_gap; bytes_ mask; doubles p; double approach load; doubles p_before;
+    double approach_before load_before"""
 
 
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
@@ -79,51 +65,40 @@ rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 
 @struct
 class rc_batch(Sized):
-    members = """
-    size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
+    members = """size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
     doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride;
-    doubles p0 p load approach contact_area stiffness certificate; statuses status; integers iterations applications;
-    rc_batch_fn fn; handle user; int64_t written certified first=-1
-    """
+    doubles p0 p load approach contact_area stiffness certificate; statuses status;
+    integers iterations applications; rc_batch_fn fn; handle user; int64_t written certified first=-1"""
 
 
 @struct
 class rc_level(Sized):
-    members = """
-    size_t struct_size; doubles p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny; double hx hy approach load;
-    int64_t candidates contacts
-    """
+    members = """size_t struct_size; doubles p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny;
+    double hx hy approach load; int64_t candidates contacts"""
 
 
 @struct
 class rc_direct(Sized):
-    members = """
-    size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t iterations applications contacts;
-    double load energy kkt duality_gap load_lower load_upper; char*160 note
-    """
+    members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
+    int64_t iterations applications contacts; double load energy kkt duality_gap load_lower load_upper;
+    char*160 note"""
 
 
 @struct
 class rc_area(Sized):
-    members = """
-    size_t struct_size; int64_t contacts; double area perimeter corrected_area
-    """
+    members = "size_t struct_size; int64_t contacts; double area perimeter corrected_area"
 
 
 @struct
 class rc_patches(Sized):
-    members = """
-    size_t struct_size; int32_t neighbours=4 reserved; int64_t room; integers label cells;
-    doubles area perimeter load mean_pressure max_pressure; integers peak; int64_t count
-    """
+    members = """size_t struct_size; int32_t neighbours=4 reserved; int64_t room; integers label cells;
+    doubles area perimeter load mean_pressure max_pressure; integers peak; int64_t count"""
 
 
 @struct
 class rc_histogram(Sized):
-    members = """
-    size_t struct_size; int64_t bins; double upper; integers counts; doubles density; double width; int64_t contacts above;
-    double mean_pressure max_pressure
-    """
+    members = """size_t struct_size; int64_t bins; double upper; integers counts; doubles density; double width;
+    int64_t contacts above; double mean_pressure max_pressure"""
 
 
 rc_log_fn = callback(None, int32_t, text, handle)
@@ -131,74 +106,57 @@ rc_log_fn = callback(None, int32_t, text, handle)
 
 @struct
 class rc_context_config(Sized):
-    members = """
-    size_t struct_size; uint32_t flags reserved; text plugin_path; rc_log_fn log; handle log_user
-    """
+    members = "size_t struct_size; uint32_t flags reserved; text plugin_path; rc_log_fn log; handle log_user"
 
 
 @struct
 class rc_component(Sized):
-    members = """
-    size_t struct_size; text name summary license origin
-    """
+    members = "size_t struct_size; text name summary license origin"
 
 
 @struct
 class rc_option_spec(Sized):
-    members = """
-    size_t struct_size; text key default_value choices help; int32_t type fixed; double minimum maximum
-    """
+    members = "size_t struct_size; text key default_value choices help; int32_t type fixed; double minimum maximum"
 
 
 @struct
 class rc_surface_rmd_spec(Sized):
-    members = """
-    size_t struct_size; uint64_t seed=1; int32_t levels=8 additions; double hurst=0.7 sigma=1.0 rms_height
-    """
+    members = "size_t struct_size; uint64_t seed=1; int32_t levels=8 additions; double hurst=0.7 sigma=1.0 rms_height"
 
 
 @struct
 class rc_surface_spectral_spec(Sized):
-    members = """
-    size_t struct_size; uint64_t seed=1; int64_t nx=256 ny=256;
-    double hx=1.0 hy=1.0 hurst=0.8 q_low q_rolloff q_high rms_height=1.0 rms_slope; int32_t fixed_amplitudes reserved
-    """
+    members = """size_t struct_size; uint64_t seed=1; int64_t nx=256 ny=256;
+    double hx=1.0 hy=1.0 hurst=0.8 q_low q_rolloff q_high rms_height=1.0 rms_slope;
+    int32_t fixed_amplitudes reserved"""
 
 
 @struct
 class rc_surface_shape_spec(Sized):
-    members = """
-    size_t struct_size; int32_t shape=RC_SURFACE_PARABOLOID reserved; uint64_t seed=1; int64_t nx=256 ny=256;
-    double hx=1.0 hy=1.0 radius=1.0 height=1.0 period_x period_y
-    """
+    members = """size_t struct_size; int32_t shape=RC_SURFACE_PARABOLOID reserved; uint64_t seed=1; int64_t nx=256 ny=256;
+    double hx=1.0 hy=1.0 radius=1.0 height=1.0 period_x period_y"""
 
 
 @struct
 class rc_surface_map(Sized):
-    members = """
-    size_t struct_size; int64_t nx=1 ny=1; double hx=1.0 hy=1.0; doubles heights; int32_t periodic trend=RC_SURFACE_TREND_AUTO
-    """
+    members = """size_t struct_size; int64_t nx=1 ny=1; double hx=1.0 hy=1.0; doubles heights;
+    int32_t periodic trend=RC_SURFACE_TREND_AUTO"""
 
 
 @struct
 class rc_surface_statistics(Sized):
-    members = """
-    size_t struct_size;
-    double rms_height skewness kurtosis highest lowest rms_slope rms_slope_x rms_slope_y rms_curvature m0 m2 m4; double nayak
-    """
+    members = """size_t struct_size;
+    double rms_height skewness kurtosis highest lowest rms_slope rms_slope_x rms_slope_y rms_curvature m0 m2 m4;
+    double nayak"""
 
 
 @struct
 class rc_surface_power_law(Sized):
-    members = """
-    size_t struct_size; double hurst hurst_error slope prefactor q_min q_max q_rolloff q_cutoff; int64_t peaks;
-    double*4 peak_qx peak_qy peak_share
-    """
+    members = """size_t struct_size; double hurst hurst_error slope prefactor q_min q_max q_rolloff q_cutoff; int64_t peaks;
+    double*4 peak_qx peak_qy peak_share"""
 
 
 @struct
 class rc_surface_cmr(Sized):
-    members = """
-    size_t struct_size; int32_t trustworthy levels safe_levels reserved;
-    double unresolved limit unresolved_overall peak_loss approach coarsest_pitch; char*400 reason
-    """
+    members = """size_t struct_size; int32_t trustworthy levels safe_levels reserved;
+    double unresolved limit unresolved_overall peak_loss approach coarsest_pitch; char*400 reason"""

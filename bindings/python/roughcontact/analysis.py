@@ -10,8 +10,8 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, pointer
-from ._c import given, members_for
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, given, pointer
+from ._c import members_for
 from ._calls import check
 from ._errors import ShapeError
 from ._library import contact_library
@@ -95,19 +95,15 @@ def patches(
     """Connected parts of the contact; corners: across corners of cells as well as edges. Arguments as in `area`."""
     system, p, m = _grid(pressure, pitch, periodic, mask)
     library = contact_library()
-    struct = rc_patches()
-    if corners:
-        struct.neighbours = 8
     label = np.empty(p.shape, np.int64)
-    struct.label = pointer(label)
+    struct = given(rc_patches(), label=label, neighbours=8 if corners else None)
     check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
     whole: Dict[str, Any] = {name: np.empty(struct.count, np.int64) for name in ("cells", "peak")}
     real: Dict[str, Any] = {
         name: np.empty(struct.count) for name in ("area", "perimeter", "load", "mean_pressure", "max_pressure")
     }
     struct.room, struct.label = struct.count, None
-    for name, array in {**whole, **real}.items():
-        setattr(struct, name, pointer(array))
+    given(struct, **whole, **real)
     check(library.rc_patches_find(system, pointer(p), pointer(m), struct))
     return Patches(label=label, **whole, **real)
 
@@ -124,10 +120,8 @@ def histogram(
     """Histogram of the pressures; upper: end of the last bin [force/length^2], None: the largest pressure. Others as in `area`."""
     system, p, m = _grid(pressure, pitch, periodic, mask)
     bins = as_int(bins, "bins")
-    struct = rc_histogram()
-    given(struct, bins=bins, upper=upper)
     counts, density = np.zeros(max(bins, 0), np.int64), np.zeros(max(bins, 0))
-    struct.counts, struct.density = pointer(counts), pointer(density)
+    struct = given(rc_histogram(), bins=bins, upper=upper, counts=counts, density=density)
     check(contact_library().rc_histogram_fill(system, pointer(p), pointer(m), struct))
     own = {"edges": struct.width * np.arange(bins + 1), "counts": counts, "density": density}
     return Histogram(**{**members_for(Histogram, struct), **own})

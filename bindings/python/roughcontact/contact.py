@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, pointer
-from ._c import given
+from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
 from ._handle import Handle
@@ -91,8 +90,8 @@ class Contact(Handle):
         control, target = control_and_target(displacement, load)
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
-        step = self._step(control, target, gap_array, mask_array)
-        given(step, p0=pointer(first), warm_start=as_switch(warm_start), borrow=as_switch(borrow or None))
+        step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array, p0=first)
+        given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
         pressure = np.zeros(self.system.shape) if want_pressure else None
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding():
@@ -123,24 +122,12 @@ class Contact(Handle):
         """Certifies given pressures [force/length^2] for this step; nothing is solved. Arguments as in `solve`."""
         control, target = control_and_target(displacement, load)
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
-        given = as_doubles(pressure, "pressure", self.system.shape).copy()
+        judged = as_doubles(pressure, "pressure", self.system.shape).copy()
+        step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array)
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding(), self._pressing(gap_array, mask_array):
-            return self._run_step(
-                contact_library().rc_contact_certify,
-                self._step(control, target, gap_array, mask_array),
-                given,
-                deformed,
-                check,
-                gap_array,
-                mask_array,
-            )
-
-    def _step(self, control: int, target: Any, undeformed_gap: Optional[Doubles], mask: Optional[Mask]) -> rc_step:
-        step = rc_step()
-        step.control, step.target = control, float(target)
-        step.undeformed_gap, step.mask = pointer(undeformed_gap), pointer(mask)
-        return step
+            inputs = (gap_array, mask_array)
+            return self._run_step(contact_library().rc_contact_certify, step, judged, deformed, check, *inputs)
 
     def _run_step(
         self,
@@ -151,8 +138,7 @@ class Contact(Handle):
         must_be_certified: bool,
         *inputs: Any,
     ) -> Result:
-        struct = rc_result()
-        struct.p, struct.gap = pointer(pressure), pointer(deformed)
+        struct = given(rc_result(), p=pressure, gap=deformed)
         keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
         answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None
@@ -246,13 +232,12 @@ class Contact(Handle):
         round-off.
         """
         gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
-        state = rc_state()
-        state.undeformed_gap, state.mask = pointer(gap_array), pointer(mask_array)
         pressure = as_doubles(last[0], "last[0]", self.system.shape)
-        state.p, state.approach, state.load = pointer(pressure), float(last[1]), float(last[2])
-        earlier = None if before is None else as_doubles(before[0], "before[0]", self.system.shape)
+        state = given(rc_state(), p=pressure, approach=float(last[1]), load=float(last[2]))
+        given(state, undeformed_gap=gap_array, mask=mask_array)
         if before is not None:
-            state.p_before, state.approach_before, state.load_before = pointer(earlier), float(before[1]), float(before[2])
+            earlier = as_doubles(before[0], "before[0]", self.system.shape)
+            given(state, p_before=earlier, approach_before=float(before[1]), load_before=float(before[2]))
         with self._holding() as handle:
             check(contact_library().rc_contact_restore(handle, state))
             self._borrowed, self._mask = [], mask_array

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_pitch, as_seed, as_shape, as_switch, columns_and_rows, pointer
-from ._c import given, members_for
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_pitch, as_seed, as_shape, as_switch, given, pointer
+from ._arrays import columns_and_rows
+from ._c import members_for
 from ._calls import check_surface
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
@@ -241,12 +242,9 @@ def _map(
     found = as_surface(surface, pitch, periodic)
     if found.mask is not None:
         raise ArgumentError("the surface has missing points; fill them first")
-    struct = rc_surface_map()
-    struct.nx, struct.ny = columns_and_rows(found.shape)
-    struct.hx, struct.hy = found.pitch
-    struct.heights, struct.periodic = pointer(found.heights), int(bool(found.periodic))
-    given(struct, trend=TRENDS.get(trend or ""))
-    return struct, found  # the heights live as long as the surface
+    (nx, ny), (hx, hy) = columns_and_rows(found.shape), found.pitch
+    struct = given(rc_surface_map(), nx=nx, ny=ny, hx=hx, hy=hy, heights=found.heights, periodic=as_switch(found.periodic))
+    return given(struct, trend=TRENDS.get(trend or "")), found  # the heights live as long as the surface
 
 
 def analyze(

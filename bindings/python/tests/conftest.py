@@ -8,6 +8,13 @@ import roughcontact as rc
 PITCH, RADIUS, MODULUS = 1e-6, 1e-3, 100e9  # cells of 1 um, a sphere of 1 mm
 
 
+def refused(kind, words, call, /, *arguments, **named):
+    """The exception of this kind, with these words ("": any) in its message, that a call raises."""
+    with pytest.raises(kind, match=words) as caught:
+        call(*arguments, **named)
+    return caught.value
+
+
 @pytest.fixture
 def sphere_gap():
     """[64, 64] distance of a paraboloid to a plane, 0 between the four points in the middle."""

@@ -5,6 +5,7 @@ import os
 
 import numpy as np
 import pytest
+from conftest import refused
 
 import roughcontact as rc
 
@@ -28,16 +29,12 @@ def calls():
     gap = rc.surface.noise((24, 24)).undeformed_gap()
     how = {"pitch": 1.0, "modulus": 1.0, "displacement": 1.0}
 
-    def refused():
-        with pytest.raises(rc.OptionError):
-            rc.solve(undeformed_gap=gap, **how, options={"unknown": 1})
-
     contact = rc.Contact(rc.HalfSpace((24, 24), pitch=1.0, modulus=1.0), progress=lambda p: None)
     H = np.eye(30)
     return {
         "solve": lambda: rc.solve(undeformed_gap=gap, **how, want_gap=True),
         "step": lambda: contact.solve(undeformed_gap=gap, displacement=1.0),
-        "refused": refused,
+        "refused": lambda: refused(rc.OptionError, "", rc.solve, undeformed_gap=gap, **how, options={"unknown": 1}),
         "product": lambda: rc.solve(undeformed_gap=np.ones(30), displacement=2.0, system=rc.Product(H.dot, 30, pitch=1)),
         "path": lambda: rc.path(undeformed_gap=gap, pitch=1.0, modulus=1.0, displacement=[1.0], each=lambda k, r: None),
     }

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import refused
 
 import roughcontact as rc
 
@@ -38,8 +39,7 @@ def test_options_are_described():
 def test_contexts_of_ones_own(sphere_gap, half_space):
     bare = rc.Context(plugins=False)
     assert [each.name for each in rc.backends(bare)] == ["callback", "dense"]
-    with pytest.raises(rc.NoBackendError):
-        rc.Contact(half_space, options={"backend": "fft"}, context=bare)
+    refused(rc.NoBackendError, "", rc.Contact, half_space, options={"backend": "fft"}, context=bare)
     with rc.Contact(half_space, options={"backend": "dense"}, context=bare) as contact:
         del bare  # the contact keeps it
         assert contact.solve(undeformed_gap=sphere_gap, displacement=1e-7).backend == "dense"
@@ -62,8 +62,7 @@ def test_kernel_coefficients():
     found = rc.kernel_coefficients("love", (3, 4), (2.0, 1.0))
     assert found.shape == (3, 4) and found[0, 0] == found.max()
     assert found[0, 3] == pytest.approx(2.0 / (np.pi * 6.0), rel=0.02)  # far away: the cell's area over pi r
-    with pytest.raises(rc.OptionError):
-        rc.kernel_coefficients("nonesuch", (3, 4), 1.0)
+    refused(rc.OptionError, "", rc.kernel_coefficients, "nonesuch", (3, 4), 1.0)
 
 
 def test_versions():
