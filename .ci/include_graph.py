@@ -26,8 +26,6 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
 NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
     'solvers/haar_cg/machine.h': (),
     'solvers/haar_cg/iteration.h': ('solvers/haar_cg/machine.h',),
-    'solvers/haar_cg/plain_tree.h': ('solvers/haar_cg/tree_inputs.h',),
-    'solvers/haar_cg/plain_machine.h': ('solvers/haar_cg/machine.h', 'solvers/haar_cg/plain_tree.h'),
     'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
                         'kernel/'),
     'contact/history/*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),

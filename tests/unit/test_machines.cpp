@@ -12,9 +12,9 @@
 #include "kernel/kernel.h"
 #include "registry/options_handle.h"
 #include "solvers/haar_cg/iteration.h"
-#include "solvers/haar_cg/plain_machine.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
 #include "support/cmocka.hpp"
+#include "unit/plain_machine.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// One multilevel tree over the unknowns: plain_tree.h explains it. It computes in single precision.
+// One multilevel tree over the unknowns: tests/unit/plain_tree.h explains it. It computes in single precision.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "solvers/haar_cg/machine.h"
-#include "solvers/haar_cg/plain_tree.h"
+#include "unit/plain_tree.h"
 
 namespace rc {
 
