@@ -183,7 +183,9 @@ def fortran_functions(interface: Interface) -> List[str]:
         lines += [f"      {declaration} :: {', '.join(names)}" for declaration, names in declared.items()]
         lines.append(f"    end {result.split()[-1]}")
     lines.append("  end interface")
-    return lines + [f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(functions) if others]
+    return lines + [
+        f"  procedure({first}), bind(c) :: {', '.join(others)}" for first, *others in alike(functions) if others
+    ]
 
 
 def fortran_constants(interface: Interface) -> List[str]:
@@ -247,13 +249,7 @@ def python_structs(interface: Interface) -> str:
         groups = [f"{kind} {line}" for kind, names in grouped(members) for line in filled(names, " ", 100)]
         text = filled(groups, "; ", 108)
         quote = '"' * (1 if len(text) == 1 else 3)
-        lines += [
-            "",
-            "",
-            "@struct",
-            f"class {name}(Sized):",
-            f"    members = {quote}{(';' + chr(10) + '    ').join(text)}{quote}",
-        ]
+        lines += ["", "", "@struct", f"class {name}(Sized):", f"    members = {quote}{(';' + chr(10) + '    ').join(text)}{quote}"]
     return "\n".join(lines).strip("\n")
 
 
@@ -319,11 +315,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - contact.functions.keys() - surface.functions.keys()
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
-    own, fortran, python = (
-        "the headers but surface.h and plugin.h",
-        "bindings/fortran/roughcontact",
-        "bindings/python/roughcontact",
-    )
+    own, fortran, python = "the headers but surface.h and plugin.h", "bindings/fortran/roughcontact", "bindings/python/roughcontact"
     use_c = "  use, intrinsic :: iso_c_binding"
     members = [
         f"{'TEXT' if kind.array else 'NUMBER'}({struct.name.replace('rc_', '')}, {name})"
