@@ -50,8 +50,7 @@ static rc_status refuse(Request* request, rc_status status, const char* format, 
 }
 
 static rc_status open_request(Request* request, int64_t nx, int64_t ny) {
-  const Request empty = {RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, RC_ACCURACY_INIT, NULL, ""};
-  *request = empty;
+  *request = (Request){RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, RC_ACCURACY_INIT, NULL, ""};
   request->system.nx = nx;
   request->system.ny = ny;
   return keep_message(request, rc_options_create(NULL, &request->options));
@@ -118,8 +117,7 @@ static rc_status solve(Request* request, const double* heights, const double* p0
   request->step.undeformed_gap = undeformed_gap;
   request->step.mask = request->mask;
   request->step.p0 = p0;
-  const rc_result empty = RC_RESULT_INIT;
-  *result = empty;
+  *result = (rc_result)RC_RESULT_INIT;
   result->p = p;
   result->gap = gap;
 
