@@ -6,5 +6,5 @@
 % boundary ('free' or 'periodic'); mask; p0; and every option of the library, such as solver, backend, kernel, tol,
 % with _ for the dots of its name.
 function varargout = rc_solve(varargin)
-  error('rc_solve:binary', 'compile rc_solve_mex.c, and put rc_solve.m and what comes out in one folder');
+  error('rc_solve:binary', 'compile rc_solve.c, and put rc_solve.m and what comes out in one folder');
 end

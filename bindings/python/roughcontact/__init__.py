@@ -10,104 +10,56 @@ whose `result` holds the answer, or with check=False returns it with its `status
 case. Ctrl-C ends a running call and raises `Interrupted`, a KeyboardInterrupt whose `result` is what was finished.
 """
 
-from . import analysis, direct, plot, raw, surface
+from . import analysis as analysis, direct as direct, plot as plot, raw as raw, surface as surface
 from ._errors import (
-    ArgumentError,
-    BusyError,
-    ExternalError,
-    IncompatibleError,
-    InfeasibleError,
-    InternalError,
-    Interrupted,
-    LibraryNotFoundError,
-    NoBackendError,
-    NoSolverError,
-    NotCertifiedError,
-    NumericError,
-    OptionError,
-    OutOfMemoryError,
-    PluginError,
-    RoughContactError,
-    ShapeError,
+    ArgumentError as ArgumentError,
+    BusyError as BusyError,
+    ExternalError as ExternalError,
+    IncompatibleError as IncompatibleError,
+    InfeasibleError as InfeasibleError,
+    InternalError as InternalError,
+    Interrupted as Interrupted,
+    LibraryNotFoundError as LibraryNotFoundError,
+    NoBackendError as NoBackendError,
+    NoSolverError as NoSolverError,
+    NotCertifiedError as NotCertifiedError,
+    NumericError as NumericError,
+    OptionError as OptionError,
+    OutOfMemoryError as OutOfMemoryError,
+    PluginError as PluginError,
+    RoughContactError as RoughContactError,
+    ShapeError as ShapeError,
 )
-from ._library import library_file
-from ._maps import Surface
-from ._status import Status
-from .analysis import Area, Histogram, Patches
-from ._batch import batch
-from .contact import Contact
-from ._handle import Progress
+from ._library import library_file as library_file
+from ._maps import Surface as Surface
+from ._status import Status as Status
+from .analysis import Area as Area, Histogram as Histogram, Patches as Patches
+from ._batch import batch as batch
+from .contact import Contact as Contact
+from ._handle import Progress as Progress
 from .context import (
-    Component,
-    Context,
-    OptionSpec,
-    backends,
-    effective_options,
-    kernel_coefficients,
-    kernels,
-    options,
-    solvers,
-    version,
+    Component as Component,
+    Context as Context,
+    OptionSpec as OptionSpec,
+    backends as backends,
+    effective_options as effective_options,
+    kernel_coefficients as kernel_coefficients,
+    kernels as kernels,
+    options as options,
+    solvers as solvers,
+    version as version,
 )
-from .result import Accuracy, BatchResult, Grid, Level, PathResult, Result
-from ._solve import path, solve
-from .system import HalfSpace, Matrix, Product, System, supported
+from .result import (
+    Accuracy as Accuracy,
+    BatchResult as BatchResult,
+    Grid as Grid,
+    Level as Level,
+    PathResult as PathResult,
+    Result as Result,
+)
+from ._solve import path as path, solve as solve
+from .system import HalfSpace as HalfSpace, Matrix as Matrix, Product as Product, System as System, supported as supported
 
 __version__ = "0.1.0"
-
-__all__ = [
-    "Accuracy",
-    "Area",
-    "ArgumentError",
-    "BatchResult",
-    "BusyError",
-    "Component",
-    "Contact",
-    "Context",
-    "ExternalError",
-    "Grid",
-    "HalfSpace",
-    "Histogram",
-    "IncompatibleError",
-    "InfeasibleError",
-    "InternalError",
-    "Interrupted",
-    "Level",
-    "LibraryNotFoundError",
-    "Matrix",
-    "NoBackendError",
-    "NoSolverError",
-    "NotCertifiedError",
-    "NumericError",
-    "OptionError",
-    "OptionSpec",
-    "OutOfMemoryError",
-    "Patches",
-    "PathResult",
-    "PluginError",
-    "Product",
-    "Progress",
-    "Result",
-    "RoughContactError",
-    "ShapeError",
-    "Status",
-    "Surface",
-    "System",
-    "analysis",
-    "backends",
-    "batch",
-    "direct",
-    "effective_options",
-    "kernel_coefficients",
-    "kernels",
-    "library_file",
-    "options",
-    "path",
-    "plot",
-    "raw",
-    "solve",
-    "solvers",
-    "supported",
-    "surface",
-    "version",
-]
+# What is imported above, without the modules that it comes from.
+__all__ = sorted(name for name in set(dir()) - {"contact", "context", "result", "system"} if not name.startswith("_"))
