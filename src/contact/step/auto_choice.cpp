@@ -42,7 +42,7 @@ bool contains(const std::vector<std::string>& names, const char* name) {
 }
 
 double machine_bytes() {
-  static const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   return bytes > 0 ? bytes : std::numeric_limits<double>::infinity();
 }
 
