@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "core/error.h"
@@ -94,6 +95,11 @@ std::uint64_t System::needed_caps() const {
   if (given.op == RC_OPERATOR_DENSE) return RC_CAP_DENSE_INPUT;
   if (given.op == RC_OPERATOR_CALLBACK) return RC_CAP_CALLBACK;
   return periodic() ? RC_CAP_PERIODIC : RC_CAP_FREE;
+}
+
+double System::longest_wave() const {
+  const double lx = unit.hx * static_cast<double>(unit.nx), ly = unit.hy * static_cast<double>(unit.ny);
+  return (unit.nx == 1 ? ly : unit.ny == 1 ? lx : std::max(lx, ly)) / std::numbers::pi;
 }
 
 System checked_system(const rc_system& system, const std::string& kernel, bool probe) {

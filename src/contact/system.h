@@ -21,6 +21,8 @@ struct System {
   double cell_area() const { return given.hx * given.hy; }
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
+  // Periodic: the eigenvalue of the longest wave, which an axis of one point does not have.
+  double longest_wave() const;
   std::uint64_t needed_caps() const;
 };
 

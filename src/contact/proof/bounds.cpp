@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace rc {
 
@@ -112,11 +111,7 @@ class Proof {
     sum_ = static_cast<double>(sum);
     const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
     double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
-    if (system_.periodic()) {  // load control shifts the datum of H by this much while it solves
-      const rc_system& unit = system_.unit;
-      const double longest = std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny));
-      size += longest / std::numbers::pi * sum_ / n();
-    }
+    if (system_.periodic()) size += system_.longest_wave() * sum_ / n();  // load control shifts the datum of H by this much
     doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
   }
 

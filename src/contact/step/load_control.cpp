@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "contact/step/problem_services.h"
@@ -118,9 +117,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     if (system.periodic() && !direct) {
       // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
       // contact.
-      const rc_system& unit = system.unit;
-      trial.zero_mode =
-          std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny)) / std::numbers::pi;
+      trial.zero_mode = system.longest_wave();
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     answer.p = memory.start(from, trial, answer.pressure_unit, nearer ? &*nearer : nullptr);
