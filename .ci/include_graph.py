@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'direct', 'analysis', 'registry')}
+CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'registry')}
 PUBLIC = CONTACT | {'roughcontact/plugin.h', 'roughcontact/surface.h', 'roughcontact/plugin.hpp'}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'core': {'core'},

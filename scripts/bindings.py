@@ -27,7 +27,7 @@ except ImportError as missing:
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What a program includes to use each library. Headers that these include are read as well; the first library has them.
 HEADERS = {
-    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "direct", "analysis", "registry")],
+    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "analysis", "registry")],
     "surface": ["roughcontact/surface.h"],
 }
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.

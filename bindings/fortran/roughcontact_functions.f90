@@ -126,6 +126,14 @@ module roughcontact_functions
       integer(c_int64_t), value :: i
       type(rc_level), intent(inout) :: out
     end function
+    integer(rc_status) function rc_contact_gradient(contact, gradient) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_gradient), intent(inout) :: gradient
+    end function
+    integer(rc_status) function rc_contact_tangent(contact, tangent) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_tangent), intent(inout) :: tangent
+    end function
     integer(rc_status) function rc_greedy(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
       integer(c_int64_t), value :: n, ld, max_iter
       real(c_double), intent(in) :: H(*), u(*)
@@ -159,6 +167,12 @@ module roughcontact_functions
       real(c_double), intent(in) :: p(*)
       type(c_ptr), value :: mask
       type(rc_histogram), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_conductance(system, result, rho1, rho2, conductance, lower, upper) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(rc_result), intent(in) :: result
+      real(c_double), value :: rho1, rho2
+      real(c_double), intent(inout) :: conductance(*), lower(*), upper(*)
     end function
     integer(rc_status) function rc_context_create(config, out) bind(c); import
       type(rc_context_config), intent(in), optional :: config

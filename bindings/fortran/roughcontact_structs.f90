@@ -29,7 +29,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 512
+    integer(c_size_t) :: struct_size = 528
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
@@ -39,7 +39,7 @@ module roughcontact_structs
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
     real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
-    real(c_double) :: tolerance = 0
+    real(c_double) :: tolerance = 0, stiffness_lower = 0, stiffness_upper = 0
   end type
 
   type, bind(c) :: rc_accuracy
@@ -108,6 +108,24 @@ module roughcontact_structs
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0, approach = 0, load = 0
     integer(c_int64_t) :: candidates = 0, contacts = 0
+  end type
+
+  type, bind(c) :: rc_gradient
+    integer(c_size_t) :: struct_size = 88
+    type(c_ptr) :: dJ_dp = c_null_ptr, dJ_dgap = c_null_ptr  ! const double *
+    real(c_double) :: dJ_dload = 0, dJ_dapproach = 0
+    type(c_ptr) :: dJ_dundeformed_gap = c_null_ptr  ! double *
+    real(c_double) :: dJ_dtarget = 0, dJ_dmodulus = 0, error = 0
+    integer(c_int64_t) :: undecided = 0, products = 0
+  end type
+
+  type, bind(c) :: rc_tangent
+    integer(c_size_t) :: struct_size = 88
+    type(c_ptr) :: dundeformed_gap = c_null_ptr  ! const double *
+    real(c_double) :: dtarget = 0, dmodulus = 0
+    type(c_ptr) :: dp = c_null_ptr, dgap = c_null_ptr  ! double *
+    real(c_double) :: dload = 0, dapproach = 0, error = 0
+    integer(c_int64_t) :: undecided = 0, products = 0
   end type
 
   type, bind(c) :: rc_direct

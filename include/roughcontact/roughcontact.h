@@ -8,7 +8,8 @@
  *
  * This header is what a first program needs: a system, a step, a result. Others, each with all that it needs:
  *     history.h    loading histories, batches of contacts, restarts, coarse solutions
- *     analysis.h   area, patches and pressures of a contact
+ *     derivatives.h  gradients and tangents of a step
+ *     analysis.h   area, patches, pressures and conductance of a contact
  *     direct.h     the paper's algorithms on a matrix, one call each
  *     registry.h   contexts, the components and options there are
  *     plugin.h     backends and solvers of your own           surface.h   generated surfaces, spectra (a library of its own)
@@ -172,7 +173,7 @@ typedef struct rc_result {
   double contact_area; /* contacts hx hy [length^2]                                                                  */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised              */
   double stiffness;    /* dW/dd of the contact set [force/length], to about tol / 100 of its value; infinite in full
-                          periodic contact; NaN unless option stiffness is 1                                         */
+                          periodic contact; NaN where option stiffness is 0                                          */
   double kkt_primal;   /* max(0, -min p) / max|p|                                                                    */
   double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
                           least a quarter of the mean pressure times sqrt(hx hy) / E*; under displacement control
@@ -196,10 +197,12 @@ typedef struct rc_result {
   int64_t undecided;   /* the other points                                                                           */
   int64_t levels;      /* coarse solutions kept, see rc_contact_level                                                */
   double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger             */
+  double stiffness_lower, stiffness_upper; /* the exact dW/dd at this approach lies between these [force/length]; NaN
+                          unless option stiffness is 2, and where no proof is known                                  */
 } rc_result;
 #define RC_RESULT_INIT                                                                                                         \
   { sizeof(rc_result), NULL, NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, \
-    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0 }
+    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0 }
 
 /** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
  *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "contact/step/derivatives.h"
 #include "contact/step/target.h"
 #include "core/error.h"
 
@@ -18,10 +19,10 @@ void Contact::set_options(const rc_options& options) {
   grid_.work().goal = goal_of(options);
 }
 
-bool Contact::ask_stiffness(bool wanted) {
+std::int64_t Contact::ask_stiffness(std::int64_t wanted) {
   rc_options& options = grid_.work().options;
-  const bool before = options.integer(RC_OPT_STIFFNESS) != 0;
-  options.set(RC_OPT_STIFFNESS, std::int64_t{wanted});
+  const std::int64_t before = options.integer(RC_OPT_STIFFNESS);
+  options.set(RC_OPT_STIFFNESS, wanted);
   return before;
 }
 
@@ -50,6 +51,16 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
 }
 
 rc_status Contact::certify(const rc_step& step, rc_result& result) { return grid_.certify(step, result); }
+
+rc_status Contact::gradient(rc_gradient& gradient) {
+  const Cancellation cancellation(*this);
+  return differentiate(grid_.work(), memory(), grid_.monitor(), gradient);
+}
+
+rc_status Contact::tangent(rc_tangent& tangent) {
+  const Cancellation cancellation(*this);
+  return differentiate(grid_.work(), memory(), grid_.monitor(), tangent);
+}
 
 const std::string& Contact::explain() {
   const StepRecord& record = work().record;

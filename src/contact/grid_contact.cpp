@@ -57,7 +57,11 @@ void GridContact::begin(const rc_step& step) {
 rc_status GridContact::solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer) {
   Finished finished = nothing_touches(step, work_) ? certified_result(work_, step, {}, monitor, result)
                                                    : solve_step(work_, memory_, step, monitor, result, std::move(nearer));
-  if (finished.status == RC_OK) remember(std::move(finished), result);
+  if (finished.status == RC_OK) {
+    remember(std::move(finished), result);
+    work_.record.certified = step.control;
+    work_.record.undecided = result.undecided;
+  }
   return result.status;
 }
 
@@ -96,6 +100,7 @@ void GridContact::adopt(StepSurface&& given) {
 
 void GridContact::reset() {
   work_.surface.clear();
+  work_.record.certified = 0;
   memory_ = {};
   work_.solver_grids.clear();
   work_.forget_operators();
@@ -109,6 +114,7 @@ void GridContact::forget_operators() {
 void GridContact::forget() {
   forget_operators();
   work_.surface.clear();
+  work_.record.certified = 0;
   memory_ = {};
 }
 

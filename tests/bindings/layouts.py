@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-HEADERS = ("history", "direct", "analysis", "registry", "surface")
+HEADERS = ("history", "derivatives", "direct", "analysis", "registry", "surface")
 PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface

@@ -44,6 +44,8 @@ class ContactFunctions(Protocol):
     rc_contact_restore: Callable[[handle, rc_state], rc_status]
     rc_batch_solve: Callable[[rc_system, handle, rc_batch], rc_status]
     rc_contact_level: Callable[[handle, int64_t, rc_level], rc_status]
+    rc_contact_gradient: Callable[[handle, rc_gradient], rc_status]
+    rc_contact_tangent: Callable[[handle, rc_tangent], rc_status]
     rc_greedy: rc_greedy_like
     rc_polonsky_keer: rc_greedy_like
     rc_nnls: rc_greedy_like
@@ -55,6 +57,7 @@ class ContactFunctions(Protocol):
     rc_area_measure: Callable[[rc_system, doubles, bytes_, rc_area], rc_status]
     rc_patches_find: Callable[[rc_system, doubles, bytes_, rc_patches], rc_status]
     rc_histogram_fill: Callable[[rc_system, doubles, bytes_, rc_histogram], rc_status]
+    rc_conductance: Callable[[rc_system, rc_result, double, double, doubles, doubles, doubles], rc_status]
     rc_context_create: Callable[[rc_context_config, handles], rc_status]
     rc_context_destroy: Callable[[handle], None]
     rc_backend_count: Callable[[handle], int64_t]

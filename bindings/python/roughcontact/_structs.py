@@ -28,7 +28,7 @@ class rc_result(Sized):
     double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
     double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper;
-    int64_t proven_contacts proven_open undecided levels; double tolerance"""
+    int64_t proven_contacts proven_open undecided levels; double tolerance stiffness_lower stiffness_upper"""
 
 
 @struct
@@ -75,6 +75,18 @@ class rc_batch(Sized):
 class rc_level(Sized):
     members = """size_t struct_size; doubles p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny;
     double hx hy approach load; int64_t candidates contacts"""
+
+
+@struct
+class rc_gradient(Sized):
+    members = """size_t struct_size; doubles dJ_dp dJ_dgap; double dJ_dload dJ_dapproach; doubles dJ_dundeformed_gap;
+    double dJ_dtarget dJ_dmodulus error; int64_t undecided products"""
+
+
+@struct
+class rc_tangent(Sized):
+    members = """size_t struct_size; doubles dundeformed_gap; double dtarget dmodulus; doubles dp dgap;
+    double dload dapproach error; int64_t undecided products"""
 
 
 @struct

@@ -77,7 +77,7 @@ class Result:
     contact_area: float
     #: the functional that is minimised [force length]
     energy: float
-    #: dW/dd [force/length]; NaN unless option stiffness is 1
+    #: dW/dd [force/length]; NaN where option stiffness is 0
     stiffness: float
     kkt_primal: float
     kkt_dual: float
@@ -108,6 +108,9 @@ class Result:
     levels: int
     #: what the residuals were held to
     tolerance: float
+    #: the exact dW/dd at this approach lies between [force/length]; NaN unless option stiffness is 2
+    stiffness_lower: float
+    stiffness_upper: float
     #: which grid it is of, and estimated errors; None in `batch`
     accuracy: Optional[Accuracy]
 

@@ -50,7 +50,7 @@ class Proof {
     residual();
   }
 
-  Bounds bounds() {
+  Bounds bounds(ProvenSets* sets) {
     Bounds result;
     if (!std::isfinite(delta_square_ + doubt_)) return result;
     Extent support = not_proven_open();  // no proof yet
@@ -64,7 +64,7 @@ class Proof {
       distance_.sum = std::min(distance_.sum, sum_bound.by_distance * distance_.norm);
       if (points_of(support) > 0.9 * before) break;
     }
-    count(result);
+    count(result, sets);
     convert(support, result);
     return result;
   }
@@ -233,7 +233,7 @@ class Proof {
     return result;
   }
 
-  void count(Bounds& result) const {
+  void count(Bounds& result, ProvenSets* sets) const {
     const double mean = system_.periodic() ? distance_.sum / n() : 0;
     const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
     const double reach = open_beyond();
@@ -242,13 +242,24 @@ class Proof {
       may += may_carry(i);
       if (!may_carry(i) || distance_to_surface(i) > reach) continue;
       ++(p(i) > margin ? contacts : undecided);
+      if (!sets) continue;
+      sets->possible.push_back(static_cast<std::int64_t>(answer_.point(i)));
+      if (p(i) > margin) sets->contacts.push_back(sets->possible.back());
     }
-    if (!all_listed() && !(reach < answer_.beyond)) undecided += candidates_.n - may;
+    if (!all_listed() && !(reach < answer_.beyond)) {
+      undecided += candidates_.n - may;
+      if (sets) list(surface_.below(surface_.limit_of(compression_)), sets->possible);
+    }
     result.proven_contacts = contacts;
     result.proven_open = system_.points() - contacts - undecided;
     result.undecided = undecided;
     result.area_lower = static_cast<double>(contacts) * system_.cell_area();
     result.area_upper = static_cast<double>(contacts + result.undecided) * system_.cell_area();
+  }
+
+  static void list(const TrialSet& trial, std::vector<std::int64_t>& points) {
+    points.clear();
+    for (std::int64_t i = 0; i < trial.n; ++i) points.push_back(trial.point(i));
   }
 
   void convert(const Extent& support, Bounds& result) const {
@@ -292,12 +303,14 @@ void Bounds::write(rc_result& result) const {
   result.proven_contacts = proven_contacts;
   result.proven_open = proven_open;
   result.undecided = undecided;
+  result.stiffness_lower = stiffness_lower;
+  result.stiffness_upper = stiffness_upper;
 }
 
 Bounds prove_bounds(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression,
-                    const Deflected& answer) {
+                    const Deflected& answer, ProvenSets* sets) {
   if (!(spectrum.lowest > 0)) return {};
-  return Proof(system, spectrum, surface, compression, answer).bounds();
+  return Proof(system, spectrum, surface, compression, answer).bounds(sets);
 }
 
 }  // namespace rc

@@ -51,8 +51,8 @@ void write_note(Workspace& work, double compression, rc_result& result) {
   copy_text(result.note, note.c_str());
 }
 
-double wanted_stiffness(Workspace& work, const Answer& answer) {
-  return work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
+Stiffness wanted_stiffness(Workspace& work, const Answer& answer) {
+  return work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : Stiffness{};
 }
 
 // Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
@@ -63,11 +63,15 @@ bool only_unknowns_matter(const Workspace& work, const Answer& answer) {
 
 // Writes the result, its message and the caller's arrays. rate: the stiffness, where the answer has given its pressures away.
 void finish(Workspace& work, const rc_step& step, const Answer& answer, const Deflected& found, double depth,
-            std::optional<double> rate, const Monitor& monitor, rc_result& result) {
+            std::optional<Stiffness> rate, const Monitor& monitor, rc_result& result) {
   result.modelled = answer.op ? answer.op->modelled() : 0;
   name_components(work, answer, result);
   const rc_status checked = certify_and_fill(work, step, found, depth, result);
-  result.stiffness = rate ? *rate : wanted_stiffness(work, answer);
+  if (!rate) rate = wanted_stiffness(work, answer);
+  prove_interval(work, answer.op, *rate);
+  result.stiffness = rate->value;
+  result.stiffness_lower = rate->lower;
+  result.stiffness_upper = rate->upper;
   result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
   count_work(work, monitor, result);
   if (result.status != RC_OK)
@@ -121,7 +125,11 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   if (work.options.integer(RC_OPT_BOUNDS) != 0 && work.goal.error == 0) {
     std::optional<Spectrum>& spectrum = work.facts.spectrum;
     if (!spectrum) spectrum = spectrum_of(system);
-    bounds = prove_bounds(system, *spectrum, surface, compression, answer);
+    ProvenSets sets;
+    const bool asked = work.options.integer(RC_OPT_STIFFNESS) == 2;
+    bounds = prove_bounds(system, *spectrum, surface, compression, answer, asked ? &sets : nullptr);
+    work.record.proven.reset();
+    if (asked && bounds.undecided >= 0) work.record.proven = std::move(sets);
   }
   Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression));
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
@@ -214,13 +222,13 @@ double fitting_compression(const Workspace& work, const Deflected& answer) {
 }
 
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
-  const double rate = wanted_stiffness(work, answer);
+  Stiffness rate = wanted_stiffness(work, answer);
   Deflected found = deflected(work, answer, result.gap != nullptr);
   // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
   const bool by_load = step.control == RC_CONTROL_LOAD, stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : compression_of(step, work);
   const double depth = !answer.op ? without : stopped ? fitting_compression(work, found) : answer.compression;
-  finish(work, step, answer, found, depth, rate, monitor, result);
+  finish(work, step, answer, found, depth, std::move(rate), monitor, result);
   return {result.status, std::move(found.pressures)};
 }
 

@@ -265,11 +265,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.where.approach = approach;
   problem.most_iterations = most_iterations;
   connect(problem);
-  struct Watch {
-    Operator& watched;
-    ~Watch() { watched.watch(nullptr); }
-  } watch{op};
-  op.watch([this] { return monitor.ask(); });
+  const Operator::Watch watch(op, [this] { return monitor.ask(); });
   monitor.next_call();
   clear_message();
   if (!warmed_up_) {
