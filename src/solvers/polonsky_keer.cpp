@@ -20,6 +20,7 @@ constexpr int refresh_every = 25;    // updates of H p between products that rem
 constexpr double progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
 constexpr int patience = 300;        // iterations without such a fall, after which the solver has stalled
 constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
+constexpr double same_load = 1e-15;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Iteration {
@@ -87,31 +88,9 @@ class Iteration {
     if (!problem_.load_control()) return;
     const double sum = sum_of(n_, [&](std::size_t i) { return p_[i]; }), largest = *std::max_element(p_.begin(), p_.end());
     if (sum > 0 && largest < cap_ && largest * (problem_.load() / sum) <= cap_) return rescale(problem_.load() / sum);
-    if (sum > 0) return balance_below_cap(sum);
-    p_[static_cast<std::size_t>(std::max_element(u_, u_ + n_) - u_)] = problem_.load();
-    project(problem_, p_);
-    refresh();
-  }
-
-  // Scales the pressures that are free, again for those that meet the cap. Where they cannot bear the load, all points do.
-  void balance_below_cap(double sum) {
-    constexpr double same = 1e-15;
-    if (std::abs(sum - problem_.load()) <= same * problem_.load()) return;
-    for (bool again = true; again;) {
-      double below = 0, at_cap = 0;
-      for (std::size_t i = 0; i < n_; ++i) (is_free(i) ? below : at_cap) += p_[i];
-      const double factor = (problem_.load() - at_cap) / below;
-      if (!(factor > 0 && factor < infinite)) {
-        project(problem_, p_);
-        break;
-      }
-      again = false;
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (!is_free(i)) continue;
-        p_[i] = std::min(p_[i] * factor, cap_);
-        again = again || p_[i] == cap_;
-      }
-    }
+    if (sum > 0 && std::abs(sum - problem_.load()) <= same_load * problem_.load()) return;
+    if (!(sum > 0)) p_[static_cast<std::size_t>(std::max_element(u_, u_ + n_) - u_)] = problem_.load();
+    scale_to_load(problem_, p_);
     refresh();
   }
 
@@ -190,7 +169,9 @@ class Iteration {
       const bool at_cap = p_[i] > 0;
       p_[i] = at_cap ? cap_ : 0;
       if (at_cap ? gap(i) > 0 : gap(i) < 0) {
-        p_[i] = std::clamp(p_[i] - last_length_ * gap(i), 0.0, cap_);
+        // Half the cap at most: with more, points could go from bound to bound for ever.
+        const double change = std::min(last_length_ * std::abs(gap(i)), 0.5 * cap_);
+        p_[i] = at_cap ? cap_ - change : change;
         bounded = true;
       }
     }

@@ -101,8 +101,20 @@ Residual residual_of(const Problem& problem, const Vector& p, const Vector& hp) 
 
 void scale_to_load(const Problem& problem, Vector& p) {
   if (!problem.load_control()) return;
-  scale(problem, p);
-  if (std::any_of(p.begin(), p.end(), [&](double value) { return value > problem.cap(); })) project(problem, p);
+  const double cap = problem.cap();
+  for (bool again = true; again;) {
+    double free = 0, at_cap = 0;
+    for (const double value : p) (value < cap ? free : at_cap) += std::min(value, cap);
+    const double factor = (problem.load() - at_cap) / free;
+    if (at_cap == 0 && !(factor * *std::max_element(p.begin(), p.end()) > cap)) return scale(problem, p);
+    if (!(factor > 0 && factor < infinite)) return project(problem, p);
+    again = false;
+    for (double& value : p) {
+      const bool below = value < cap;
+      value = below ? std::min(value * factor, cap) : cap;
+      again = again || (below && value == cap);
+    }
+  }
 }
 
 }  // namespace rc
