@@ -25,6 +25,7 @@ class System(ABC):
     shape: Shape
     pitch: Tuple[float, float]
     periodic = False
+    modulus: Optional[float] = None  # of a `HalfSpace`
 
     @abstractmethod
     def fill(self, system: rc_system) -> Callbacks:
