@@ -1,5 +1,8 @@
-"""Products that the stiffness takes beside those of the contact, and the residual that its solve reached."""
+"""Products that the stiffness, its interval and gradients take beside those of the contact, the residual that the stiffness' solve
+reached, and the width of the interval."""
 import sys
+
+import numpy as np
 
 import roughcontact as rc
 
@@ -21,15 +24,23 @@ def measure(n, boundary, control, area, request):
     target, depth = (found.load, found.load) if control == 'load' else (found.approach, found.approach - gap.min())
     context = rc.Context(log=lambda _, text: said.append(text))  # the library logs the residual
     options = {'threads': request.threads, 'tol': request.tol, **({'solver': 'haar-cg', 'backend': 'fft'} if n == PATCH else {})}
-    products = []
-    for stiffness in (0, 1):
+    products, residual, gradients = [], [], []
+    for stiffness in (0, 1, 2):
         with rc.Contact(system, options={**options, 'stiffness': stiffness}, context=context) as contact:
             for k in range(2 if n == PATCH else 1):
+                said.clear()
                 result = certified(contact.solve(undeformed_gap=gap, want_pressure=False, **{control: target + 1e-3 * k * depth}))
             products.append(result.applications)
-    extra = products[1] - products[0]
+            residual += said[:1]
+            if stiffness == 0:
+                by = np.random.default_rng(request.seed).standard_normal((2, *gap.shape))
+                gradients = [contact.gradient().products, contact.gradient(*by).products]
+    extra, more = products[1] - products[0], products[2] - products[1]
+    width = (result.stiffness_upper - result.stiffness_lower) / result.stiffness
     return {'found': 100 * share_in_contact(result), 'contact': products[0], 'stiffness': extra, 'ratio': extra / products[0],
-            'backend': result.backend, **({'residual': float(said[-1].split()[-1])} if said else {})}  # none where a matrix is factored
+            'interval': more, 'width': 100 * width, 'load': gradients[0], 'load_ratio': gradients[0] / products[0],
+            'gradient': gradients[1], 'gradient_ratio': gradients[1] / products[0], 'backend': result.backend,
+            **({'residual': float(residual[0].split()[-1])} if residual else {})}  # none where a matrix is factored
 
 
 def run(request):
@@ -41,12 +52,14 @@ def run(request):
             rows.append({'n': n, 'step': 'warm' if n == PATCH else 'cold', **names, **row})
             print(n, *case, file=sys.stderr)
     store.save(stiffness=rows)
-    print(f'Products of a step certified to {request.tol:g}, and of its stiffness to the residual that is told')
+    print(f'Products of a step certified to {request.tol:g}; of its stiffness to the residual that is told, and of the interval, with '
+          'its width in percent of the stiffness; of gradients: of load or approach, and of a function of all pressures and gaps')
     show('n; step; %={percent}; found %={found:.2f}; boundary; control; backend; contact; stiffness; ratio={ratio:.2f}; '
-         'residual={residual:.0e}', rows)
+         'residual={residual:.0e}; interval; width %={width:.1e}; load; ratio={load_ratio:.2f}; gradient; '
+         'ratio={gradient_ratio:.2f}', rows)
 
 
-question('stiffness', 'products of the stiffness beside those of the contact', run, {
+question('stiffness', 'products of stiffness and gradients beside those of the contact', run, {
     'sizes': (listed(side), [512, 1024, 2048], 'points per side of cold solves'),
     'percents': (listed(percent), [1, 10, 40], 'contact areas in percent of the grid, about'),
     'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),

@@ -36,6 +36,7 @@ SCALARS = {
     "rc_options_get_int": "out",
     "rc_options_get_real": "out",
     "rc_contact_points": "n",
+    "rc_conductance": "conductance lower upper",
     "rc_surface_psd": "count",
 }
 # Arguments that Fortran may leave out: NULL in C.
@@ -43,6 +44,7 @@ OPTIONAL = {
     "rc_version": "major minor patch abi",
     "rc_context_create": "config",
     "rc_contact_points": "index p",
+    "rc_conductance": "lower upper",
     **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
     "rc_cmr": "inner result",
     "rc_surface_psd": "q psd modes",

@@ -176,7 +176,8 @@ module roughcontact_functions
       type(rc_system), intent(in) :: system
       type(rc_result), intent(in) :: result
       real(c_double), value :: rho1, rho2
-      real(c_double), intent(inout) :: conductance(*), lower(*), upper(*)
+      real(c_double), intent(inout) :: conductance
+      real(c_double), intent(inout), optional :: lower, upper
     end function
     integer(rc_status) function rc_context_create(config, out) bind(c); import
       type(rc_context_config), intent(in), optional :: config

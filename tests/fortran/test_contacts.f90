@@ -33,9 +33,50 @@ program test_contacts
   call paths()
   call restored()
   call batches()
+  call derivatives()
   call finish()
 
 contains
+
+  ! The gradient of the load by gap and target against a difference, and against the tangent; the conductance.
+  subroutine derivatives()
+    type(rcf_contact) :: contact
+    type(rc_result) :: low, high
+    type(rc_gradient) :: gradient
+    type(rc_tangent) :: tangent
+    type(c_ptr) :: options
+    real(c_double) :: by_gap(nx, ny), dp(nx, ny), conductance, lower, upper
+    real(c_double), parameter :: step = 1e-6_c_double
+    call rcf_options_create(options)
+    call rcf_options_set_real(options, 'tol', 1e-12_c_double)
+    call rcf_options_set_int(options, 'stiffness', 2)
+    call rcf_contact_create(contact, system, options)
+    call rcf_contact_gradient(contact, by_gap, stat=stat, errmsg=message)
+    call check('no gradient before a step', stat == RC_ERR_ARGUMENT .and. index(message, 'did not return RC_OK') > 0)
+    call rcf_contact_solve(contact, displacement=0.4_c_double - step, undeformed_gap=gap, result=low)
+    call rcf_contact_solve(contact, displacement=0.4_c_double + step, result=high)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, p=p)
+    call rcf_contact_gradient(contact, by_gap, gradient=gradient)
+    call check('dload/dd', abs(gradient%dJ_dtarget - (high%load - low%load) / (2 * step)) < 1e-5 * gradient%dJ_dtarget)
+    call check('a gap grows as the approach falls', abs(sum(by_gap) + gradient%dJ_dtarget) < 1e-8 * gradient%dJ_dtarget)
+    call rcf_contact_tangent(contact, dundeformed_gap=z, dtarget=0.3_c_double, dmodulus=0.1_c_double, dp=dp, tangent=tangent)
+    call check('forward and reverse mode agree', abs(tangent%dload - sum(by_gap * z) - 0.3_c_double * gradient%dJ_dtarget - &
+      0.1_c_double * gradient%dJ_dmodulus) < 1e-8 * gradient%dJ_dtarget)
+    call check('the change of the load is that of the pressures', &
+      abs(tangent%dload - system%hx * system%hy * sum(dp)) < 1e-10 * abs(tangent%dload))
+    call check('no change without pressure', all(p > 0 .or. dp == 0))
+    call rcf_contact_gradient(contact, by_gap(1:2, :), stat=stat, errmsg=message)
+    call check('shape of the gradient', stat == RC_ERR_SHAPE .and. index(message, 'dJ_dundeformed_gap') > 0)
+    call rcf_contact_tangent(contact, dp=dp(1:2, :), stat=stat, errmsg=message)
+    call check('shape of the tangent', stat == RC_ERR_SHAPE .and. index(message, 'dp') > 0)
+    call rcf_conductance(system, high, 1.0_c_double, 3.0_c_double, conductance, lower, upper)
+    call check('the conductance is in its interval', lower <= conductance * 1.000001_c_double .and. &
+      conductance <= upper * 1.000001_c_double .and. abs(conductance - high%stiffness / 6) < 1e-12 * conductance)
+    call rcf_conductance(system, high, -1.0_c_double, 3.0_c_double, conductance, stat=stat)
+    call check('a negative resistivity', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_destroy(contact)
+    call rcf_options_destroy(options)
+  end subroutine
 
   subroutine one_shot()
     type(rc_result) :: ours, theirs

@@ -33,9 +33,10 @@ from ._errors import (
 from ._library import library_file as library_file
 from ._maps import Surface as Surface
 from ._status import Status as Status
-from .analysis import Area as Area, Histogram as Histogram, Patches as Patches
+from .analysis import Area as Area, Conductance as Conductance, Histogram as Histogram, Patches as Patches
 from ._batch import batch as batch
 from .contact import Contact as Contact
+from ._derivatives import Gradient as Gradient, Tangent as Tangent
 from ._handle import Progress as Progress
 from .context import (
     Component as Component,

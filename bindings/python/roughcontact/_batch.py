@@ -1,5 +1,6 @@
 """Many contacts in one call."""
 
+from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
@@ -92,11 +93,12 @@ def batch(
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
 
     stop: List[bool] = []
-    grid = Grid(system.shape, system.pitch, system.periodic, masks if masks is not None and masks.ndim == axes else None)
+    shared = masks if masks is not None and masks.ndim == axes else None
+    grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
 
     def after(contact: int, step: int, answer: Any, _: Any) -> object:
         if each is not None and not stop:
-            own = grid if masks is None or masks.ndim == axes else Grid(grid.shape, grid.pitch, grid.periodic, masks[contact])
+            own = grid if masks is None or shared is not None else replace(grid, mask=masks[contact])
             return each(contact, step, result_with_copies(answer.contents, own))
         return bool(stop)
 

@@ -90,8 +90,9 @@ class Handle(OwnsHandle):
             yield self._handle
 
     def grid(self) -> Grid:
-        """Shape, pitch and mask of the surface that was pressed last."""
-        return Grid(self.system.shape, self.system.pitch, self.system.periodic, self._mask)
+        """Shape, pitch, mask and modulus of what was pressed last."""
+        system = self.system
+        return Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus)
 
     @contextmanager
     def _pressing(self, undeformed_gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:

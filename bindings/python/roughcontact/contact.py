@@ -10,10 +10,12 @@ from . import _constants
 from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
+from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import path_on
 from ._library import contact_library
 from ._maps import as_surface
+from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
 from .result import Level, PathResult, Result, level_from, result_from
@@ -145,6 +147,36 @@ class Contact(Handle):
         self._conclude(status, message, interrupt, answer, must_be_certified)
         assert answer is not None
         return answer
+
+    def gradient(
+        self, pressure: Optional[ArrayLike] = None, gap: Optional[ArrayLike] = None, *, load: float = 0.0, approach: float = 0.0
+    ) -> Gradient:
+        """Derivatives of a number J by all data of the last step, which must be certified, from how J changes with its answer.
+
+        pressure, gap: dJ/dp and dJ/dg for pressures and deformed gap, of the system's shape; None: 0
+        load, approach: dJ/dload and dJ/dapproach
+
+        Without any, J is the load of a step with given displacement, and the approach of one with given load.
+        """
+        struct, out, inputs = gradient_request(self.system.shape, pressure, gap, load, approach)
+        self._differentiate(contact_library().rc_contact_gradient, struct, out, inputs)
+        return gradient_from(struct, out)
+
+    def tangent(self, undeformed_gap: Optional[ArrayLike] = None, *, target: float = 0.0, modulus: float = 0.0) -> Tangent:
+        """How the answer of the last step, which must be certified, changes with its data.
+
+        undeformed_gap: change of the undeformed gap, of the system's shape [length]; None: 0
+        target: change of displacement [length] or load [force]; modulus: of E* [force/length^2]
+        """
+        struct, out, inputs = tangent_request(self.system.shape, undeformed_gap, target, modulus)
+        self._differentiate(contact_library().rc_contact_tangent, struct, out, inputs)
+        return tangent_from(struct, out)
+
+    def _differentiate(self, function: Any, struct: Any, *keep: Any) -> None:
+        """A stop raises, but for round-off that keeps a larger residual: the answer's `error` tells of it."""
+        with self._holding():
+            status, message, interrupt = self._run(lambda: int(function(self._handle, struct)), (struct, keep))
+            self._conclude(status, message, interrupt, None, status != Status.STOP_STALLED)
 
     def path(
         self,

@@ -17,12 +17,13 @@ from ._structs import rc_accuracy, rc_level, rc_result
 
 @dataclass(frozen=True)
 class Grid:
-    """Where an answer lives: shape, (hx, hy) [length], whether it repeats, and the points left out."""
+    """Where an answer lives: shape, (hx, hy) [length], whether it repeats, the points left out, and the half-space's E*."""
 
     shape: Shape
     pitch: Tuple[float, float]
     periodic: bool = False
     mask: Optional[Mask] = None
+    modulus: Optional[float] = None
 
 
 @dataclass(frozen=True)
@@ -135,6 +136,13 @@ class Result:
     def histogram(self, bins: int, upper: Optional[float] = None) -> analysis.Histogram:
         """Distribution of the pressures."""
         return analysis.histogram(self._needed(), bins, upper, **self._grid())
+
+    def conductance(self, rho1: float, rho2: float) -> analysis.Conductance:
+        """Electrical or thermal conductance of the contact; needs option stiffness 1 or 2.
+
+        rho1, rho2: resistivities of the bodies, or reciprocals of their thermal conductivities
+        """
+        return analysis.conductance(self, rho1, rho2)
 
     def _grid(self) -> Dict[str, Any]:
         return {"pitch": self.grid.pitch, "periodic": self.grid.periodic, "mask": self.grid.mask}

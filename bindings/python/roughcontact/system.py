@@ -26,6 +26,7 @@ class System(ABC):
     pitch: Tuple[float, float]
     periodic = False
     hardness: Optional[float] = None
+    modulus: Optional[float] = None  # of a `HalfSpace`
 
     @abstractmethod
     def fill(self, system: rc_system) -> Callbacks:

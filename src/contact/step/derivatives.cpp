@@ -18,9 +18,9 @@ namespace {
 
 using Field = std::vector<double>;
 
-constexpr double looser = 100;                        // residuals of the solves over the tolerance: errors of derivatives are
-constexpr double least_tol = 1e-11, most_tol = 1e-4;  // proportional to them and add up over no steps; between these
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double looser = 100;  // residuals of the solves over the tolerance: errors of derivatives are
+constexpr double least_residual = 1e-11, most_residual = 1e-4;  // proportional to them and add up over no steps; between these
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double total(const Field& x) {
   return sum_of(x.size(), [&](std::size_t k) { return x[k]; });
@@ -28,7 +28,7 @@ double total(const Field& x) {
 double dot(const Field& x, const Field& y) {
   return sum_of(x.size(), [&](std::size_t k) { return x[k] * y[k]; });
 }
-double norm(const Field& x) { return std::sqrt(dot(x, x)); }
+double euclidean(const Field& x) { return std::sqrt(dot(x, x)); }
 
 void check_finite(double value, const char* name) {
   if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " is not finite");
@@ -129,7 +129,7 @@ class Linearised {
     Field scaled = b;
     for (double& value : scaled) value /= size;
     ContactSetBound bound;
-    const double tol = std::clamp(looser * work_.options.real(RC_OPT_TOL), least_tol, most_tol);
+    const double tol = std::clamp(looser * work_.options.real(RC_OPT_TOL), least_residual, most_residual);
     rc_status status = (*solve_)(scaled, tol, out.x, bound);
     if (status == RC_OK || status == RC_STOP_STALLED)
       if (const rc_status proof = solve_->prove(scaled, out.x, bound); proof != RC_OK) status = proof;
@@ -143,13 +143,13 @@ class Linearised {
   rc_status status() const { return stalled_ ? RC_STOP_STALLED : RC_OK; }
 
   // Bounds of the errors of a solution and of its sum. flat: that for b = 1.
-  double error(const Solution& x) const { return n() == 0 ? 0 : lowest() > 0 ? x.residual / lowest() : nan; }
+  double error(const Solution& x) const { return n() == 0 ? 0 : lowest() > 0 ? x.residual / lowest() : unknown; }
   double error_of_sum(const Solution& x, const Solution& flat) const {
-    return lowest() > 0 ? x.residual * std::sqrt(flat.sum / lowest()) : nan;
+    return lowest() > 0 ? x.residual * std::sqrt(flat.sum / lowest()) : unknown;
   }
   // Likewise of x + part flat.x, where `part` is off by up to `doubt`.
   double error(const Solution& x, double part, double doubt, const Solution& flat) const {
-    return error(x) + std::abs(part) * error(flat) + norm(flat.x) * doubt;
+    return error(x) + std::abs(part) * error(flat) + euclidean(flat.x) * doubt;
   }
 
  private:
@@ -242,7 +242,7 @@ rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& mo
   Field w = lambda.x;
   for (std::size_t k = 0; k < w.size() && part != 0; ++k) w[k] += part * flat.x[k];
   request.dJ_dmodulus =
-      system.halfspace() ? (dot(w, step.u()) - step.unit() * dot(product, step.loaded())) / system.given.modulus : nan;
+      system.halfspace() ? (dot(w, step.u()) - step.unit() * dot(product, step.loaded())) / system.given.modulus : unknown;
   request.undecided = step.undecided();
   request.products = step.products();
   if (double* const out = request.dJ_dundeformed_gap) {

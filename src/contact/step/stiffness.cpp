@@ -12,7 +12,7 @@ namespace rc {
 namespace {
 
 constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the solves, which follow the tolerance: the error is quadratic in them
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // The pressures x of a flat punch of the shape of a set of points, and its stiffness 1'x; dimensionless.
 struct FlatPunch {
@@ -26,7 +26,7 @@ struct FlatPunch {
   double lower() const { return std::max(0.0, stiffness(std::max(0.0, bound.form - bound.error))); }
   double upper() const {
     const double most = bound.form + bound.error;
-    return mean * most < 1 ? stiffness(most) : infinite;
+    return mean * most < 1 ? stiffness(most) : unbounded;
   }
 };
 
@@ -79,7 +79,7 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
     if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
   if (contact.empty()) return result;
   if (system.periodic() && all_of(system, contact)) {
-    result.value = infinite;
+    result.value = unbounded;
     return result;
   }
   FlatPunch punch = pressed(work, *answer.op, contact, {}, false);
@@ -96,7 +96,7 @@ void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
   const System& system = work.system;
   if (!work.record.proven) return;
   const auto& [contacts, possible] = *work.record.proven;
-  double lower = 0, upper = possible.empty() ? 0 : infinite;
+  double lower = 0, upper = possible.empty() ? 0 : unbounded;
   if (op && !possible.empty() && !(system.periodic() && all_of(system, possible))) {
     const FlatPunch most = pressed_at(work, *op, possible, stiffness);
     if (most.status != RC_OK || std::isnan(most.bound.error)) return;

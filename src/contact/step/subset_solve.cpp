@@ -12,8 +12,8 @@ namespace rc {
 
 namespace {
 
-constexpr double subset_tol = 1e-12;  // of conjugate gradients without a preconditioner
-constexpr double rounding = 1e-12;    // of a residual from a product in double precision, over |b|, at most
+constexpr double subset_tol = 1e-12;        // of conjugate gradients without a preconditioner
+constexpr double product_rounding = 1e-12;  // of a residual from a product in double precision, over |b|, at most
 
 // A bound from below of the eigenvalues of H[S,S] + zero_mode/n 11', m points in S. Where H is periodic, x'Hx >= wave |x -
 // mean|^2, and |x - mean|^2 >= (1 - m/n) |x|^2 because x is 0 at n - m points.
@@ -67,10 +67,10 @@ rc_status SubsetSolve::prove(std::span<const double> b, std::span<const double> 
   const auto sum = [&](const auto& term) { return sum_of(set_.size(), term); };
   const auto left = [&](std::size_t k) { return b[k] - product[static_cast<std::size_t>(set_[k])]; };
   const double size = std::sqrt(sum([&](std::size_t k) { return b[k] * b[k]; }));
-  bound.residual = std::sqrt(sum([&](std::size_t k) { return left(k) * left(k); })) + rounding * size;
+  bound.residual = std::sqrt(sum([&](std::size_t k) { return left(k) * left(k); })) + product_rounding * size;
   bound.form = sum([&](std::size_t k) { return b[k] * x[k]; }) + sum([&](std::size_t k) { return left(k) * x[k]; });
-  bound.error =
-      bound.residual * bound.residual / lowest_ + rounding * size * std::sqrt(sum([&](std::size_t k) { return x[k] * x[k]; }));
+  bound.error = bound.residual * bound.residual / lowest_ +
+                product_rounding * size * std::sqrt(sum([&](std::size_t k) { return x[k] * x[k]; }));
   return RC_OK;
 }
 
