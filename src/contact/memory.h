@@ -20,6 +20,7 @@ struct CertifiedStep {
 
 struct Memory {
   CertifiedStep last, before;  // the last certified step, and the one before it
+  bool indented = false;       // the surface has a plastic indentation, of these steps or earlier ones
 
   void record(CertifiedStep&& step);
   // A step has given a surface. same: it equals that of the step before.

@@ -283,11 +283,13 @@ class Proof {
     // Multiplies one factor after the other: the product of the factors may underflow where the load does not.
     const double pressure = length_ / system_.length_per_pressure, area = system_.cell_area();
     const double sum_error = distance_.sum + 4 * epsilon * sum_;
-    double most = sum_ + sum_error;
-    const double least =
-        std::max(sum_ - sum_error, result.proven_capped > 0 ? cap() * static_cast<double>(result.proven_capped) : 0);
-    if (const std::int64_t may = result.proven_contacts + result.undecided; may > 0)
-      most = std::min(most, cap() * static_cast<double>(may) * (1 + 4 * epsilon));
+    double least = sum_ - sum_error, most = sum_ + sum_error;
+    if (system_.capped()) {  // a sum of n equal pressures rounds by about sqrt(n) epsilon
+      const double rounding = (4 + std::sqrt(n())) * epsilon;
+      const std::int64_t may = result.proven_contacts + result.undecided;
+      least = std::max(least, cap() * static_cast<double>(result.proven_capped) * (1 - rounding));
+      most = std::min(most, cap() * static_cast<double>(may) * (1 + rounding));
+    }
     if (!system_.periodic() && result.proven_capped == 0)
       most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
     result.load_lower = std::max(0.0, least) * pressure * area;

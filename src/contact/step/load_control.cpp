@@ -26,7 +26,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
 // share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
 // too small the trial set grows. Between two loads on the same surface the approach grows at most in
-// proportion, because the load is a convex function of the approach.
+// proportion, because the load is a convex function of the approach; a plastic indentation in between raises the lowest gap.
 double approach_estimate(double load, bool warm, const Workspace& work, const CertifiedStep& last) {
   const rc_system& s = work.system.given;
   double height = margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
@@ -101,7 +101,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   const double ratio = last.load > 0 ? step.target / last.load : infinite;
   const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last.same_gap;
   double height = estimate             ? growth * (estimate->approach - lowest)
-                  : system.halfspace() ? approach_estimate(step.target, warm, work, last)
+                  : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
                                        : surface.highest() - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
   rc_step from = step;
@@ -139,7 +139,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
       answer.compression = d;
     } else {
-      double first = estimate ? (likely - lowest) / height : warm ? (last.approach - lowest) / height : 1;
+      double first = estimate ? (likely - lowest) / height : warm && last.approach > lowest ? (last.approach - lowest) / height : 1;
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, work, monitor);
     }
