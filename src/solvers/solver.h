@@ -28,6 +28,7 @@ class Problem {
   const double* u() const { return problem_.u; }  // null: (approach - gap) / length_unit()
   double load() const { return problem_.load; }
   double tol() const { return problem_.tol; }
+  double cap() const { return problem_.cap; }  // the largest pressure; infinite: there is none
   // The least scale of residuals: in full periodic contact the compenetration, the usual scale, may vanish under any load.
   double least_scale() const {
     const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;
