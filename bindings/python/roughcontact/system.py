@@ -25,6 +25,7 @@ class System(ABC):
     shape: Shape
     pitch: Tuple[float, float]
     periodic = False
+    hardness: Optional[float] = None
 
     @abstractmethod
     def fill(self, system: rc_system) -> Callbacks:
@@ -32,6 +33,7 @@ class System(ABC):
 
     def struct(self) -> Tuple[rc_system, Callbacks]:
         system = grid_struct(self.shape, self.pitch, self.periodic)
+        system.hardness = 0 if self.hardness is None else self.hardness
         return system, self.fill(system)
 
 

@@ -22,7 +22,7 @@ double stiffness(Workspace& work, const Answer& answer) {
   if (!answer.op) return 0;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < answer.p.size(); ++i)
-    if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
+    if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
   if (contact.empty()) return 0;
   const bool full = static_cast<std::int64_t>(contact.size()) == system.points();
   if (system.periodic() && full) return std::numeric_limits<double>::infinity();
