@@ -29,7 +29,6 @@ class Problem {
   double load() const { return problem_.load; }
   double cap() const { return problem_.cap; }  // 0 <= p <= cap; may be infinite
   double tol() const { return problem_.tol; }
-  double cap() const { return problem_.cap; }  // the largest pressure; infinite: there is none
   // The least scale of residuals: in full periodic contact the compenetration, the usual scale, may vanish under any load.
   double least_scale() const {
     const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;

@@ -281,13 +281,17 @@ template <Machine M> class HaarIteration {
   }
 
   // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
-  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures, vanishes.
+  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes. Where
+  // there are none it becomes the least at which no point at the cap has a gap.
   void settle() {
-    const double capped = now_.load - now_.free_load;
-    if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - capped) / now_.free_load : 1, true);
+    const double at_cap = now_.load - now_.free_load;
+    if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
     refresh();
     if (task_.by_load) {
-      if (now_.free_load > 0) lower(now_.free_moment / now_.free_load);
+      if (now_.free_load > 0)
+        lower(now_.free_moment / now_.free_load);
+      else if (capped())
+        lower(-m_.nearest(false));
     } else if (mean_ > 0) {
       lower(mean_ * now_.load - datum_);
     }
