@@ -280,6 +280,16 @@ template <Machine M> class HaarIteration {
     lower(change);
   }
 
+  // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest
+  // keeps its digits in w.
+  void descend() {
+    if (const double fall = m_.nearest(false) - blur * scale(); fall > 0) {
+      datum_ -= fall;
+      refresh();
+    }
+    lower(-m_.nearest(false));
+  }
+
   // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
   // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes. Where
   // there are none it becomes the least at which no point at the cap has a gap.
@@ -291,7 +301,7 @@ template <Machine M> class HaarIteration {
       if (now_.free_load > 0)
         lower(now_.free_moment / now_.free_load);
       else if (capped())
-        lower(-m_.nearest(false));
+        descend();
     } else if (mean_ > 0) {
       lower(mean_ * now_.load - datum_);
     }
