@@ -14,7 +14,7 @@ namespace {
 
 using Fill = void (*)(double hx, double hy, const Window&, double* out);
 
-constexpr std::array<Kernel, 6> kernels{{
+constexpr std::array<Kernel, count> kernels{{
     {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true},
     {"eq9",
      "punch with the self term printed in Bemporad & Paggi (2015), eq. (9), 36 % too small: only to reproduce their results",

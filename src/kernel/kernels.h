@@ -10,14 +10,6 @@
 
 namespace rc::kernel {
 
-// The offsets (first_x + ix, first_y + iy), 0 <= ix < mx, 0 <= iy < my, of a table out[iy*mx + ix].
-struct Window {
-  std::int64_t first_x, first_y, mx, my;
-};
-
-// coefficients() of any window; constructing a kernel's expansion costs some microseconds.
-void window_coefficients(const Kernel&, double hx, double hy, const Window&, double* out);
-
 void love(double hx, double hy, const Window&, double* out);
 void galerkin(double hx, double hy, const Window&, double* out);
 
