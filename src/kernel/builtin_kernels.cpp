@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernel/kernel.h"
+#include "kernel/kernels.h"
 #include "kernel/lowest_eigenvalue.h"
 
 namespace rc::kernel {
@@ -37,7 +37,7 @@ rc_status bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* o
   return RC_OK;
 }
 
-rc_kernel component(const Kernel& kernel) {
+constexpr rc_kernel component(const Kernel& kernel) {
   const bool free = kernel.boundary == Boundary::free;
   return {.struct_size = sizeof(rc_kernel),
           .name = kernel.name,
@@ -53,22 +53,23 @@ rc_kernel component(const Kernel& kernel) {
           .user = const_cast<Kernel*>(&kernel)};
 }
 
+constexpr auto components = [] {
+  std::array<rc_kernel, kernels.size()> made;
+  std::transform(kernels.begin(), kernels.end(), made.begin(), component);
+  return made;
+}();
+constexpr auto entries = [] {
+  std::array<const rc_kernel*, components.size()> made;
+  std::transform(components.begin(), components.end(), made.begin(), [](const rc_kernel& each) { return &each; });
+  return made;
+}();
+
 }  // namespace
 
 }  // namespace rc::kernel
 
 extern "C" rc_status rc_builtin_kernels(const rc_host*, const rc_plugin** out) {
   using namespace rc::kernel;
-  static const auto table = [] {
-    std::array<rc_kernel, count> made;
-    std::transform(all().begin(), all().end(), made.begin(), component);
-    return made;
-  }();
-  static const auto entries = [] {
-    std::array<const rc_kernel*, count> made;
-    std::transform(table.begin(), table.end(), made.begin(), [](const rc_kernel& each) { return &each; });
-    return made;
-  }();
   static const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
                                    .abi_major = RC_PLUGIN_ABI_MAJOR,
                                    .abi_minor = RC_PLUGIN_ABI_MINOR,
@@ -78,7 +79,7 @@ extern "C" rc_status rc_builtin_kernels(const rc_host*, const rc_plugin** out) {
                                    .n_solvers = 0,
                                    .backends = nullptr,
                                    .solvers = nullptr,
-                                   .n_kernels = static_cast<std::int64_t>(count),
+                                   .n_kernels = static_cast<std::int64_t>(entries.size()),
                                    .kernels = entries.data()};
   *out = &plugin;
   return RC_OK;

@@ -2,7 +2,6 @@
 // times E* under unit pressure on one hx x hy cell.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -18,8 +17,6 @@ struct Kernel {
   Boundary boundary;    // where it is defined
   bool square_cells;    // needs hx == hy
 };
-
-inline constexpr std::size_t count = 6;
 
 // All kernels, sorted by name.
 std::span<const Kernel> all();
