@@ -80,6 +80,7 @@ class Workspace {
   rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
 
   const System system;
+  const Host host;  // with the system's kernel
   rc_options options;
   Goal goal;  // set by Contact: the contact of a coarser grid has no goal
   StepSurface surface;

@@ -168,7 +168,7 @@ rc::Spectrum spectrum_of_matrix(const Vector& matrix) {
   system.nx = std::llround(std::sqrt(static_cast<double>(matrix.size())));
   system.dense = matrix.data();
   system.dense_ld = system.nx;
-  return rc::spectrum_of(rc::checked_system(system, "auto", true));
+  return rc::spectrum_of(rc::checked_system(system, rc_options{rc::Context::standard(), {}}, true));
 }
 
 void a_callers_matrix_is_factorised(void**) {
@@ -222,7 +222,7 @@ void what_is_not_known_is_0(void**) {
   for (std::int64_t i = 0; i < system.nx; ++i) matrix[static_cast<std::size_t>(i * system.nx + i)] = 1;
   system.dense = matrix.data();
   system.dense_ld = system.nx;
-  assert_true(rc::spectrum_of(rc::checked_system(system, "auto", true)).lowest == 0);
+  assert_true(rc::spectrum_of(rc::checked_system(system, rc_options{rc::Context::standard(), {}}, true)).lowest == 0);
 }
 
 }  // namespace

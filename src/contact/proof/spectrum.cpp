@@ -5,9 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/kernel.h"
-#include "kernel/lowest_eigenvalue.h"
-
 namespace rc {
 
 namespace {
@@ -96,17 +93,10 @@ Spectrum factorised(const System& system) {
 Spectrum spectrum_of(const System& system) {
   if (system.given.op == RC_OPERATOR_DENSE && system.points() <= most_factorised_points) return factorised(system);
   if (!system.halfspace()) return {};
-  const kernel::Kernel& kernel = *kernel::find(system.kernel);
-  const rc_system& unit = system.unit;
   Spectrum result;
-  if (system.periodic()) {
-    result.lowest = system.lambda_wave;
-    kernel::periodic_coefficients(kernel, unit.hx, unit.hy, unit.nx, unit.ny, 1, 1, &result.diagonal);
-  } else {
-    result.lowest = system.lambda_min;
-    result.galerkin_share = kernel::share_of_galerkin(kernel);
-    kernel::coefficients(kernel, unit.hx, unit.hy, 1, 1, &result.diagonal);
-  }
+  result.lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
+  result.galerkin_share = system.galerkin_share;
+  system.influence->coefficients(system.unit, 1, 1, &result.diagonal);
   return result;
 }
 

@@ -93,6 +93,10 @@ void name_components(Workspace& work, const Answer& answer, rc_result& result) {
   if (answer.handed_over) work.record.remarks.push_back("load control of the solver stalled: iteration on the approach instead");
   if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
   if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
+  const System& system = work.system;
+  if (system.halfspace() && !system.influence->built_in() && (system.periodic() ? system.lambda_wave : system.lambda_min) == 0 &&
+      work.options.integer(RC_OPT_BOUNDS) != 0 && work.goal.error == 0)
+    work.record.remarks.push_back(join("bounds: kernel \"", system.kernel, "\" promises no lowest eigenvalue"));
 }
 
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result) {

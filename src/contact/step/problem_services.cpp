@@ -121,7 +121,7 @@ void connect(BoundProblem& problem);
 rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
   const rc_options& options = problem.run.work.options;
   op_for(problem);
-  return solver.solve(&options.context->host(), &problem, &options, p, d);
+  return solver.solve(&problem.run.work.host, &problem, &options, p, d);
 }
 
 // Runs another solver, with pressure at some of the unknowns only.

@@ -46,14 +46,15 @@ double compression_of(const rc_step& step, const Workspace& work) {
 
 // The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
 // full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
-// length_per_pressure; all kernels deflect a cell by more, if it is up to 100 times as long as wide. Periodic, displacement
-// control: gaps under pressure as large as the mean gap would leave the load open, so tol times the scale is half of it at most.
+// length_per_pressure, or what the kernel deflects a cell by if that is less; the library's kernels deflect it by more, if it is
+// up to 100 times as long as wide. Periodic, displacement control: gaps under pressure as large as the mean gap would leave the
+// load open, so tol times the scale is half of it at most.
 double residual_scale(const rc_step& step, const Workspace& work, double compression) {
   const System& system = work.system;
   if (!system.periodic()) return compression;
   if (step.control == RC_CONTROL_LOAD) {
     const double mean_pressure = step.target / system.cell_area() / static_cast<double>(system.points());
-    return std::max(compression, 0.25 * system.length_per_pressure * mean_pressure);
+    return std::max(compression, system.least_deflection * system.length_per_pressure * mean_pressure);
   }
   const double mean_gap = std::abs(work.surface.mean_height() - compression);  // d may pass the mean plane if p has a cap
   if (!work.surface.whole() || mean_gap == 0) return compression;
