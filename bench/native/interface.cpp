@@ -111,7 +111,7 @@ const char* bench_time_transform(std::int64_t length, std::int64_t repeats, std:
 // shape: nx, ny; pitch: hx, hy, 1 where the file does not say [m]; heights: [ny][nx] [m], the caller frees them
 const char* bench_read_surface(const char* file, std::int64_t* shape, double* pitch, double** heights) {
   return guarded([&] {
-    const cli::Surface surface = cli::read_surface(file, 1);
+    const rc::formats::Surface surface = rc::formats::read_surface(file, 1);
     shape[0] = surface.nx;
     shape[1] = surface.ny;
     pitch[0] = surface.hx.value_or(1);
