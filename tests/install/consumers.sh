@@ -29,7 +29,7 @@ expect_read() {
   printf '0 1 2\n3 nan 5\n' >"$scratch/map.txt"
   line=$(clean "$@" "$scratch/map.txt" 1e-6) || fail "$name does not read"
   [[ $line == "3 x 2 points, text, pitch 1e-06 m, 1e-06 m, 1 missing; lengths without a unit are in m"* ]] || fail "$name: $line"
-  line=$(clean "$@" "$scratch/none" 2>&1) && fail "$name reads a file that is not there"
+  line=$(clean "$@" "$scratch/none" 1e-6 2>&1) && fail "$name reads a file that is not there"
   [[ $line == *"none: No such file"* ]] || fail "$name: $line"
   echo "read $name: ok"
 }
@@ -78,6 +78,13 @@ build_and_run() {  # build_and_run PREFIX KIND...
     fi
     clean "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/examples/read_surface.c" -o "$out/read" "${libs[@]}"
     expect_read "C $kind" "$out/read"
+    if [ -n "$fc" ]; then
+      read -ra modules <<<"$(pkg --variable=fortran_source roughcontact-fortran) $(pkg --variable=formats_source roughcontact-fortran)"
+      if [ "$kind" = static ]; then libs+=("$(pkg --variable=libdir roughcontact)/libroughcontact.a"); else libs+=(-lroughcontact); fi
+      read -ra more <<<"$(pkg --variable=private_libs roughcontact)"
+      clean "$fc" -J "$out" "${modules[@]}" "$source/tests/install/read_surface.f90" -o "$out/readf" "${libs[@]}" "${more[@]}"
+      expect_read "Fortran $kind" "$out/readf"
+    fi
     # Only a program that reads files links what that needs.
     ! readelf -d "$out/c" | grep -qE 'NEEDED.*lib(zip|pugixml)' || fail "$kind: the solver's consumer links libzip"
     [ "$kind" = shared ] || ! readelf -d "$out/c" | grep -q 'NEEDED.*roughcontact' || fail "the static consumer needs the shared library"
