@@ -121,9 +121,9 @@ CLASSES = (SurfaceClass('power law'), SurfaceClass('roll-off at 8 waves', roll_o
 
 def measured_scene(file):
     """A surface file, approach half of the height of the highest point above the mean."""
-    heights, pitch = native.read_surface(file)
-    gap = below_highest(heights)
-    return Scene(os.path.splitext(os.path.basename(file))[0], gap, gap.mean() / 2, pitch)
+    surface = rc.read(file)
+    gap = below_highest(surface.heights)
+    return Scene(os.path.splitext(os.path.basename(file))[0], gap, gap.mean() / 2, surface.pitch)
 
 
 def asperity_band(n, seed):
@@ -268,7 +268,8 @@ def waves(_):
 
 def measured(file):
     """The largest square of a power of two points, from the middle."""
-    heights, (hx, hy) = native.read_surface(file)
+    surface = rc.read(file)
+    heights, (hx, hy) = surface.heights, surface.pitch
     ny, nx = heights.shape
     side = 1 << (min(nx, ny).bit_length() - 1)
     left, top = (nx - side) // 2, (ny - side) // 2

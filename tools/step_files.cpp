@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "error.h"
-#include "formats/surface.h"
 #include "npy_writer.h"
 #include "picture.h"
+#include "surface.h"
 #include "text.h"
 #include "whole_file.h"
 

@@ -30,8 +30,9 @@ from ._errors import (
     RoughContactError as RoughContactError,
     ShapeError as ShapeError,
 )
+from ._files import Format as Format, formats as formats, read as read
+from ._height_map import Surface as Surface
 from ._library import library_file as library_file
-from ._maps import Surface as Surface
 from ._status import Status as Status
 from .analysis import Area as Area, Conductance as Conductance, Histogram as Histogram, Patches as Patches
 from ._batch import batch as batch

@@ -11,7 +11,9 @@ from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given
 from ._calls import Callbacks, interruptible
 from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
-from ._maps import as_surface, gap_below
+from ._files import is_file
+from ._height_map import gap_below
+from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn
 from .contact import control_and_target
@@ -158,9 +160,8 @@ def _surfaces(
     elif heights is not None:
         alone = not isinstance(heights, (np.ndarray, list, tuple))
         leading = 0 if alone or (np.ndim(heights) == 2 if system is None else np.ndim(heights) == len(system.shape)) else 1
-        surface = as_surface(
-            heights, pitch if pitch is not None or system is None else 1.0, mask=mask, missing=missing, leading=leading
-        )
+        otherwise = None if system is None else 1.0  # the pitch is the system's
+        surface = as_surface(heights, pitch, mask=mask, missing=missing, leading=leading, otherwise=otherwise)
         gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
         pitch, periodic = surface.pitch, surface.periodic
     else:
@@ -183,4 +184,4 @@ def _surfaces(
 
 
 def _is_sequence_of_surfaces(thing: Any) -> bool:
-    return isinstance(thing, (list, tuple)) and len(thing) > 0 and hasattr(thing[0], "heights")
+    return isinstance(thing, (list, tuple)) and len(thing) > 0 and (hasattr(thing[0], "heights") or is_file(thing[0]))

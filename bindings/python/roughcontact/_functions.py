@@ -85,3 +85,16 @@ class SurfaceFunctions(Protocol):
     rc_surface_fit: Callable[[rc_surface_map, rc_surface_power_law], rc_status]
     rc_surface_cmr_advice: Callable[[rc_surface_map, int32_t, double, rc_surface_cmr], rc_status]
     rc_surface_downsample: Callable[[int64_t, int64_t, doubles, bytes_, int32_t, doubles, bytes_], rc_status]
+
+
+class FormatsFunctions(Protocol):
+    """libroughcontact-formats"""
+
+    rc_surface_read_last_error: Callable[[], text]
+    rc_surface_read: Callable[[text, rc_surface_read_spec, rc_surface_file], rc_status]
+    rc_surface_read_memory: Callable[[handle, size_t, text, rc_surface_read_spec, rc_surface_file], rc_status]
+    rc_surface_file_free: Callable[[rc_surface_file], None]
+    rc_surface_format_count: Callable[[], int64_t]
+    rc_surface_format_describe: Callable[[int64_t, rc_surface_format], rc_status]
+    rc_surface_remove_form: Callable[[int64_t, int64_t, int32_t, doubles], rc_status]
+    rc_surface_fill: Callable[[int64_t, int64_t, double, double, doubles], rc_status]

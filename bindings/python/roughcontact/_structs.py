@@ -173,3 +173,19 @@ class rc_surface_power_law(Sized):
 class rc_surface_cmr(Sized):
     members = """size_t struct_size; int32_t trustworthy levels safe_levels reserved;
     double unresolved limit unresolved_overall peak_loss approach coarsest_pitch; char*400 reason"""
+
+
+@struct
+class rc_surface_read_spec(Sized):
+    members = "size_t struct_size; text format unit; double hx hy"
+
+
+@struct
+class rc_surface_file(Sized):
+    members = """size_t struct_size; int64_t nx ny; double hx hy; doubles heights; int64_t missing; int32_t periodic reserved;
+    char*32 format; char*400 assumed; handle storage"""
+
+
+@struct
+class rc_surface_format(Sized):
+    members = "size_t struct_size; text name summary suffixes says; int32_t by_contents reserved"

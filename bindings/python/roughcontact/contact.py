@@ -38,7 +38,7 @@ def gap_and_mask(
     if heights is None:
         array = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", shape)
         return array, as_mask(mask, "mask", shape)
-    surface = as_surface(heights, 1.0, mask=mask, missing=missing)  # the pitch is the system's
+    surface = as_surface(heights, mask=mask, missing=missing, otherwise=1.0)  # the pitch is the system's
     if surface.shape != shape:
         raise ShapeError(f"heights have shape {surface.shape}, the grid {shape}")
     return surface.undeformed_gap(), surface.mask

@@ -9,7 +9,8 @@ from typing import Any, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._arrays import Pitch
-from ._maps import Surface, as_surface
+from ._height_map import Surface
+from ._maps import as_surface
 from .analysis import Histogram, Patches
 from .result import Grid, PathResult, Result
 from .surface import PowerLaw, Spectrum

@@ -20,7 +20,8 @@ from ._c import members_for
 from ._calls import check_surface
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
-from ._maps import Surface, as_surface
+from ._height_map import Surface
+from ._maps import as_surface
 from ._structs import (
     rc_surface_cmr,
     rc_surface_map,
