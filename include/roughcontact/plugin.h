@@ -321,7 +321,7 @@ struct rc_kernel {
   /** RC_KERNEL_PERIODIC, else NULL: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx]
    *  [length]; those at nx-kx and ny-ky are equal. The mean's, out[0], is not looked at: it counts as 0. */
   rc_status (*symbol)(const rc_host *, const rc_kernel_spec *, double *out);
-  /** NULL where nothing is promised; the lowest eigenvalue of a symbol is then looked up. */
+  /** NULL where nothing is promised. The lowest eigenvalue of a symbol is looked up, and compared with a promise. */
   rc_status (*bounds)(const rc_host *, const rc_kernel_spec *, rc_kernel_bounds *);
   void *user; /* not looked at                                                                                           */
 };

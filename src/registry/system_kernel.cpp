@@ -13,6 +13,7 @@ namespace rc {
 
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double round_off = 1e-9;     // by which promises may be missed
 constexpr std::int64_t patch = 8;      // cells along a side of the patch on which promises are looked at
 constexpr double unlooked = 1 - 1e-6;  // of a lowest eigenvalue that is looked up: transforms round
@@ -44,12 +45,17 @@ rc_kernel_spec SystemKernel::spec(const rc_system& system) const {
   return {sizeof(rc_kernel_spec), &kernel_, &system, &options_, length_, modulus_};
 }
 
+void SystemKernel::check(rc_status status, const char* what) const {
+  raise_if_failed(status, what);
+  if (status != RC_OK) refuse(what, " returned ", status, ", must be RC_OK or an error");
+}
+
 rc_kernel_bounds SystemKernel::promised(const rc_system& system) const {
   rc_kernel_bounds found{sizeof(rc_kernel_bounds), 0, 0};
   if (!kernel_.bounds) return found;
   const rc_kernel_spec asked = spec(system);
   clear_message();
-  raise_if_failed(kernel_.bounds(&options_.context->host(), &asked, &found), "the kernel's bounds");
+  check(kernel_.bounds(&options_.context->host(), &asked, &found), "the kernel's bounds");
   for (const double value : {found.lowest, found.galerkin_share})
     if (!(value >= 0) || std::isinf(value)) refuse("a promised bound is ", value, ", must be finite and >= 0 (0: none)");
   return found;
@@ -71,7 +77,7 @@ rc_kernel_bounds SystemKernel::bounds(const rc_system& system) const {
   const double least = *std::min_element(values.begin() + 1, values.end());
   if (found.lowest > least * (1 + round_off))
     refuse("an eigenvalue is ", least, ", although none is promised to be below ", found.lowest);
-  if (found.lowest == 0) found.lowest = unlooked * least;
+  found.lowest = unlooked * least;
   return found;
 }
 
@@ -95,8 +101,9 @@ void SystemKernel::check_coefficients(const rc_system& system, const rc_kernel_b
 void SystemKernel::window(const rc_system& system, const kernel::Window& window, double* out) const {
   const rc_kernel_spec asked = spec(system);
   clear_message();
-  raise_if_failed(kernel_.window(&options_.context->host(), &asked, window.first_x, window.first_y, window.mx, window.my, out),
-                  "the kernel's window");
+  if (!built_in_) std::fill_n(out, window.mx * window.my, nan);  // shows what is left out
+  check(kernel_.window(&options_.context->host(), &asked, window.first_x, window.first_y, window.mx, window.my, out),
+        "the kernel's window");
   if (built_in_) return;
   // The largest coefficient is the first one.
   double most = std::numeric_limits<double>::infinity();
@@ -119,11 +126,12 @@ void SystemKernel::window(const rc_system& system, const kernel::Window& window,
 
 void SystemKernel::symbol(const rc_system& system, double* out) const {
   const rc_kernel_spec asked = spec(system);
+  const std::int64_t half_x = system.nx / 2 + 1, n = half_x * (system.ny / 2 + 1);
+  if (!built_in_) std::fill_n(out, n, nan);
   clear_message();
-  raise_if_failed(kernel_.symbol(&options_.context->host(), &asked, out), "the kernel's symbol");
+  check(kernel_.symbol(&options_.context->host(), &asked, out), "the kernel's symbol");
   out[0] = 0;
   if (built_in_) return;
-  const std::int64_t half_x = system.nx / 2 + 1, n = half_x * (system.ny / 2 + 1);
   for (std::int64_t i = 1; i < n; ++i)
     if (!(out[i] >= 0) || std::isinf(out[i]))
       refuse("the symbol at wave numbers (", i % half_x, ", ", i / half_x, ") is ", out[i], ", must be >= 0 and finite");

@@ -21,7 +21,7 @@ class SystemKernel {
   bool built_in() const { return built_in_; }
 
   // Checks what can be seen of a kernel from outside before anything depends on it, and returns its promises. The lowest
-  // eigenvalue follows from the share of galerkin where that says more; periodic systems: without a promise, from the symbol.
+  // eigenvalue follows from the share of galerkin where that says more; periodic systems: from the symbol.
   rc_kernel_bounds bounds(const rc_system&) const;
 
   void window(const rc_system&, const kernel::Window&, double* out) const;  // free boundaries
@@ -30,6 +30,7 @@ class SystemKernel {
 
  private:
   rc_kernel_spec spec(const rc_system&) const;
+  void check(rc_status, const char* what) const;
   rc_kernel_bounds promised(const rc_system&) const;
   void check_coefficients(const rc_system&, const rc_kernel_bounds&) const;
   template <class... Parts> [[noreturn]] void refuse(const Parts&... parts) const;

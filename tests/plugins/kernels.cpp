@@ -340,6 +340,24 @@ void failures_are_passed_on(void**) {
   assert_message_has("rc_contact_create: decay: no wave today");
 }
 
+rc_status idle(const rc_host*, const rc_kernel_spec*, double*) { return RC_OK; }
+rc_status half_done(const rc_host*, const rc_kernel_spec*, double*) { return RC_STOP_TIME; }
+
+void what_is_left_out_is_seen(void**) {
+  using Symbol = decltype(rc_kernel::symbol);
+  const std::pair<Symbol, const char*> each[] = {{idle, "the symbol at wave numbers (1, 0) is nan"},
+                                                 {half_done, "the kernel's symbol returned 102, must be RC_OK or an error"}};
+  for (const auto& [symbol, message] : each) {
+    const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+    Spoilt sound;
+    rc_kernel kernel = decay(sound);
+    kernel.symbol = symbol;
+    assert_int_equal(add(registry, kernel), RC_OK);
+    assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}, RC_BOUNDARY_PERIODIC).status, RC_ERR_NUMERIC);
+    assert_message_has(message);
+  }
+}
+
 // H less 0.2 times the identity is positive definite as well: each diagonal entry grows by what the kernel adds there.
 void intervals_rest_on_what_is_promised(void**) {
   Spoilt sound;
@@ -419,6 +437,7 @@ const std::vector<CMUnitTest> kernel_tests = {
     cmocka_unit_test(boundaries_and_cells_are_checked),
     cmocka_unit_test(what_cannot_be_true_is_refused),
     cmocka_unit_test(failures_are_passed_on),
+    cmocka_unit_test(what_is_left_out_is_seen),
     cmocka_unit_test(intervals_rest_on_what_is_promised),
     cmocka_unit_test(false_promises_are_seen_or_do_no_harm),
     cmocka_unit_test(a_backend_that_needs_the_far_field_is_passed_over),
