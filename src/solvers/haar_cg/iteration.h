@@ -146,6 +146,7 @@ template <Machine M> class HaarIteration {
     } else {
       refresh();
       reduce();
+      if (capped()) admission_ = strictest_admission;
     }
     choose(0);
   }
