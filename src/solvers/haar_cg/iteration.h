@@ -292,8 +292,8 @@ template <Machine M> class HaarIteration {
   }
 
   // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
-  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes. Where
-  // there are none it becomes the least at which no point at the cap has a gap.
+  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes.
+  // Where there are none it becomes the least at which no point at the cap has a gap.
   void settle() {
     const double at_cap = now_.load - now_.free_load;
     if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
