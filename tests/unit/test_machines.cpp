@@ -24,7 +24,7 @@ using Field = std::vector<double>;
 static_assert(rc::Machine<rc::PlainMachine<float>> && rc::Machine<rc::PlainMachine<double>>);
 static_assert(rc::Machine<rc::ThreadMachine<float>> && rc::Machine<rc::ThreadMachine<double>>);
 
-constexpr double tol = 1e-9, infinite = std::numeric_limits<double>::infinity();
+constexpr double tol = 1e-9, mean_pressure = 0.2, infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t compared_steps = 6;  // later the differences in rounding have grown
 
 // A half-space's product, written out: every entry of H by the offset of its cells.
@@ -51,7 +51,8 @@ struct Contact {
   std::int64_t nx, ny;
   double hx, hy;
   bool periodic, by_load;
-  double depth;  // of the highest point, relative to the roughness
+  double depth;           // of the highest point, relative to the roughness
+  double cap = infinite;  // of the pressure
 };
 
 Field rough(const Contact& c) {
@@ -86,6 +87,19 @@ template <class M> Solution solved(M& machine, rc::HaarTask task) {
   return {outcome.ending, outcome.approach, last, residuals, {}};
 }
 
+// The largest violation of the conditions on p, by a product in double precision, relative to the largest compenetration.
+double violation(const Contact& c, const Product& product, const Field& u, const Field& p, double approach) {
+  Field w(p.size());
+  product.multiply(p.data(), w.data());
+  double worst = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double gap = w[i] - u[i] - approach;
+    worst = std::max(worst, p[i] <= 0 ? -gap : p[i] >= c.cap ? gap : std::abs(gap));
+    assert_true(p[i] >= 0 && p[i] <= c.cap);
+  }
+  return worst / (c.by_load ? approach : 1);
+}
+
 template <class Real> void compare(const Contact& c, const Field& start) {
   const Field u = rough(c);
   const std::int64_t n = c.nx * c.ny;
@@ -106,13 +120,14 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   grid.boundary = c.periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
   const rc::TreeInputs inputs = rc::tree_inputs(grid, n, [&](std::int64_t, std::int64_t, Field& out) { out = product.k; });
   const rc::HaarTask task{.by_load = c.by_load,
-                          .load = 0.2 * static_cast<double>(n),
+                          .load = mean_pressure * static_cast<double>(n),
+                          .cap = c.cap,
                           .tol = tol,
                           .periodic_mean = inputs.mean,
                           .elongated = inputs.elongated};
 
   rc::PlainMachine<Real> plain(
-      u, start, infinite, [&](const Field& x, Field& y) { product.multiply(x.data(), y.data()); },
+      u, start, c.cap, [&](const Field& x, Field& y) { product.multiply(x.data(), y.data()); },
       rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, false),
       rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, true));
   Solution by_plain = solved(plain, task);
@@ -124,7 +139,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   product.u = u.data();
   product.grid = &grid;
   product.length = product.pressure = 1;
-  product.cap = infinite;
+  product.cap = c.cap;
   product.team = &team;
   product.apply = [](const rc_problem* problem, const double* x, double* y) -> rc_status {
     static_cast<const Product*>(problem)->multiply(x, y);
@@ -165,6 +180,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   assert_true(difference <= 100 * tol * most);
   assert_true(std::abs(by_threads.approach - by_plain.approach) <= 100 * tol);
   assert_true(apart <= 3e-3);
+  assert_true(violation(c, product, u, by_plain.p, by_plain.approach) <= 20 * tol);
   assert_int_equal(by_threads.steps, by_plain.steps);
 }
 
@@ -175,7 +191,15 @@ constexpr Contact contacts[] = {{"square, by approach", 24, 24, 1, 1, false, fal
                                 {"one row", 1, 60, 1, 1, false, false, 1},
                                 {"long cells", 20, 25, 1, 4, false, false, 1},
                                 {"periodic, by approach", 20, 24, 1, 1, true, false, 0.9},
-                                {"periodic, by load", 20, 24, 1, 1, true, true, 1}};
+                                {"periodic, by load", 20, 24, 1, 1, true, true, 1},
+                                {"capped, by approach", 24, 24, 1, 1, false, false, 1.2, 0.1},
+                                {"capped, by load", 24, 24, 1, 1, false, true, 1.2, 0.3},
+                                {"capped, nearly all points", 31, 18, 1, 1, false, true, 1, 1.01 * mean_pressure},
+                                {"capped, one row", 1, 60, 1, 1, false, false, 1, 0.3},
+                                {"capped, long cells", 20, 25, 1, 4, false, false, 1, 0.1},
+                                {"capped, periodic, by approach", 20, 24, 1, 1, true, false, 0.9, 0.1},
+                                {"capped, above the mean plane", 20, 24, 1, 1, true, false, 1.4, 0.6},
+                                {"capped, periodic, by load", 20, 24, 1, 1, true, true, 1, 0.4}};
 
 void machines_agree(void**) {
   for (const Contact& contact : contacts) {
