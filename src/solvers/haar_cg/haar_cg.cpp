@@ -1,4 +1,4 @@
-// The solver haar-cg: projected conjugate gradients on the contact set, preconditioned by two multilevel trees. README.md has the
+// The solver haar-cg: projected conjugate gradients on the free set, preconditioned by two multilevel trees. README.md has the
 // method, iteration.h its control flow. This file runs it on the threads of this process.
 #include <algorithm>
 #include <cstdint>

@@ -5,32 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 
+#include "solvers/haar_cg/known_loads.h"
 #include "solvers/haar_cg/machine.h"
+#include "solvers/haar_cg/task.h"
 
 namespace rc {
-
-struct HaarTask {
-  bool by_load = false;                                  // the load is prescribed; otherwise the approach, which u contains
-  double load = 0;                                       // the sum of p that is wanted
-  double cap = std::numeric_limits<double>::infinity();  // the largest pressure
-  double tol = 0;                                        // residual to reach, relative to the largest compenetration
-  double least_scale = 0;                                // by load: least compenetration that residuals are relative to
-  double periodic_mean = 0;                              // by how much every entry of the trees' operator exceeds that of H
-  bool elongated = false;  // cells or grid are elongated: the trees may misjudge the load's slope by far
-  int patience = 120;      // the iteration stalls after more bounds than this without half the residual
-  // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
-  std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
-};
-
-enum class HaarEnding { solved, stalled, not_finite };
-
-struct HaarOutcome {
-  HaarEnding ending;
-  double approach;  // by load: the approach found
-};
 
 template <Machine M> class HaarIteration {
  public:
@@ -48,12 +29,8 @@ template <Machine M> class HaarIteration {
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
 
-  struct State {
-    double datum, load;
-  };
-
-  // Interval: steps between two bounds. Admission: a point without pressure enters the contact set where it overlaps by more than
-  // this share of the residual.
+  // Interval: steps between two bounds. Admission: a point at an end of its pressures enters the free set where it violates its
+  // condition by more than this share of the residual.
   static constexpr int first_interval = 2, longest_interval = 16;
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
   // The same where points are at the cap; added after a bound at which the violation rose, taken off after any other.
@@ -68,15 +45,14 @@ template <Machine M> class HaarIteration {
   // Newton's method on the load or, where a mean was added to a periodic operator, on the deflection that this mean causes.
   static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
   static constexpr double caution = 0.7, damping = 1.2;                  // lengthens steps less; shortens diverging ones
-  static constexpr double settled = 5e-2;                                // residual below which the contact set changes little
+  static constexpr double settled = 5e-2;                                // residual below which the free set changes little
   static constexpr double overloaded = 10;                               // relative imbalance: the approach may then fall by more
   static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration in a step
   static constexpr double least_stiffening = 1e-2, most_stiffening = 4, least_slope = 1e-4;
-  static constexpr double most_share = 0.99;   // of the deflection under a load: the added mean makes up less
-  static constexpr double most_release = 0.9;  // of the way between two states of which the loads are known
-  static constexpr double few = 2;             // points whose caps make up the missing load: then the nearest one is released
-  static constexpr double blur = 1e-5;         // of the compenetration: error of such a state's datum
-  static constexpr int tolerated_rises = 2;    // troubles before the search with the added mean is given up
+  static constexpr double most_share = 0.99;  // of the deflection under a load: the added mean makes up less
+  static constexpr double few = 2;            // points whose caps make up the missing load: then the nearest one is released
+  static constexpr double blur = 1e-5;        // of the compenetration: error of such a state's datum
+  static constexpr int tolerated_rises = 2;   // troubles before the search with the added mean is given up
 
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
@@ -98,7 +74,7 @@ template <Machine M> class HaarIteration {
   // Single precision is reliable for a few digits below the residual of the last product in double precision.
   bool blurred() const { return single && worst() <= drop * exact_; }
 
-  // Operator, preconditioner, contact set.
+  // Operator, preconditioner, free set.
 
   // to = (H + mean 11') from. By load the added mean only shifts the datum by a multiple of the load. Without it the energy of a
   // periodic contact would hardly depend on the mean pressure, and in full contact not at all.
@@ -107,7 +83,7 @@ template <Machine M> class HaarIteration {
     if (mean_ != 0) m_.raise(to, mean_ * m_.total(from));
   }
 
-  // z = M g on the contact set; without g: z = M 1. Returns (z, q), where q is given.
+  // z = M g on the free set; without g: z = M 1. Returns (z, q), where q is given.
   double precondition(Vector g, Vector q) {
     if (!prepared_) m_.set_up_trees(task_.periodic_mean - mean_);
     prepared_ = true;
@@ -146,6 +122,7 @@ template <Machine M> class HaarIteration {
     } else {
       refresh();
       reduce();
+      if (capped()) admission_ = strictest_admission;
     }
     choose(0);
   }
@@ -172,7 +149,7 @@ template <Machine M> class HaarIteration {
     curvature_ = m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
-    // A long interval ends where a step gains little beside the first: a better contact set then gains more than further steps.
+    // A long interval ends where a step gains little beside the first: a better free set then gains more than further steps.
     ++phase_;
     if (phase_ == 1) first_gain_ = slope * slope / curvature_;
     if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
@@ -215,25 +192,12 @@ template <Machine M> class HaarIteration {
   }
 
   // Every point is at an end of its pressures and should be: the load is exactly that of the present datum. Moves the datum at
-  // least to where the first point leaves its end, and further where much load is missing: between two such states by their
-  // loads, else by ever longer steps.
+  // least to where the first point leaves its end.
   void release() {
     if (!task_.by_load) return lower(mean_ * now_.load - datum_);
-    const bool up = now_.load < task_.load;
-    const double missing = std::abs(task_.load - now_.load), nearest = m_.nearest(up) + 1e-3 * task_.tol * scale();
+    const double missing = task_.load - now_.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * scale();
     if (nearest == infinite) return;
-    (up ? below_ : above_) = State{datum_ + (up ? -blur : blur) * scale(), now_.load};
-    const double share = missing / (above_.load - below_.load), apart = above_.datum - below_.datum;
-    const double far = apart < infinite ? std::clamp(share, 1 - most_release, most_release) * apart : 2 * release_;
-    release_ = missing > few * task_.cap ? std::max(far, nearest) : nearest;
-    lower(up ? release_ : -release_);
-  }
-
-  // A change of the datum that stays between the states of which release() knows the loads.
-  double between(double change) const {
-    if (datum_ + change >= above_.datum) change = std::max(0.5 * (above_.datum - datum_), -std::abs(change));
-    if (datum_ + change <= below_.datum) change = std::min(0.5 * (below_.datum - datum_), std::abs(change));
-    return change;
+    lower(loads_.leave(datum_, blur * scale(), now_.load, missing, nearest, std::abs(missing) <= few * task_.cap));
   }
 
   // Newton's step of the approach. The missing load is what remains to be added once the present gap is closed.
@@ -259,8 +223,8 @@ template <Machine M> class HaarIteration {
       excess_ = std::min(excess_ * damping, most_excess());
     const double wanted = missing / (excess_ * sum);
     const bool far = imbalance() > overloaded;
-    const double change =
-        between(std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load)));
+    const double change = loads_.between(
+        datum_, std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load)));
     missing_ = change == wanted ? missing : far || task_.elongated ? unknown : 0;
     lower(change);
   }
@@ -291,8 +255,8 @@ template <Machine M> class HaarIteration {
   }
 
   // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
-  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes. Where
-  // there are none it becomes the least at which no point at the cap has a gap.
+  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes.
+  // Where there are none it becomes the least at which no point at the cap has a gap.
   void settle() {
     const double at_cap = now_.load - now_.free_load;
     if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
@@ -411,13 +375,12 @@ template <Machine M> class HaarIteration {
   int planned_ = first_interval, phase_ = 0;  // steps of this interval; how many were made
   bool conjugate_ = false;                    // the next direction is made conjugate to t
   bool cut_any_ = false;                      // the last bound cut pressures off
-  bool prepared_ = false;                     // the trees are set up for the present contact set
+  bool prepared_ = false;                     // the trees are set up for the present free set
   double admission_ = first_admission;
   double violation_ = infinite;  // at the last bound, relative to the largest compenetration
 
-  State below_{-infinite, 0}, above_{infinite, infinite};  // the nearest to the load that release() has seen
-  double release_ = 0;                                     // by how much it last moved the datum
-  double excess_ = 0;                                      // slope of the load over the trees' slope; 0: not measured yet
+  KnownLoads loads_;
+  double excess_ = 0;      // slope of the load over the trees' slope; 0: not measured yet
   double missing_ = 0;     // load, or deflection, that the last Newton's step was to make up; NaN: not known
   double stiffening_ = 1;  // correction of the datum's slope in displacement control
 
