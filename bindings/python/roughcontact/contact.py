@@ -48,7 +48,7 @@ class Contact(Handle):
     """A contact kept over a loading sequence: operators, factors and the last pressures stay from step to step.
 
     system: `HalfSpace`, `Matrix` or `Product`
-    options: see `roughcontact.options()`; those that are fixed cannot be changed later
+    options: see `roughcontact.options()`; those that are fixed cannot be changed later. keywords: as in `solve`
     progress: called with a `Progress` at least every `every` iterations, on the thread that solves, which is not the main one.
         True ends the step with Status.STOP_CANCELLED; an exception ends it and is raised by the call
     context: a registry of its own
