@@ -80,7 +80,7 @@ class Contact(Handle):
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step
         displacement: approach of the bodies [length], or load: normal force [force]
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
-        missing: what masked or NaN heights are: "reject" or "exclude"
+        missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
         warm_start: whether to begin with the last certified pressures; None: as the library
         borrow: gap and mask are not copied by the library; the contact keeps them, and they are to stay as they are
