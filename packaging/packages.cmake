@@ -109,7 +109,7 @@ rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11
 rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
   DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})"
     "libroughcontact-formats0 (>= ${PROJECT_VERSION})" python3 python3-numpy
-  RECOMMENDS libroughcontact-backend-fft SUGGESTS python3-matplotlib
+  RECOMMENDS libroughcontact-backend-fft SUGGESTS python3-matplotlib python3-pandas python3-xarray
   SUMMARY "certified normal contact of rough surfaces - Python module"
   DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")
 

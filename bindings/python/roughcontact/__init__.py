@@ -35,6 +35,7 @@ from ._height_map import Surface as Surface
 from ._library import library_file as library_file
 from ._status import Status as Status
 from .analysis import Area as Area, Conductance as Conductance, Histogram as Histogram, Patches as Patches
+from ._answers import load as load
 from ._batch import batch as batch
 from .contact import Contact as Contact
 from ._derivatives import Gradient as Gradient, Tangent as Tangent
@@ -60,6 +61,7 @@ from .result import (
     Result as Result,
 )
 from ._solve import path as path, solve as solve
+from ._steps import Step as Step
 from .system import HalfSpace as HalfSpace, Matrix as Matrix, Product as Product, System as System, supported as supported
 
 __version__ = "0.1.0"

@@ -13,6 +13,7 @@ from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_fo
 from ._library import contact_library
 from ._files import is_file
 from ._height_map import gap_below
+from ._keywords import Constant, load_of, modulus_of, options_of
 from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn
@@ -27,6 +28,7 @@ def batch(
     *,
     displacement: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
+    pressure: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -39,16 +41,19 @@ def batch(
     system: Optional[System] = None,
     pitch: Optional[Pitch] = None,
     modulus: Optional[float] = None,
+    E: Optional[Constant] = None,
+    nu: Optional[Constant] = None,
     boundary: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
     context: Optional[Context] = None,
+    **keywords: Any,
 ) -> BatchResult:
     """Solves the histories of many contacts on one grid, each as by `path`: the same bits, whatever the number of threads.
 
     heights or undeformed_gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights
         each surface's highest point touches at approach 0 [length]
-    displacement or load: [contacts, steps], or one history [steps] for all of them, or one number [length] or [force]
+    displacement, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
     keep_pressure: whether to keep the pressures of every contact's last step
@@ -59,8 +64,9 @@ def batch(
     options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
     the others: as in `solve`
     """
+    modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
     system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, hardness)
-    control, values = control_and_target(displacement, load)
+    control, values = control_and_target(displacement, load_of(load, pressure, displacement, system))
     targets = as_doubles(values, "load" if displacement is None else "displacement")
     targets = np.atleast_1d(targets)
     if targets.ndim > 2:

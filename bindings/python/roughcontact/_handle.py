@@ -10,6 +10,7 @@ from ._arrays import Doubles, Mask, as_int
 from ._c import members_for
 from ._calls import Callbacks, check, interruptible
 from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, error_for
+from ._keywords import options_of
 from ._library import contact_library
 from ._status import Status
 from ._structs import rc_progress_fn
@@ -44,7 +45,9 @@ class Handle(OwnsHandle):
         progress: Optional[Callable[[Progress], object]] = None,
         every: int = 1,
         context: Optional[Context] = None,
+        **keywords: Any,
     ) -> None:
+        options = options_of(type(self), options, keywords, context)
         library = contact_library()
         interval = as_int(every, "every")
         self.system = system

@@ -48,7 +48,7 @@ class Contact(Handle):
     """A contact kept over a loading sequence: operators, factors and the last pressures stay from step to step.
 
     system: `HalfSpace`, `Matrix` or `Product`
-    options: see `roughcontact.options()`; those that are fixed cannot be changed later
+    options: see `roughcontact.options()`; those that are fixed cannot be changed later. keywords: as in `solve`
     progress: called with a `Progress` at least every `every` iterations, on the thread that solves, which is not the main one.
         True ends the step with Status.STOP_CANCELLED; an exception ends it and is raised by the call
     context: a registry of its own
@@ -80,7 +80,7 @@ class Contact(Handle):
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step
         displacement: approach of the bodies [length], or load: normal force [force]
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
-        missing: what masked or NaN heights are: "reject" or "exclude"
+        missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
         warm_start: whether to begin with the last certified pressures; None: as the library
         borrow: gap and mask are not copied by the library; the contact keeps them, and they are to stay as they are

@@ -7,16 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import analysis
+from ._answers import Answer, Stored
 from ._arrays import Doubles, Mask, Shape
 from ._c import members_for
 from ._errors import as_status
 from ._library import contact_library
+from ._pictures import curve, pressure_image
 from ._status import Status
+from ._steps import Steps
 from ._structs import rc_accuracy, rc_level, rc_result
 
 
 @dataclass(frozen=True)
-class Grid:
+class Grid(Stored):
     """Where an answer lives: shape, (hx, hy) [length], whether it repeats, the points left out, and the half-space's E*."""
 
     shape: Shape
@@ -27,7 +30,7 @@ class Grid:
 
 
 @dataclass(frozen=True)
-class Accuracy:
+class Accuracy(Stored):
     """Which grid an answer is of, and how far off it may be.
 
     model_nx, model_ny: points of the grid that was solved
@@ -44,7 +47,7 @@ class Accuracy:
 
 
 @dataclass(frozen=True, eq=False)
-class Result:
+class Result(Answer):
     """Answer of one step. All numbers are those of rc_result in <roughcontact/roughcontact.h>.
 
     pressure: of the grid's shape [force/length^2]; None if not wanted
@@ -158,6 +161,21 @@ class Result:
             raise ValueError("the result has no pressures; solve with want_pressure=True")
         return self.pressure
 
+    def _rows(self) -> Dict[str, str]:
+        return {
+            "status": self.status.name,
+            "load": f"{self.load:.6g} ({self.load_lower:.6g} to {self.load_upper:.6g})",
+            "approach": f"{self.approach:.6g}",
+            "contact": f"{self.contacts} of {self.points} points, {self.contacts / self.points:.2%}",
+            "largest pressure": "" if self.pressure is None else f"{np.max(self.pressure, initial=0):.6g}",
+            "mean pressure": f"{self.mean_pressure:.6g}",
+            "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
+            **({"note": self.note} if self.note else {}),
+        }
+
+    def _picture(self) -> Optional[str]:
+        return None if self.pressure is None else pressure_image(self.pressure)
+
     def __repr__(self) -> str:
         return (
             f"Result({self.status.name}, load={self.load:.6g}, approach={self.approach:.6g}, "
@@ -206,7 +224,7 @@ def level_from(struct: rc_level, pressure: Doubles) -> Level:
 
 
 @dataclass(frozen=True, eq=False)
-class PathResult:
+class PathResult(Steps, Answer):
     """Answers of a loading history. Arrays have one value for each completed step.
 
     load [force], approach [length], contact_area [length^2], certificate: largest residual, applications: products with H
@@ -232,12 +250,28 @@ class PathResult:
         """Steps that were completed."""
         return len(self.load)
 
+    steps = ("step",)
+
+    def _counts(self) -> Tuple[int, ...]:
+        return (self.completed,)
+
+    def _rows(self) -> Dict[str, str]:
+        ends = {"load": self.load, "approach": self.approach, "contact area": self.contact_area}
+        return {
+            "status": self.status.name,
+            "steps": f"{self.completed} of {len(self.targets)}",
+            **{name: f"{values.min():.6g} to {values.max():.6g}" for name, values in ends.items() if len(values)},
+        }
+
+    def _picture(self) -> Optional[str]:
+        return curve(self.approach, self.load)
+
     def __repr__(self) -> str:
         return f"PathResult({self.status.name}, {self.completed} of {len(self.targets)} steps)"
 
 
 @dataclass(frozen=True, eq=False)
-class BatchResult:
+class BatchResult(Answer):
     """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
 
     statuses: of every step, see `Status`
@@ -262,6 +296,17 @@ class BatchResult:
     certified: int
     first: int
     grid: Grid
+
+    steps = ("contact", "step")
+
+    def _counts(self) -> Tuple[int, ...]:
+        return self.load.shape
+
+    def _rows(self) -> Dict[str, str]:
+        return {"status": self.status.name, "contacts": f"{self.certified} of {len(self.load)} certified"}
+
+    def _picture(self) -> Optional[str]:
+        return None
 
     def __repr__(self) -> str:
         return f"BatchResult({self.status.name}, {self.certified} of {len(self.load)} contacts certified)"

@@ -64,7 +64,7 @@ def test_the_pitch_comes_from_the_file_or_the_caller(tmp_path, map_file):
 
 def test_what_is_refused(tmp_path, map_file):
     refused(FileNotFoundError, "absent", rc.read, tmp_path / "absent.txt")
-    refused(IsADirectoryError, "", rc.read, tmp_path)
+    refused(IsADirectoryError, "directory", rc.read, tmp_path)
     refused(rc.ArgumentError, "V", rc.read, map_file, unit="V")
     refused(rc.ArgumentError, "pfu", rc.read, map_file, format="pfu")
     (tmp_path / "cut.txt").write_text("1 2\n3\n")
