@@ -254,8 +254,7 @@ def busy(request):
     show(BUSY, rows)
 
 
-# What may be left out with results that need not repeat: nothing, or plans by measurement too.
-CHOICES = {'1': {'deterministic': 1}, '0': {'deterministic': 0}, '0, measured plans': {'deterministic': 0, 'fft.planning': 'measure'}}
+CHOICES = {'1': {'deterministic': 1}, '0': {'deterministic': 0}}
 
 
 def deterministic(request):

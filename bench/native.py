@@ -41,12 +41,12 @@ def build():
     return _call('build').decode().split('\n')
 
 
-def time_products(system, gap, approach, backend='auto', planning='', threads=1, budget=0.3, single=False, share=1.0, want=0):
+def time_products(system, gap, approach, backend='auto', threads=1, budget=0.3, single=False, share=1.0, want=0):
     """Products over the trial set of a gap and an approach: {'best', 'median', 'first' [s], 'count', 'points', 'contacts', 'y'}.
     share: of the points that have pressure. want: how many values y has."""
     struct, _ = system.struct()
     times, counts, y = (C.c_double * 3)(), (C.c_int64 * 3)(), np.empty(want)
-    _call('time_products', C.byref(struct), gap, approach, backend, planning, threads, float(budget), single, float(share), times, counts,
+    _call('time_products', C.byref(struct), gap, approach, backend, threads, float(budget), single, float(share), times, counts,
           y if want else None)
     return dict(zip(('best', 'median', 'first', 'count', 'points', 'contacts', 'y'), (*times, *counts, y)))
 

@@ -31,7 +31,7 @@ else:
 EXPECTED = (rc.RoughContactError, TypeError, ValueError, OverflowError, MemoryError)
 DTYPES = ["f8", "f4", "i4", "u1", "?", ">f8", "O", "S3"]
 NAMES = ["auto", "nnls", "polonsky-keer", "haar-cg", "gp", "dense", "fft", "", "no such", "a\0b"]
-KEYS = ["solver", "backend", "kernel", "tol", "max_iter", "bounds", "accuracy", "fft.planning", "nothing"]
+KEYS = ["solver", "backend", "kernel", "tol", "max_iter", "bounds", "accuracy", "fft.precision", "nothing"]
 
 
 class Bytes:

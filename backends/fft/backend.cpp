@@ -9,23 +9,6 @@ namespace {
 
 using Functions = roughcontact::Functions<Turned>;
 
-const rc_option_spec planning = {
-    .struct_size = sizeof(rc_option_spec),
-    .key = "fft.planning",
-    .default_value = "auto",
-    .choices = "auto|estimate|measure",
-    .help =
-        "measure: time FFTW's plans first, so that the last bits may differ from run to run; auto: only where deterministic is 0",
-    .type = RC_TYPE_TEXT,
-    .fixed = 1};
-const rc_option_spec wisdom = {.struct_size = sizeof(rc_option_spec),
-                               .key = "fft.wisdom",
-                               .default_value = "",
-                               .help =
-                                   "file of FFTW's measurements, read before plans are made, written after measuring; single "
-                                   "precision: with .float appended",
-                               .type = RC_TYPE_TEXT,
-                               .fixed = 1};
 const rc_option_spec precision = {.struct_size = sizeof(rc_option_spec),
                                   .key = "fft.precision",
                                   .default_value = "auto",
@@ -36,13 +19,13 @@ const rc_option_spec precision = {.struct_size = sizeof(rc_option_spec),
                                       "option accuracy allows it, else mixed",
                                   .type = RC_TYPE_TEXT,
                                   .fixed = 1};
-const rc_option_spec* const options[] = {&planning, &wisdom, &precision};
+const rc_option_spec* const options[] = {&precision};
 const rc_backend backend = {.struct_size = sizeof(rc_backend),
                             .name = "fft",
-                            .summary = "fast Fourier transforms (FFTW) on the box of the points that may carry pressure",
-                            .license = "GPL-2.0-or-later",
+                            .summary = "fast Fourier transforms on the box of the points that may carry pressure",
+                            .license = "BSD-3-Clause",
                             .caps = RC_CAP_FREE | RC_CAP_PERIODIC | RC_CAP_THREAD_INVARIANT | RC_CAP_NORM | RC_CAP_FLOAT,
-                            .n_options = 3,
+                            .n_options = 1,
                             .options = options,
                             .create = Functions::create,
                             .destroy = Functions::destroy,

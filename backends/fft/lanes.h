@@ -1,36 +1,18 @@
-// Small discrete Fourier transforms of many sequences side by side: one sequence to a lane of a vector register. Header of the
-// column transforms alone.
+// Small discrete Fourier transforms of many sequences side by side: one sequence to a lane of a vector register. Header of
+// passes.cpp alone.
 #pragma once
 
 #include <cstdint>
 #include <numbers>
 #include <utility>
 
-#include "common/processor.h"
+#include "sequences.h"
 
-// Inlined into functions that are compiled for one instruction set each, see Builds.
+// Inlined into functions that are compiled for one instruction set each.
 #define RC_FFT_INLINE [[gnu::always_inline]] inline
 #define RC_FFT_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace rc_fft {
-
-// Pass::run(arguments), compiled for each set of instructions.
-template <class... Arguments> struct Builds {
-  template <class Pass> static void any(Arguments... arguments) { Pass::run(arguments...); }
-#ifdef RC_HAS_WIDER_VECTORS
-  template <class Pass> [[gnu::target("avx2,fma")]] static void avx2(Arguments... arguments) { Pass::run(arguments...); }
-  template <class Pass> [[gnu::target("avx512f,avx512dq,fma")]] static void avx512(Arguments... arguments) {
-    Pass::run(arguments...);
-  }
-#endif
-  // That for this processor. The passes differ in the width of their vectors.
-  template <class Bytes16, class Bytes32, class Bytes64> static auto best() {
-    return RC_FOR_THIS_PROCESSOR(&any<Bytes16>, &avx2<Bytes32>, &avx512<Bytes64>);
-  }
-};
-
-// Bytes of one row's real parts in a block of columns, which its imaginary parts follow.
-inline constexpr std::int64_t part_bytes = 64;
 
 template <class Scalar, int Bytes> struct Vector {
   using Real = Scalar;
@@ -161,30 +143,30 @@ template <> struct Dft<8> {
   }
 };
 
-// A row of a block: all real parts, then all imaginary parts.
 template <class V> RC_FFT_INLINE void load(const typename V::Real* row, Complex<V>& z) {
   z.re = *reinterpret_cast<const typename V::Type*>(row);
-  z.im = *reinterpret_cast<const typename V::Type*>(row + part_bytes / sizeof(typename V::Real));
+  z.im = *reinterpret_cast<const typename V::Type*>(row + width<typename V::Real>);
 }
 template <class V> RC_FFT_INLINE void store(typename V::Real* row, const Complex<V>& z) {
   *reinterpret_cast<typename V::Type*>(row) = z.re;
-  *reinterpret_cast<typename V::Type*>(row + part_bytes / sizeof(typename V::Real)) = z.im;
+  *reinterpret_cast<typename V::Type*>(row + width<typename V::Real>) = z.im;
 }
 
-// Complex numbers one after the other, as FFTW has them, and back. I counts the lanes.
-template <class V, int... I>
-RC_FFT_INLINE void load_pairs(const typename V::Real* pairs, Complex<V>& z, std::integer_sequence<int, I...>) {
-  const auto& a = *reinterpret_cast<const typename V::Type*>(pairs);
-  const auto& b = *reinterpret_cast<const typename V::Type*>(pairs + V::lanes);
-  z.re = __builtin_shufflevector(a, b, (2 * I)...);
-  z.im = __builtin_shufflevector(a, b, (2 * I + 1)...);
+// Exchanges v[i][j] and v[j][i], by swapping blocks of half the size off the diagonal. I counts the lanes.
+template <class V, int Half, int... I>
+RC_FFT_INLINE void swap_blocks(typename V::Type* v, std::integer_sequence<int, I...>) {
+  for (int i = 0; i < V::lanes; ++i) {
+    if ((i & Half) != 0) continue;
+    const typename V::Type a = v[i], b = v[i + Half];
+    v[i] = __builtin_shufflevector(a, b, ((I & Half) != 0 ? V::lanes + I - Half : I)...);
+    v[i + Half] = __builtin_shufflevector(a, b, ((I & Half) != 0 ? V::lanes + I : I + Half)...);
+  }
 }
-template <class V, int... I>
-RC_FFT_INLINE void store_pairs(typename V::Real* pairs, const Complex<V>& z, std::integer_sequence<int, I...>) {
-  auto& a = *reinterpret_cast<typename V::Type*>(pairs);
-  auto& b = *reinterpret_cast<typename V::Type*>(pairs + V::lanes);
-  a = __builtin_shufflevector(z.re, z.im, (I / 2 + I % 2 * V::lanes)...);
-  b = __builtin_shufflevector(z.re, z.im, (V::lanes / 2 + I / 2 + I % 2 * V::lanes)...);
+template <class V, int Half = V::lanes / 2> RC_FFT_INLINE void transpose(typename V::Type* v) {
+  if constexpr (Half > 0) {
+    swap_blocks<V, Half>(v, std::make_integer_sequence<int, V::lanes>{});
+    transpose<V, Half / 2>(v);
+  }
 }
 
 }  // namespace rc_fft

@@ -37,7 +37,6 @@ bool in_single_precision(const rc_host* host, const rc_options* options) {
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
       spec_(spec),
-      planning_(host, spec.options),
       single_(in_single_precision(host, spec.options)),
       team_(*spec.team),
       cache_(cache_limit(*spec.system)),
@@ -113,7 +112,7 @@ template <class Real> double Operator::norm_in() {
   const Lengths lengths =
       periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
-  Transform<Real> squares(host_, lengths, box_.ny, planning_, workspace_, team_);
+  Transform<Real> squares(lengths, box_.ny, workspace_, team_);
   squares.load(Eigenvalues::squares(host_, spec_, periodic() ? mean : 0.0, lengths, workspace_));
   const std::vector<double> ones(static_cast<std::size_t>(points_.count()), 1.0);
   std::vector<double> sums(ones.size());
@@ -140,7 +139,7 @@ template <class Real> Transform<Real>& Operator::made(Transforms& transforms, st
     if (periodic()) transform->set_zero_mode(zero_mode_);
     return *transform;
   }
-  transform = std::make_unique<Transform<Real>>(host_, transforms.lengths, rows, planning_, workspace_, team_);
+  transform = std::make_unique<Transform<Real>>(transforms.lengths, rows, workspace_, team_);
   try {
     if constexpr (std::is_same_v<Real, float>) {
       if (const auto& source = transforms.in<double>()) {

@@ -41,7 +41,6 @@ class Operator {
 
   const rc_host* host_;
   rc_operator_spec spec_;
-  Planning planning_;
   bool single_;  // option fft.precision: nothing is kept or made in double precision
   const rc_team& team_;
   Cache cache_;

@@ -25,6 +25,8 @@ class Points {
   std::int64_t rows() const { return ny_; }
   std::int64_t count() const { return begin(ny_); }
   bool row_is_empty(std::int64_t row) const { return begin(row) == begin(row + 1); }
+  // A row's entries of x where it is a line of nx() values as it is, else null.
+  template <class Real> Real* row(std::int64_t row, Real* x) const { return full() ? x + begin(row) : nullptr; }
   template <class Real> bool row_is_zero(std::int64_t row, const Real* x) const;
   // Puts a row's entries of x into a line of nx() values, zero elsewhere; and back.
   template <class Outer, class Real> void scatter(std::int64_t row, const Outer* x, Real* line, const Conversion& convert) const;

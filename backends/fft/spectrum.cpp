@@ -6,118 +6,89 @@
 
 namespace rc_fft {
 
-namespace {
-
-constexpr std::int64_t rows_per_item = 16;
-
-}  // namespace
-
-Eigenvalues::Eigenvalues(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace)
-    : host_(host),
-      workspace_(workspace),
+Eigenvalues::Eigenvalues(const rc_operator_spec& spec, bool coefficients, Lengths lengths, Workspace& workspace)
+    : workspace_(workspace),
       lengths_(lengths),
-      half_x_(lengths.x / 2 + 1),
-      half_y_(lengths.y / 2 + 1),
-      columns_(std::min(half_x_, spec.system->nx)),
-      rows_(std::min(half_y_, spec.system->ny)),
-      stride_(round_up(half_x_, width)),
-      line_(round_up(std::max(lengths.x, lengths.y), width)),
-      scratch_(2 * line_ + std::max(rows_per_item * round_up(columns_, width) / 2, lengths.y * width / 2)) {
-  workspace_.rows.reserve<double>(half_y_, stride_, lengths);
-  workspace_.scratch.reserve<std::complex<double>>(spec.team->threads, scratch_, lengths);
+      axes_(lengths),
+      coefficients_(coefficients),
+      row_length_(std::min(axes_.x->waves(), spec.system->nx)),
+      rows_(std::min(axes_.y->waves(), spec.system->ny)),
+      stride_(round_up(axes_.x->waves(), columns)),
+      scratch_((std::max(Fourier<double>::scratch_rows(lengths.x), Fourier<double>::scratch_rows(lengths.y)) + 2 * row_length_) * row_size<double>) {
+  workspace_.rows.reserve<double>(axes_.y->waves(), stride_, lengths);
+  workspace_.scratch.reserve<double>(spec.team->threads, scratch_, lengths);
 }
 
 Eigenvalues Eigenvalues::free(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace) {
-  Eigenvalues result(host, spec, lengths, workspace);
+  Eigenvalues result(spec, true, lengths, workspace);
   result.along_x(spec, [&](std::int64_t first, std::int64_t count, double* out) {
-    return host->window(host, spec.system, spec.kernel, 0, first, result.columns_, count, out);
+    return host->window(host, spec.system, spec.kernel, 0, first, result.row_length_, count, out);
   });
   return result;
 }
 
 Eigenvalues Eigenvalues::squares(const rc_host* host, const rc_operator_spec& spec, double constant, Lengths lengths,
                                  Workspace& workspace) {
-  Eigenvalues result(host, spec, lengths, workspace);
-  const std::int64_t columns = result.columns_;
-  std::vector<double> table(static_cast<std::size_t>(columns * result.rows_));
-  roughcontact::check(host->coefficients(host, spec.system, spec.kernel, columns, result.rows_, table.data()));
+  Eigenvalues result(spec, true, lengths, workspace);
+  const std::int64_t length = result.row_length_;
+  std::vector<double> table(static_cast<std::size_t>(length * result.rows_));
+  roughcontact::check(host->coefficients(host, spec.system, spec.kernel, length, result.rows_, table.data()));
   for (double& value : table) value = (value + constant) * (value + constant);
   result.along_x(spec, [&](std::int64_t first, std::int64_t count, double* out) {
-    std::copy_n(table.data() + first * columns, count * columns, out);
+    std::copy_n(table.data() + first * length, count * length, out);
     return rc_status{RC_OK};
   });
   return result;
 }
 
 Eigenvalues Eigenvalues::periodic(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace) {
-  Eigenvalues result(host, spec, lengths, workspace);
+  Eigenvalues result(spec, false, lengths, workspace);
   double* const table = result.table();
   roughcontact::check(host->symbol(host, spec.system, spec.kernel, table));
-  // Spaces the rows out to the stride, from the last row on, because every row moves towards the end.
-  for (std::int64_t ky = result.half_y_ - 1; ky >= 0; --ky) {
-    double* const row = table + ky * result.stride_;
-    std::copy_backward(table + ky * result.half_x_, table + (ky + 1) * result.half_x_, row + result.half_x_);
-    std::fill(row + result.half_x_, row + result.stride_, 0.0);
+  // Puts the waves in their order and the rows out to the stride, from the last row on, because every row moves towards the end.
+  const Fourier<double>& along = *result.axes_.x;
+  const std::int64_t waves = along.waves();
+  std::vector<double> row(static_cast<std::size_t>(waves));
+  for (std::int64_t ky = result.axes_.y->waves() - 1; ky >= 0; --ky) {
+    std::copy_n(table + ky * waves, waves, row.begin());
+    double* const to = table + ky * result.stride_;
+    for (std::int64_t kx = 0; kx < waves; ++kx) to[along.rank(kx)] = row[static_cast<std::size_t>(kx)];
+    std::fill(to + waves, to + result.stride_, 0.0);
   }
   return result;
 }
 
-// rows(first, count, out): coefficients of `count` rows from `first` on, into rows of columns_ values.
+// rows(first, count, out): coefficients of `count` rows from `first` on, into rows of row_length_ values.
 template <class Rows> void Eigenvalues::along_x(const rc_operator_spec& spec, const Rows& rows) {
-  {
-    const Planner<double> planner(host_, component, lengths_.x, lengths_.y);
-    along_x_ = planner.complex_to_complex(lengths_.x, scratch(0), scratch(0) + line_, FFTW_FORWARD, FFTW_ESTIMATE);
-    along_y_ = planner.complex_to_complex(lengths_.y, scratch(0), scratch(0) + line_, FFTW_FORWARD, FFTW_ESTIMATE);
-  }
+  constexpr std::int64_t most = most_lines<double>;
+  const Fourier<double>& along = *axes_.x;
   std::atomic<std::int64_t> failed{-1};
-  const std::int64_t items = (rows_ + rows_per_item - 1) / rows_per_item;
+  const std::int64_t items = (rows_ + most - 1) / most;
   roughcontact::for_each(*spec.team, items, worth_sharing(lengths_), [&](std::int64_t item, std::int64_t thread) {
-    std::complex<double>*const line = scratch(thread), *const waves = line + line_;
-    double* const coefficients = reinterpret_cast<double*>(waves + line_);
-    const std::int64_t begin = item * rows_per_item, end = std::min(begin + rows_per_item, rows_);
-    if (rows(begin, end - begin, coefficients) != RC_OK) {
+    double *const sequences = scratch(thread) + Fourier<double>::scratch_rows(lengths_.x) * row_size<double>,
+                  *const coefficients = sequences + row_length_ * row_size<double>;
+    const std::int64_t begin = item * most, count = std::min(most, rows_ - begin);
+    if (rows(begin, count, coefficients) != RC_OK) {
       failed = begin;
       return;
     }
-    // Two real rows in one complex transform. They are even, so their transforms are real and do not mix.
-    for (std::int64_t iy = begin; iy < end; iy += 2) {
-      const double* const one = coefficients + (iy - begin) * columns_;
-      const double* const other = iy + 1 < end ? one + columns_ : nullptr;
-      std::fill_n(line, lengths_.x, std::complex<double>{});
-      for (std::int64_t ix = 0; ix < columns_; ++ix) {
-        const std::complex<double> pair{one[ix], other ? other[ix] : 0.0};
-        line[ix] = pair;
-        line[ix == 0 ? 0 : lengths_.x - ix] = pair;
-      }
-      Fftw<double>::run_complex(along_x_.get(), line, waves);
-      double* const row = table() + iy * stride_;
-      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[kx] = waves[kx].real();
-      std::fill(row + half_x_, row + stride_, 0.0);
-      if (!other) continue;
-      for (std::int64_t kx = 0; kx < half_x_; ++kx) row[stride_ + kx] = waves[kx].imag();
-      std::fill(row + stride_ + half_x_, row + 2 * stride_, 0.0);
+    for (std::int64_t i = 0; i < row_length_; ++i)
+      for (std::int64_t row = 0; row < most; ++row)
+        sequences[i * most + row] = row < count ? coefficients[row * row_length_ + i] : 0;
+    // Two real rows in one complex sequence. They are even, so their transforms are real and do not mix.
+    EvenSource<double> source(sequences, most, row_length_, along.length());
+    along.forward(source, scratch(thread));
+    for (std::int64_t row = 0; row < count; ++row) {
+      double* const to = table() + (begin + row) * stride_;
+      for (std::int64_t rank = 0; rank < along.waves(); ++rank) to[rank] = scratch(thread)[along.rows()[rank].row * most + row];
+      std::fill(to + along.waves(), to + stride_, 0.0);
     }
   });
   // Asks again on this thread for the message: those of other threads are not seen here.
   if (failed >= 0) {
-    std::vector<double> row(static_cast<std::size_t>(columns_));
+    std::vector<double> row(static_cast<std::size_t>(row_length_));
     roughcontact::check(rows(failed, 1, row.data()));
     fail(RC_ERR_INTERNAL, "influence coefficients could not be computed at first, but were on a second attempt; try again");
-  }
-}
-
-// Neighbouring columns are the real and imaginary parts of one complex column, as for rows.
-void Eigenvalues::transform_block(std::int64_t block, std::int64_t thread) const {
-  constexpr std::int64_t pairs = width / 2;
-  std::complex<double>*const column = scratch(thread), *const transformed = column + line_, *const to = waves(thread);
-  for (std::int64_t pair = 0; pair < pairs; ++pair) {
-    std::fill_n(column, lengths_.y, std::complex<double>{});
-    for (std::int64_t iy = 0; iy < rows_; ++iy) {
-      const auto* const from = reinterpret_cast<const std::complex<double>*>(table() + iy * stride_ + block * width);
-      column[iy] = column[iy == 0 ? 0 : lengths_.y - iy] = from[pair];
-    }
-    Fftw<double>::run_complex(along_y_.get(), column, transformed);
-    for (std::int64_t ky = 0; ky < half_y_; ++ky) to[ky * pairs + pair] = transformed[ky];
   }
 }
 

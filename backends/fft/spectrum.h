@@ -1,12 +1,11 @@
 // Eigenvalues of the circular operator: real, because the kernel is even along both axes.
 #pragma once
 
-#include <complex>
 #include <roughcontact/plugin.hpp>
 
 #include "buffer.h"
+#include "fourier.h"
 #include "lengths.h"
-#include "plan.h"
 
 namespace rc_fft {
 
@@ -22,39 +21,36 @@ class Eigenvalues {
   // From the symbol of a periodic system, whose grid has these lengths.
   static Eigenvalues periodic(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
 
-  static constexpr std::int64_t width = 16;  // columns in a block
-  std::int64_t blocks() const { return stride_ / width; }
+  static constexpr std::int64_t columns = row_size<double>;  // in a block
+  std::int64_t blocks() const { return stride_ / columns; }
 
-  // visit(ky, values) for the waves along y, `width` values each: columns block * width and following.
+  // visit(rank, values) for the waves along y: columns block * columns and following, which are waves along x by rank.
   template <class Visit> void along_y(std::int64_t block, std::int64_t thread, const Visit& visit) const {
-    if (!along_y_) {
-      for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, table() + ky * stride_ + block * width);
+    const Fourier<double>& along = *axes_.y;
+    if (!coefficients_) {
+      for (std::int64_t k = 0; k < along.waves(); ++k) visit(along.rank(k), table() + k * stride_ + block * columns);
       return;
     }
-    transform_block(block, thread);
-    for (std::int64_t ky = 0; ky < half_y_; ++ky) visit(ky, reinterpret_cast<const double*>(waves(thread)) + ky * width);
+    EvenSource<double> source(table() + block * columns, stride_, rows_, along.length());
+    along.forward(source, scratch(thread));
+    for (std::int64_t rank = 0; rank < along.waves(); ++rank)
+      visit(rank, scratch(thread) + along.rows()[rank].row * row_size<double>);
   }
 
  private:
-  Eigenvalues(const rc_host* host, const rc_operator_spec& spec, Lengths lengths, Workspace& workspace);
+  Eigenvalues(const rc_operator_spec& spec, bool coefficients, Lengths lengths, Workspace& workspace);
 
   double* table() const { return workspace_.rows.data<double>(); }
-  std::complex<double>* scratch(std::int64_t thread) const {
-    return workspace_.scratch.data<std::complex<double>>() + thread * scratch_;
-  }
-  std::complex<double>* waves(std::int64_t thread) const { return scratch(thread) + 2 * line_; }
+  double* scratch(std::int64_t thread) const { return workspace_.scratch.data<double>() + thread * scratch_; }
   template <class Rows> void along_x(const rc_operator_spec& spec, const Rows& rows);
-  void transform_block(std::int64_t block, std::int64_t thread) const;
 
-  const rc_host* host_;
   Workspace& workspace_;
   Lengths lengths_;
-  std::int64_t half_x_, half_y_;
-  std::int64_t columns_, rows_;          // coefficients that the circular operator takes
-  std::int64_t stride_;                  // of the table's rows
-  std::int64_t line_;                    // room for a line [complex values]
-  std::int64_t scratch_;                 // of a thread: two lines, and coefficients or waves [complex values]
-  OwnedPlan<double> along_x_, along_y_;  // null: the table holds the eigenvalues
+  Axes<double> axes_;
+  bool coefficients_;                // the table holds them, transformed along x; otherwise it holds the eigenvalues
+  std::int64_t row_length_, rows_;  // of the coefficients that the circular operator takes
+  std::int64_t stride_;             // of the table's rows
+  std::int64_t scratch_;            // of a thread: of a transform, and coefficients of most_lines rows twice [reals]
 };
 
 }  // namespace rc_fft

@@ -1,69 +1,103 @@
 #include "transform.h"
 
 #include <algorithm>
+#include <type_traits>
+
+#include "lines.h"
 
 namespace rc_fft {
 
 namespace {
 
-// A thread takes this many rows at a time, and clears its line once for them.
-constexpr std::int64_t rows_per_item = 8;
+// Rows of a block of columns among the spectra of all lines: address of row i.
+template <class Real> struct Column {
+  Real* row(std::int64_t i) const {
+    return first + i / most_lines<Real> * group + i % most_lines<Real> * row_size<Real>;
+  }
+  Real* first;
+  std::int64_t group;  // from one group of lines to the next
+};
+
+template <class Real> class ColumnSource : public Source<Real> {
+ public:
+  // Rows outside of [begin, begin + count) are zero.
+  ColumnSource(const Column<Real>& column, std::int64_t begin, std::int64_t count)
+      : Source<Real>(begin + count), column_(column), begin_(begin) {}
+
+  void read(int, std::int64_t first, std::int64_t count, const Real** rows) override {
+    for (std::int64_t i = first; i < first + count; ++i)
+      rows[i - first] = i >= begin_ && i < this->end() ? column_.row(i) : zero_row<Real>;
+  }
+
+ private:
+  Column<Real> column_;
+  std::int64_t begin_;
+};
+
+template <class Real> class ColumnSink : public Sink<Real> {
+ public:
+  // Rows that are not wanted go to `spare`.
+  ColumnSink(const Column<Real>& column, std::int64_t count, Real* spare) : Sink<Real>(count), column_(column), spare_(spare) {}
+
+  void room(int, std::int64_t first, std::int64_t count, Real** rows) override {
+    for (std::int64_t i = first; i < first + count; ++i) rows[i - first] = i < this->end() ? column_.row(i) : spare_;
+  }
+
+ private:
+  Column<Real> column_;
+  Real* spare_;
+};
 
 }  // namespace
 
 template <class Real>
-Transform<Real>::Transform(const rc_host* host, Lengths lengths, std::int64_t rows, Planning& planning, Workspace& workspace,
-                           const rc_team& team)
+Transform<Real>::Transform(Lengths lengths, std::int64_t rows, Workspace& workspace, const rc_team& team)
     : lengths_(lengths),
-      half_x_(lengths.x / 2 + 1),
-      half_y_(lengths.y / 2 + 1),
-      row_stride_(round_up(half_x_, width)),
-      column_(round_up(lengths.y, 16)),
-      scratch_(std::max({round_up(lengths.x, width), width * ColumnProduct<Real>::scratch_rows(lengths.y), 2 * column_})),
+      group_(blocks() * most_lines<Real> * row_size<Real>),
+      line_(round_up(lengths.x, width<Real>)),
+      scratch_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real> + most_lines<Real> * line_),
       workspace_(workspace),
       team_(team),
       parallel_(worth_sharing(lengths)) {
-  // Rows a multiple of 4096 bytes apart would compete for the same cache sets.
-  if (row_stride_ % (32 * width) == 0) row_stride_ += width;
+  // Else the parts of a column would compete for the same cache sets.
+  if (blocks() % 8 == 0) group_ += most_lines<Real> * row_size<Real>;
   reserve(rows);
-  spectrum_.reserve<Real>(blocks() * width, half_y_, lengths);
-  if (has_small_factors(lengths.y)) own_columns_.emplace(lengths.y);
-  plans_.emplace(host, lengths, planning, line(0), row(0), scratch(0), scratch(0) + column_);
+  spectrum_.reserve<Real>(blocks() * width<Real>, lengths.y / 2 + 1, lengths);
+  axes_ = Axes<Real>(lengths);
 }
 
 template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
-  workspace_.rows.reserve<Complex>(rows, row_stride_, lengths_);
-  workspace_.scratch.reserve<Complex>(team_.threads, scratch_, lengths_);
+  workspace_.rows.reserve<Real>((rows + most_lines<Real> - 1) / most_lines<Real>, group_, lengths_);
+  workspace_.scratch.reserve<Real>(team_.threads, scratch_, lengths_);
 }
-
-template <class Real> double Transform<Real>::scale() const { return 1.0 / (plans_->gain() * static_cast<double>(lengths_.y)); }
 
 template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
   const double factor = scale();
   roughcontact::for_each(team_, source.blocks(), parallel_, [&](std::int64_t wide, std::int64_t thread) {
-    constexpr std::int64_t parts = Eigenvalues::width / width;
+    constexpr std::int64_t parts = Eigenvalues::columns / width<Real>;
     const std::int64_t first = wide * parts, last = std::min(first + parts, blocks());
-    source.along_y(wide, thread, [&](std::int64_t ky, const double* values) {
+    source.along_y(wide, thread, [&](std::int64_t rank, const double* values) {
       for (std::int64_t block = first; block < last; ++block) {
-        Real* const to = eigenvalues(block, ky);
-        const double* const from = values + (block - first) * width;
-        for (std::int64_t c = 0; c < width; ++c) to[c] = static_cast<Real>(factor * from[c]);
+        Real* const to = eigenvalues(block, rank);
+        const double* const from = values + (block - first) * width<Real>;
+        for (std::int64_t c = 0; c < width<Real>; ++c) to[c] = static_cast<Real>(factor * from[c]);
       }
     });
   });
 }
 
 template <class Real> template <class Other> void Transform<Real>::load(const Transform<Other>& source) {
-  for (std::int64_t kx = 0; kx < half_x_; ++kx)
-    for (std::int64_t ky = 0; ky < half_y_; ++ky)
-      eigenvalues(kx / width, ky)[kx % width] = static_cast<Real>(source.eigenvalues(kx / source.width, ky)[kx % source.width]);
+  for (std::int64_t x = 0; x < axes_.x->waves(); ++x)
+    for (std::int64_t y = 0; y < axes_.y->waves(); ++y)
+      eigenvalues(x / width<Real>, y)[x % width<Real>] =
+          static_cast<Real>(source.eigenvalues(x / width<Other>, y)[x % width<Other>]);
 }
 
 template <class Real>
 template <class Outer>
 void Transform<Real>::multiply(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x, const Points& targets,
                                Outer* y, const Conversion& convert) {
-  reserve(targets.rows());
+  reserve(std::max(y0 + sources.rows(), targets.rows()));
   rows_forward(sources, x0, y0, x, convert);
   columns(y0, sources.rows(), targets.rows());
   rows_backward(targets, y, convert);
@@ -73,61 +107,65 @@ template <class Real>
 template <class Outer>
 void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x,
                                    const Conversion& convert) {
-  const std::int64_t items = (sources.rows() + rows_per_item - 1) / rows_per_item;
-  roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
-    Real* const padded = line(thread);
-    std::fill_n(padded, lengths_.x, Real{0});
-    const std::int64_t end = std::min((item + 1) * rows_per_item, sources.rows());
-    for (std::int64_t i = item * rows_per_item; i < end; ++i) {
-      Complex* const transformed = row(y0 + i);
-      if (convert.mean == 0 && sources.row_is_zero(i, x)) {
-        std::fill_n(transformed, blocks() * width, Complex{});
-      } else {
-        sources.scatter(i, x, padded + x0, convert);
-        plans_->line_to_row(padded, transformed);
-        std::fill(transformed + half_x_, transformed + blocks() * width, Complex{});
-      }
+  constexpr std::int64_t count = most_lines<Real>;
+  const std::int64_t first_group = y0 / count, end_group = (y0 + sources.rows() + count - 1) / count;
+  roughcontact::for_each(team_, end_group - first_group, parallel_, [&](std::int64_t item, std::int64_t thread) {
+    const std::int64_t group = first_group + item;
+    const std::int64_t begin = std::max<std::int64_t>(group * count - y0, 0);
+    const std::int64_t end = std::min((group + 1) * count - y0, sources.rows());
+    const Real* given[count] = {};
+    bool zero = true;
+    for (std::int64_t i = begin; i < end; ++i) {
+      if (convert.mean == 0 && sources.row_is_zero(i, x)) continue;
+      zero = false;
+      const std::int64_t line = y0 + i - group * count;
+      if constexpr (std::is_same_v<Real, Outer>)
+        if (x0 == 0 && (given[line] = sources.row(i, x))) continue;
+      Real* const padded = lines(thread) + line * line_;
+      std::fill_n(padded, x0, Real{0});
+      sources.scatter(i, x, padded + x0, convert);
+      given[line] = padded;
     }
+    if (zero) {
+      std::fill_n(spectra(group), blocks() * most_lines<Real> * row_size<Real>, Real{0});
+      return;
+    }
+    const Fourier<Real>& along = *axes_.x;
+    LineSource<Real> source(along.passes(), given, x0 + sources.nx());
+    along.forward(source, scratch(thread));
+    along.passes().to_spectra(scratch(thread), along.rows(), along.waves(), spectra(group));
   });
 }
 
 template <class Real> void Transform<Real>::columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows) {
   roughcontact::for_each(team_, blocks(), parallel_, [&](std::int64_t block, std::int64_t thread) {
-    if (own_columns_)
-      own_columns_->multiply({row(0) + block * width, row_stride_, y0, source_rows, target_rows,
-                              spectrum_.data<Real>() + block * half_y_ * width, scratch(thread)});
-    else
-      columns_by_fftw(block, scratch(thread), y0, source_rows, target_rows);
+    const Column<Real> column{spectra(0) + block * most_lines<Real> * row_size<Real>, group_};
+    Real* const rows = scratch(thread);
+    ColumnSource<Real> source(column, y0, source_rows);
+    ColumnSink<Real> sink(column, target_rows, axes_.y->spare_row(rows));
+    axes_.y->multiply(source, eigenvalues(block, 0), rows, sink);
   });
-}
-
-template <class Real>
-void Transform<Real>::columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows,
-                                      std::int64_t target_rows) {
-  const std::int64_t length = lengths_.y;
-  Complex* const waves = column + column_;
-  for (std::int64_t c = 0; c < width; ++c) {
-    Complex* const at = row(0) + block * width + c;
-    std::fill_n(column, length, Complex{});
-    for (std::int64_t iy = y0; iy < y0 + source_rows; ++iy) column[iy] = at[iy * row_stride_];
-    plans_->column_to_waves(column, waves);
-    for (std::int64_t k = 0; k < length; ++k) waves[k] *= eigenvalues(block, std::min(k, length - k))[c];
-    plans_->waves_to_column(waves, column);
-    for (std::int64_t iy = 0; iy < target_rows; ++iy) at[iy * row_stride_] = column[iy];
-  }
 }
 
 template <class Real>
 template <class Outer>
 void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conversion& convert) {
-  const std::int64_t items = (targets.rows() + rows_per_item - 1) / rows_per_item;
-  roughcontact::for_each(team_, items, parallel_, [&](std::int64_t item, std::int64_t thread) {
-    const std::int64_t end = std::min((item + 1) * rows_per_item, targets.rows());
-    for (std::int64_t i = item * rows_per_item; i < end; ++i) {
-      if (targets.row_is_empty(i)) continue;
-      plans_->row_to_line(row(i), line(thread));
-      targets.gather(i, line(thread), y, convert);
+  constexpr std::int64_t count = most_lines<Real>;
+  const std::int64_t groups = (targets.rows() + count - 1) / count;
+  roughcontact::for_each(team_, groups, parallel_, [&](std::int64_t group, std::int64_t thread) {
+    const std::int64_t begin = group * count, rows = std::min(count, targets.rows() - begin);
+    Real* wanted[count] = {};
+    for (std::int64_t i = 0; i < rows; ++i) {
+      if (targets.row_is_empty(begin + i)) continue;
+      if constexpr (std::is_same_v<Real, Outer>) wanted[i] = targets.row(begin + i, y);
+      if (!wanted[i]) wanted[i] = lines(thread) + i * line_;
     }
+    const Fourier<Real>& along = *axes_.x;
+    along.passes().from_spectra(spectra(group), rows, along.rows(), along.waves(), scratch(thread));
+    LineSink<Real> sink(along.passes(), wanted, targets.nx());
+    along.backward(scratch(thread), sink);
+    for (std::int64_t i = 0; i < rows; ++i)
+      if (wanted[i] == lines(thread) + i * line_) targets.gather(begin + i, wanted[i], y, convert);
   });
 }
 

@@ -2,14 +2,11 @@
 // forward, columns go through a scratch that stays in the cache, and only rows with targets are transformed back.
 #pragma once
 
-#include <complex>
-#include <optional>
 #include <roughcontact/plugin.hpp>
 
 #include "buffer.h"
-#include "columns.h"
+#include "fourier.h"
 #include "lengths.h"
-#include "plan.h"
 #include "points.h"
 #include "spectrum.h"
 
@@ -18,8 +15,7 @@ namespace rc_fft {
 template <class Real> class Transform {
  public:
   // Makes room for targets in `rows` rows; products with more rows enlarge it.
-  Transform(const rc_host* host, Lengths lengths, std::int64_t rows, Planning& planning, Workspace& workspace,
-            const rc_team& team);
+  Transform(Lengths lengths, std::int64_t rows, Workspace& workspace, const rc_team& team);
 
   std::size_t bytes() const { return spectrum_.size(); }
 
@@ -35,38 +31,33 @@ template <class Real> class Transform {
 
  private:
   template <class Other> friend class Transform;
-  using Complex = std::complex<Real>;
-  static constexpr std::int64_t width = columns_per_block<Real>;
 
-  std::int64_t blocks() const { return (half_x_ + width - 1) / width; }
+  std::int64_t blocks() const { return lengths_.x / 2 / width<Real> + 1; }
   void reserve(std::int64_t rows);
-  Complex* row(std::int64_t i) const { return workspace_.rows.data<Complex>() + i * row_stride_; }
-  Complex* scratch(std::int64_t thread) const { return workspace_.scratch.data<Complex>() + thread * scratch_; }
-  Real* line(std::int64_t thread) const { return reinterpret_cast<Real*>(scratch(thread)); }
-  double scale() const;
-  // Eigenvalues of the wave ky along y and the columns of a block.
-  Real* eigenvalues(std::int64_t block, std::int64_t ky) const {
-    const std::int64_t place = own_columns_ ? own_columns_->rank(ky) : ky;
-    return spectrum_.data<Real>() + (block * half_y_ + place) * width;
+  // Spectra of lines most_lines * group and following, see Passes.
+  Real* spectra(std::int64_t group) const { return workspace_.rows.data<Real>() + group * group_; }
+  Real* scratch(std::int64_t thread) const { return workspace_.scratch.data<Real>() + thread * scratch_; }
+  Real* lines(std::int64_t thread) const { return scratch(thread) + scratch_ - most_lines<Real> * line_; }
+  double scale() const { return 0.5 / points(lengths_); }
+  // Eigenvalues of the wave along y of this rank, and of the waves along x of a block.
+  Real* eigenvalues(std::int64_t block, std::int64_t rank) const {
+    return spectrum_.data<Real>() + (block * (lengths_.y / 2 + 1) + rank) * width<Real>;
   }
 
   template <class Outer>
   void rows_forward(const Points& sources, std::int64_t x0, std::int64_t y0, const Outer* x, const Conversion& convert);
   void columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);
-  void columns_by_fftw(std::int64_t block, Complex* column, std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);
   template <class Outer> void rows_backward(const Points& targets, Outer* y, const Conversion& convert);
 
   Lengths lengths_;
-  std::int64_t half_x_, half_y_;  // wave numbers 0..length/2 that determine the others
-  std::int64_t row_stride_;       // half_x complex values, rounded up to whole blocks [complex values]
-  std::int64_t column_;           // room for one column, where FFTW transforms it
-  std::int64_t scratch_;          // of a thread: a line, or a block of columns [complex values]
+  Axes<Real> axes_;
+  std::int64_t group_;    // spectra of most_lines lines [reals]
+  std::int64_t line_;     // a line [reals]
+  std::int64_t scratch_;  // of a thread: of a transform, and lines [reals]
   Workspace& workspace_;
   const rc_team& team_;
   bool parallel_;
-  std::optional<Plans<Real>> plans_;
-  std::optional<ColumnProduct<Real>> own_columns_;  // unless the length has large prime factors, where FFTW is better
-  Buffer spectrum_;                                 // eigenvalues / (x y lengths), [block][wave along y][column of the block]
+  Buffer spectrum_;  // eigenvalues / (2 x y lengths), [block of waves along x][wave along y][wave of the block], waves by rank
 };
 
 }  // namespace rc_fft

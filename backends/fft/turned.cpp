@@ -21,7 +21,7 @@ rc_operator_spec with(rc_operator_spec spec, const rc_system& system) {
 }
 
 bool is_narrow(const rc_system& system) {
-  return system.op == RC_OPERATOR_HALFSPACE && system.nx < columns_per_block<double> && system.ny >= least_length &&
+  return system.op == RC_OPERATOR_HALFSPACE && system.nx < width<double> && system.ny >= least_length &&
          system.ny <= longest_axis;
 }
 

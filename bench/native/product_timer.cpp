@@ -65,10 +65,10 @@ const rc_plugin plugin = {
 extern "C" {
 
 // T is the trial set of this gap and approach. x is the compenetration over T, and with a share below 1 its excess over what the
-// other points have. planning: of backend fft; empty: its default. times: best, median and first; counts: products, points of the
+// other points have. times: best, median and first; counts: products, points of the
 // trial set, points with pressure; y: [points], or null.
 const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
-                                const char* planning, std::int64_t threads, double budget, std::int64_t single, double share,
+                                std::int64_t threads, double budget, std::int64_t single, double share,
                                 double* times, std::int64_t* counts, double* y) {
   return guarded([&] {
     const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
@@ -77,8 +77,6 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
     check(rc_options_parse(options.get(), RC_OPT_SOLVER, timer.name));
     check(rc_options_parse(options.get(), RC_OPT_BACKEND, backend));
     check(rc_options_set_int(options.get(), RC_OPT_THREADS, threads));
-    if (std::string(planning) == "measure") check(rc_options_set_int(options.get(), RC_OPT_DETERMINISTIC, 0));
-    if (*planning) check(rc_options_parse(options.get(), "fft.planning", planning));
     const auto contact =
         made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
     rc_step step = RC_STEP_INIT;

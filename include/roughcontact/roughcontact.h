@@ -237,7 +237,7 @@ typedef struct rc_accuracy {
 
 /** @defgroup options Options: keys with a declared schema, checked when set
  *  `roughcontact options` and docs/options.md list them. Keys of the core are below, for a compile-time check of the spelling;
- *  those of components are dotted ("fft.planning").
+ *  those of components are dotted ("fft.precision").
  *  @{ */
 #define RC_OPT_SOLVER "solver"
 #define RC_OPT_BACKEND "backend"

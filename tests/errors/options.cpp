@@ -121,8 +121,8 @@ Section options() {
            set_int("max_iter", INT64_MAX)},
           {"text that is not one of the choices",
            refused,
-           {"option \"fft.planning\" = \"mesure\" is none of auto|estimate|measure; did you mean \"measure\"?"},
-           parse("fft.planning", "mesure"),
+           {"option \"fft.precision\" = \"mixt\" is none of auto|mixed|single; did you mean \"mixed\"?"},
+           parse("fft.precision", "mixt"),
            "fft"},
           {"tolerance that single precision does not hold",
            refused,
@@ -134,15 +134,6 @@ Section options() {
            },
            "fft"},
           {"the same, set later", refused, {"rc_contact_solve: ", "fft: tol = 5e-06 is below 1e-05"}, tightened_later, "fft"},
-          {"measured plans, which differ from run to run",
-           refused,
-           {"rc_solve: ",
-            "fft: fft.planning=measure takes plans by their time, so that the last bits differ from run to run, but "
-            "deterministic = 1; set deterministic=0 or fft.planning=estimate"},
-           [] {
-             return Outcome(solve(Scene(), options_with({{"backend", "fft"}, {"fft.planning", "measure"}}).get()));
-           },
-           "fft"},
           {"read as another type",
            refused,
            {"rc_options_get_int: option \"tol\" has another type"},

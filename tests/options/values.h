@@ -13,7 +13,7 @@ struct Option {
   std::int32_t type = 0;
   double minimum = 0, maximum = 0;
 
-  // "fft" of "fft.planning"; "" for the core's.
+  // "fft" of "fft.precision"; "" for the core's.
   std::string owner() const { return key.substr(0, key.find('.') == std::string::npos ? 0 : key.find('.')); }
 };
 

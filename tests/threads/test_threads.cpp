@@ -22,7 +22,7 @@ const Job& job_of(int member) { return jobs()[static_cast<std::size_t>(member)];
 bool has_fft() {
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
-  const bool known = rc_options_set_text(options, "fft.planning", "estimate") == RC_OK;
+  const bool known = rc_options_set_text(options, "fft.precision", "mixed") == RC_OK;
   rc_options_destroy(options);
   return known;
 }
