@@ -106,6 +106,47 @@ void derivatives_are_differences_of_answers() {
   check(compared * 20 >= static_cast<int>(scenes) * 19, "too many contact sets change within the smallest step");
 }
 
+// The bounds of the errors that solves leave hold against solves to round-off, and are not far above the residual.
+void errors_are_bounded() {
+  int compared = 0;
+  double widest = 0;
+  for (unsigned seed = 300; seed < 420; ++seed) {
+    RandomProblem random;
+    make_random(seed, 14, false, random);
+    const Problem& problem = random.problem;
+    const bool half_space = problem.system.op == RC_OPERATOR_HALFSPACE;
+    const std::size_t n = problem.points();
+    const Contact loose(problem, half_space ? Pair{"haar-cg", "fft"} : automatic, {{RC_OPT_TOL, "1e-5"}});
+    const Contact exact(problem, half_space ? Pair{"nnls", "dense"} : automatic);
+    const Answer a = loose.solve(problem), b = exact.solve(problem);
+    check_status(a, RC_OK, random.name);
+    if (!same_contact(a, b)) continue;
+    std::mt19937 generator(seed);
+    Cotangents by{normals(n, generator), normals(n, generator), 0.3, -0.2};
+    if (seed % 4 == 0) by = {};
+    const Gradient found = gradient(loose, n, by), right = gradient(exact, n, by);
+    const Tangent forward = tangent(loose, n, {by.gap, 0.7, 0}), known = tangent(exact, n, {by.gap, 0.7, 0});
+    if (problem.system.op == RC_OPERATOR_CALLBACK) {
+      check(std::isnan(found.result.error) && std::isnan(forward.result.error), "a product's eigenvalues are not known");
+      continue;
+    }
+    const auto off = [](const Field& x, const Field& y) {
+      double square = 0;
+      for (std::size_t i = 0; i < x.size(); ++i) square += (x[i] - y[i]) * (x[i] - y[i]);
+      return std::sqrt(square);
+    };
+    const double reverse_off = off(found.by_gap, right.by_gap), forward_off = off(forward.p, known.p);
+    check(reverse_off <= found.result.error + right.result.error + 1e-11 * norm(right.by_gap),
+          random.name + ": gradient off by " + text(reverse_off) + ", bound " + text(found.result.error));
+    check(forward_off <= forward.result.error + known.result.error + 1e-11 * norm(known.p),
+          random.name + ": tangent off by " + text(forward_off) + ", bound " + text(forward.result.error));
+    if (half_space) widest = std::max(widest, found.result.error / norm(right.by_gap));
+    compared += half_space;
+  }
+  report(std::to_string(compared) + " gradients of half-spaces, the largest bound is " + text(widest) + " of its gradient");
+  check(compared >= 60 && widest > 1e-6 && widest < 0.1, "bounds of errors");
+}
+
 // The gradients of load and approach are those that their cotangents give, and take one solve.
 void load_and_approach_by_default() {
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -197,6 +238,7 @@ int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.differences",
                    {{"derivatives_are_differences_of_answers", derivatives_are_differences_of_answers},
+                    {"errors_are_bounded", errors_are_bounded},
                     {"load_and_approach_by_default", load_and_approach_by_default},
                     {"full_periodic_contact", full_periodic_contact},
                     {"no_contact", no_contact},
