@@ -112,6 +112,10 @@ module roughcontact_functions
       type(c_ptr), value :: contact
       type(rc_path), intent(inout) :: path
     end function
+    integer(rc_status) function rc_contact_indentation(contact, indentation) bind(c); import
+      type(c_ptr), value :: contact
+      real(c_double), intent(inout) :: indentation(*)
+    end function
     integer(rc_status) function rc_contact_restore(contact, state) bind(c); import
       type(c_ptr), value :: contact
       type(rc_state), intent(in) :: state

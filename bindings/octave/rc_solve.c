@@ -85,12 +85,13 @@ static rc_status set_target(Request* request, int32_t control, double value) {
   return RC_OK;
 }
 
-/* A field of opts: hx, hy, modulus, displacement, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the library
- * with '_' for '.'. */
+/* A field of opts: hx, hy, modulus, hardness, displacement, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the
+ * library with '_' for '.'. */
 static rc_status set_number(Request* request, const char* field, double value) {
   if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
+  if (!strcmp(field, "hardness")) return request->system.hardness = value, RC_OK;
   if (!strcmp(field, "displacement")) return set_target(request, RC_CONTROL_DISPLACEMENT, value);
   if (!strcmp(field, "gradient")) return request->asks_gradient = value != 0, RC_OK;
   if (!strcmp(field, "dJ_dload")) return request->gradient.dJ_dload = value, RC_OK;

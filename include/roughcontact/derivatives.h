@@ -10,8 +10,9 @@ extern "C" {
 
 /** @defgroup derivatives Derivatives of a step
  *  Of the contact's last rc_contact_solve or step of a path, which must have returned RC_OK, for the surface, mask, control and
- *  boundary of that step. Points in contact stay in contact, the others stay open: the equations of the points with p > 0 are
- *  solved for the change, by at most two solves on the contact set.
+ *  boundary of that step. Points in contact stay in contact, the others stay open, those at the hardness keep it: the equations of
+ *  the points with 0 < p < hardness are solved for the change, by at most two solves on this set. The surface is the one that the
+ *  step pressed, with the plastic indentation of the steps before it.
  *
  *  The answer of a step is a piecewise smooth function of its data. Where a point has p = 0 and g = 0 at once, derivatives are
  *  one-sided; those of a point with p > 0 are returned. `undecided` counts the points at which the step did not prove which of

@@ -13,7 +13,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 5u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 6u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -245,6 +245,7 @@ struct rc_problem {
   rc_status (*apply_float)(const rc_problem *, const float *x, float *y);
   const rc_team *team;     /* the contact's threads                                                            */
   double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */
+  double cap;              /* the largest pressure: 0 <= p <= cap; p = cap: w <= 0. INFINITY: none                      */
 };
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
@@ -252,6 +253,7 @@ struct rc_problem {
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
                                              u = (grid->approach - grid->undeformed_gap) / length              */
+#define RC_TAKES_CAP (UINT64_C(1) << 35) /* keeps p <= cap; without it the core refuses a step with a hardness */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {

@@ -147,6 +147,14 @@ rc_status rc_contact_reset(rc_contact* contact) {
   });
 }
 
+rc_status rc_contact_indentation(rc_contact* contact, double* indentation) {
+  return exclusively("rc_contact_indentation", contact, [&](Contact& c) {
+    if (!indentation) fail(RC_ERR_ARGUMENT, "indentation is null");
+    c.write_indentation({indentation, static_cast<std::size_t>(c.work().system.points())});
+    return RC_OK;
+  });
+}
+
 rc_status rc_contact_restore(rc_contact* contact, const rc_state* state) {
   return exclusively("rc_contact_restore", contact, [&](Contact& c) {
     c.restore(read<rc_state>(state, "rc_state", RC_STATE_INIT));

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -37,6 +38,7 @@ class Contact {
   void reset();
   // Afterwards the next answer has the bits of a new contact's. Facts that are the same for all contacts of the system stay.
   void forget();
+  void write_indentation(std::span<double> to) const { grid_.write_indentation(to); }
   // Restores the state after the steps described, which this contact or another has solved. Throws Error(ARGUMENT).
   void restore(const rc_state& state);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "core/error.h"
@@ -96,9 +97,17 @@ std::uint64_t System::needed_caps() const {
   return periodic() ? RC_CAP_PERIODIC : RC_CAP_FREE;
 }
 
+double System::longest_wave() const {
+  const double lx = unit.hx * static_cast<double>(unit.nx), ly = unit.hy * static_cast<double>(unit.ny);
+  return (unit.nx == 1 ? ly : unit.ny == 1 ? lx : std::max(lx, ly)) / std::numbers::pi;
+}
+
 System checked_system(const rc_system& system, const std::string& kernel, bool probe) {
   check_grid(system);
   System result{system, system, "", 1, 1, 0, 0, true};
+  if (!(system.hardness >= 0))
+    fail(RC_ERR_ARGUMENT, "rc_system.hardness = ", system.hardness, " must be positive, or 0 where all is elastic");
+  if (system.hardness > 0) result.hardness = system.hardness;
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
       if (!(std::isfinite(system.modulus) && system.modulus > 0))
@@ -116,6 +125,7 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       if (!std::isnormal(result.length_per_pressure))
         fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus,
              " is beyond double precision; choose other units");
+      result.unit.hardness = result.capped() ? system.hardness / system.modulus : 0;
       result.positive = !result.periodic();
       const kernel::Kernel& found = *kernel::find(result.kernel);
       if (result.periodic())
@@ -138,6 +148,9 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       if (probe) probe_callback(result);
       break;
   }
+  if (result.capped() && !std::isnormal(result.hardness * result.length_per_pressure))
+    fail(RC_ERR_ARGUMENT, "rc_system.hardness = ", system.hardness, " times ", result.length_per_pressure,
+         ", what a unit pressure deflects, is beyond double precision; choose other units");
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <roughcontact/roughcontact.h>
 
+#include <limits>
 #include <string>
 
 namespace rc {
@@ -16,11 +17,15 @@ struct System {
   double lambda_min = 0;           // a lower bound of the eigenvalues of the dimensionless operator; 0: none is known
   double lambda_wave = 0;          // periodic: the same without the mean's eigenvalue, which is 0
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
+  double hardness = std::numeric_limits<double>::infinity();  // [pressure] the largest; infinite: all is elastic
 
   std::int64_t points() const { return given.nx * given.ny; }
   double cell_area() const { return given.hx * given.hy; }
+  bool capped() const { return hardness < std::numeric_limits<double>::infinity(); }
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
+  // Periodic: the eigenvalue of the longest wave, which an axis of one point does not have.
+  double longest_wave() const;
   std::uint64_t needed_caps() const;
 };
 

@@ -52,7 +52,7 @@ VALUE(RC_TYPE_TEXT, 3);
 
 VALUE(RC_ABI, 0);
 
-SIZE(rc_system, 88);
+SIZE(rc_system, 96);
 AT(rc_system, struct_size, 0);
 AT(rc_system, op, 8);
 AT(rc_system, boundary, 12);
@@ -65,6 +65,7 @@ AT(rc_system, dense, 56);
 AT(rc_system, dense_ld, 64);
 AT(rc_system, apply, 72);
 AT(rc_system, user, 80);
+AT(rc_system, hardness, 88);
 
 SIZE(rc_step, 56);
 AT(rc_step, struct_size, 0);
@@ -77,7 +78,7 @@ AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
 
-SIZE(rc_result, 528);
+SIZE(rc_result, 552);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -117,6 +118,9 @@ AT(rc_result, levels, 496);
 AT(rc_result, tolerance, 504);
 AT(rc_result, stiffness_lower, 512);
 AT(rc_result, stiffness_upper, 520);
+AT(rc_result, capped, 528);
+AT(rc_result, plastic_volume, 536);
+AT(rc_result, proven_capped, 544);
 
 SIZE(rc_accuracy, 48);
 AT(rc_accuracy, struct_size, 0);
@@ -140,7 +144,7 @@ AT(rc_level, load, 64);
 AT(rc_level, candidates, 72);
 AT(rc_level, contacts, 80);
 
-SIZE(rc_state, 72);
+SIZE(rc_state, 80);
 AT(rc_state, struct_size, 0);
 AT(rc_state, undeformed_gap, 8);
 AT(rc_state, mask, 16);
@@ -150,6 +154,7 @@ AT(rc_state, load, 40);
 AT(rc_state, p_before, 48);
 AT(rc_state, approach_before, 56);
 AT(rc_state, load_before, 64);
+AT(rc_state, indentation, 72);
 
 SIZE(rc_path, 120);
 AT(rc_path, struct_size, 0);

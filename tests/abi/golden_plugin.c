@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 5);
+VALUE(RC_PLUGIN_ABI_MINOR, 6);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -20,6 +20,7 @@ VALUE(RC_CAP_APPROXIMATE, 1024);
 
 VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
 VALUE(RC_WANTS_BOX, INT64_C(8589934592));
+VALUE(RC_TAKES_CAP, INT64_C(34359738368));
 
 SIZE(rc_host, 96);
 AT(rc_host, struct_size, 0);
@@ -139,7 +140,7 @@ AT(rc_coarse, keep, 76);
 AT(rc_coarse, load, 80);
 AT(rc_coarse, tol, 88);
 
-SIZE(rc_problem, 176);
+SIZE(rc_problem, 184);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -164,6 +165,7 @@ AT(rc_problem, apply_float, 144);
 AT(rc_problem, team, 152);
 AT(rc_problem, length, 160);
 AT(rc_problem, pressure, 168);
+AT(rc_problem, cap, 176);
 
 SIZE(rc_solver, 80);
 AT(rc_solver, struct_size, 0);

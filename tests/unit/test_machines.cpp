@@ -24,7 +24,7 @@ using Field = std::vector<double>;
 static_assert(rc::Machine<rc::PlainMachine<float>> && rc::Machine<rc::PlainMachine<double>>);
 static_assert(rc::Machine<rc::ThreadMachine<float>> && rc::Machine<rc::ThreadMachine<double>>);
 
-constexpr double tol = 1e-9;
+constexpr double tol = 1e-9, infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t compared_steps = 6;  // later the differences in rounding have grown
 
 // A half-space's product, written out: every entry of H by the offset of its cells.
@@ -112,7 +112,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
                           .elongated = inputs.elongated};
 
   rc::PlainMachine<Real> plain(
-      u, start, [&](const Field& x, Field& y) { product.multiply(x.data(), y.data()); },
+      u, start, infinite, [&](const Field& x, Field& y) { product.multiply(x.data(), y.data()); },
       rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, false),
       rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, true));
   Solution by_plain = solved(plain, task);
@@ -124,6 +124,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   product.u = u.data();
   product.grid = &grid;
   product.length = product.pressure = 1;
+  product.cap = infinite;
   product.team = &team;
   product.apply = [](const rc_problem* problem, const double* x, double* y) -> rc_status {
     static_cast<const Product*>(problem)->multiply(x, y);
@@ -197,7 +198,7 @@ void machines_agree_from_any_start(void**) {
 void a_product_that_is_not_finite_is_noticed(void**) {
   const rc::CouplingTable table{8, 8, Field(64, 1.0), 1, 1};
   rc::PlainMachine<double> machine(
-      Field(64, 1.0), Field(64, 0.0), [](const Field&, Field& y) { y.assign(y.size(), std::nan("")); },
+      Field(64, 1.0), Field(64, 0.0), infinite, [](const Field&, Field& y) { y.assign(y.size(), std::nan("")); },
       rc::PlainTree(8, 8, table, false), rc::PlainTree(8, 8, table, true));
   const Solution found = solved(machine, {.tol = tol});
   assert_true(found.ending == HaarEnding::not_finite);

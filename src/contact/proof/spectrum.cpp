@@ -68,7 +68,7 @@ Spectrum factorised(const System& system) {
 
   std::vector<double> x(n, 1.0);
   factor.solve_lower(x);
-  result.flat_punch = dot(x.data(), x.data(), n) * (1 + 1e-6);
+  const double flat_punch = dot(x.data(), x.data(), n);
 
   double estimate = 0;
   for (std::size_t i = 0; i < n; ++i) x[i] = i % 2 == 0 ? 1 : -0.5;  // not an eigenvector of a symmetric arrangement
@@ -85,6 +85,9 @@ Spectrum factorised(const System& system) {
       result.lowest = std::max(0.0, share * estimate - doubt);
       break;
     }
+  // The factor is that of a matrix of at most H + doubt I, which is at most (1 + doubt / lowest) H: the inverse shrinks by no
+  // more.
+  if (result.lowest > 0) result.flat_punch = flat_punch * (1 + doubt / result.lowest);
   return result;
 }
 

@@ -242,11 +242,17 @@ std::string missing_operation(const rc_solver& solver, std::uint64_t capabilitie
   return {};
 }
 
+std::string missing_cap(const rc_solver& solver, const System& system) {
+  if (!system.capped() || (solver.needs & RC_TAKES_CAP)) return {};
+  return join("solver \"", solver.name, "\" knows no largest pressure, but the system has the hardness ", system.hardness);
+}
+
 std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
                      bool fallbacks) {
   if (!fits(backend, system)) return join("backend \"", backend.name, "\" cannot do ", kind_of(system));
   if ((solver.needs & RC_NEEDS_GRID) && !system.halfspace())
     return join("solver \"", solver.name, "\" needs a half-space grid, not ", kind_of(system));
+  if (std::string missing = missing_cap(solver, system); !missing.empty()) return missing;
   if (const std::string missing = missing_operation(solver, backend.caps, fallbacks); !missing.empty())
     return join("backend \"", backend.name, "\": ", missing);
   const bool replaced = !factors(backend);

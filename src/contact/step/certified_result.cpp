@@ -99,14 +99,18 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   const System& system = work.system;
   const StepSurface& surface = work.surface;
   const std::span<const double> p = answer.p();
-  double sum = 0, energy = 0, curved = 0, largest_p = 0, largest_product = 0;
-  std::int64_t contacts = 0;
+  double sum = 0, energy = 0, overlap = 0, curved = 0, largest_p = 0, largest_product = 0;
+  std::int64_t contacts = 0, capped = 0;
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
     sum += p[k];
     contacts += p[k] > 0;
+    if (p[k] >= system.hardness) {
+      ++capped;
+      overlap += std::max(0.0, compression - surface.height(i) - answer.product[k]);
+    }
     energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
     largest_p = std::max(largest_p, std::abs(p[k]));
     largest_product = std::max(largest_product, std::abs(answer.product[k]));
@@ -131,7 +135,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
     work.record.proven.reset();
     if (asked && bounds.undecided >= 0) work.record.proven = std::move(sets);
   }
-  Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression));
+  Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression), system.hardness);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
   if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(energy * area))
     fail(RC_ERR_NUMERIC,
@@ -147,6 +151,8 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
   result.approach = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
   result.mean_pressure = sum / static_cast<double>(system.points());
+  result.capped = capped;
+  result.plastic_volume = overlap * area;
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = energy * area;
   result.kkt_primal = certificate.primal;
@@ -211,15 +217,39 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
 }
 
 double fitting_compression(const Workspace& work, const Deflected& answer) {
-  double sum = 0, moment = 0;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double sum = 0, moment = 0, least = -infinite;
   for (std::size_t k = 0; k < answer.size(); ++k) {
     const double p = answer.p()[k];
     if (p == 0) continue;
+    const double fits = answer.product[k] + work.surface.height(answer.point(k));
+    if (p >= work.system.hardness) {
+      least = std::max(least, fits);
+      continue;
+    }
     sum += p;
-    moment += p * (answer.product[k] + work.surface.height(answer.point(k)));
+    moment += p * fits;
   }
-  return sum > 0 ? moment / sum : 0;
+  return sum > 0 ? moment / sum : least > -infinite ? least : 0;
 }
+
+namespace {
+
+Overlap overlap_of(const Workspace& work, const Deflected& found, double compression) {
+  Overlap result;
+  if (!work.system.capped()) return result;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t i = found.point(k);
+    if (!(found.p()[k] >= work.system.hardness) || !work.surface.included(i)) continue;
+    const double depth = compression - work.surface.height(i) - found.product[k];
+    if (!(depth > 0)) continue;
+    result.point.push_back(static_cast<std::int64_t>(i));
+    result.depth.push_back(depth);
+  }
+  return result;
+}
+
+}  // namespace
 
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
   Stiffness rate = wanted_stiffness(work, answer);
@@ -228,8 +258,9 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
   const bool by_load = step.control == RC_CONTROL_LOAD, stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : compression_of(step, work);
   const double depth = !answer.op ? without : stopped ? fitting_compression(work, found) : answer.compression;
+  Overlap overlap = overlap_of(work, found, depth);
   finish(work, step, answer, found, depth, std::move(rate), monitor, result);
-  return {result.status, std::move(found.pressures)};
+  return {result.status, std::move(found.pressures), std::move(overlap)};
 }
 
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -35,28 +34,38 @@ void check_finite(double value, const char* name) {
   if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " is not finite");
 }
 
-// The step whose derivatives are asked for, on its contact set. Lengths and pressures are the caller's; solutions of A x = b,
-// A = H[C,C] + mean 11', have the units of b: H is dimensionless where the operator applies it.
+// The step whose derivatives are asked for. C: the points in contact below the hardness, whose pressures change; those of the
+// other loaded points stay. Lengths and pressures are the caller's; solutions of A x = b, A = H[C,C] + mean 11', have the units
+// of b: H is dimensionless where the operator applies it.
 class Linearised {
  public:
   Linearised(Workspace& work, const Memory& memory, const Monitor& monitor)
-      : work_(work), monitor_(monitor), before_(work.applications()), points_(memory.last.pressures.positive()) {
+      : work_(work), monitor_(monitor), before_(work.applications()), loaded_(memory.last.pressures.positive()) {
     if (work.record.certified == 0)
       fail(RC_ERR_ARGUMENT,
            "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",
            "reset or restored: only a certified step has derivatives");
-    if (by_load() && points_.empty())
-      fail(RC_ERR_ARGUMENT, "the load is 0: no point carries pressure, so that the approach has no derivative; give a load > 0");
     const double depth = memory.last.approach - work.surface.lowest();
-    for (const std::int64_t point : points_.on.index) u_.push_back(depth - work.surface.height(static_cast<std::size_t>(point)));
+    for (std::size_t k = 0; k < loaded_.p.size(); ++k) {
+      if (loaded_.p[k] >= system().hardness) continue;
+      set_.push_back(loaded_.on.index[k]);
+      among_loaded_.push_back(k);
+      u_.push_back(depth - work.surface.height(point(set_.size() - 1)));
+    }
+    if (by_load() && loaded_.empty())
+      fail(RC_ERR_ARGUMENT, "the load is 0: no point carries pressure, so that the approach has no derivative; give a load > 0");
+    if (by_load() && set_.empty())
+      fail(RC_ERR_ARGUMENT, "all ", loaded_.p.size(), " points in contact carry the hardness ", system().hardness,
+           ": the load does not determine the approach, which has no derivative; give a smaller load");
   }
 
   bool by_load() const { return work_.record.certified == RC_CONTROL_LOAD; }
   const System& system() const { return work_.system; }
-  std::size_t n() const { return points_.p.size(); }
-  std::size_t point(std::size_t k) const { return static_cast<std::size_t>(points_.on.index[k]); }
-  const Field& p() const { return points_.p; }
+  std::size_t n() const { return set_.size(); }
+  std::size_t point(std::size_t k) const { return static_cast<std::size_t>(set_[k]); }
   const Field& u() const { return u_; }
+  const Field& loaded() const { return loaded_.p; }  // the pressures
+  std::size_t among_loaded(std::size_t k) const { return among_loaded_[k]; }
   bool included(std::size_t i) const { return work_.surface.included(i); }
   double unit() const { return system().length_per_pressure; }
   std::int64_t undecided() const { return work_.record.undecided; }
@@ -68,12 +77,12 @@ class Linearised {
       if (included(i) && !std::isfinite(values[i])) fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite");
   }
 
-  // (H x)_C / unit() for x on all points, 0 at excluded ones.
-  rc_status multiplied(const double* x, Field& on_contact) {
+  // H x / unit() at the loaded points, for x on all points, 0 at excluded ones.
+  rc_status multiplied(const double* x, Field& out) {
     TrialSet trial;
     std::size_t k = 0;
     for (std::int64_t i = 0; i < system().points(); ++i) {
-      const bool touches = k < n() && points_.on.index[k] == i;
+      const bool touches = k < loaded_.p.size() && loaded_.on.index[k] == i;
       k += touches;
       if (touches || (included(static_cast<std::size_t>(i)) && x[i] != 0)) trial.index.push_back(i);
     }
@@ -90,14 +99,14 @@ class Linearised {
     }
     const rc_status status = op.apply(spread.data(), product.data());
     raise_if_failed(status, "a product for the derivatives");
-    const std::vector<std::int64_t> positions = *positions_in(trial, points_.on.index);
-    for (std::size_t i = 0; i < n() && status == RC_OK; ++i) on_contact[i] = product[static_cast<std::size_t>(positions[i])];
+    const std::vector<std::int64_t> positions = *positions_in(trial, loaded_.on.index);
+    for (std::size_t i = 0; i < out.size() && status == RC_OK; ++i) out[i] = product[static_cast<std::size_t>(positions[i])];
     return status;
   }
 
-  // H x on all points, for x on C [length].
+  // H x on all points, for x on the loaded points [length]. No solve may follow.
   void deflection(const Field& x, Field& everywhere) {
-    Operator& op = on_contact_set();
+    Operator& op = on(loaded_.on.index);
     op.field(x, everywhere);
     const double datum = op.trial().zero_mode / static_cast<double>(system().points()) * total(x);
     for (double& value : everywhere) value = (value - datum) * unit();
@@ -110,7 +119,7 @@ class Linearised {
     double residual = 0;  // |b - A x| is at most that; NaN: not known
   };
   rc_status solve(const Field& b, Solution& out) {
-    Operator& op = on_contact_set();
+    Operator& op = on(set_);
     if (!solve_) solve_.emplace(work_, op, all_positions());
     const Operator::Watch watch(op, [this] { return monitor_.ask(); });
     double size = 0;
@@ -155,20 +164,21 @@ class Linearised {
     std::iota(positions.begin(), positions.end(), std::int64_t{0});
     return positions;
   }
-  // The step's operator, bound to C. Factors of a periodic H exist in full contact only with a mean.
-  Operator& on_contact_set() {
+  // The step's operator, bound to these points. Factors of a periodic H exist in full contact only with a mean.
+  Operator& on(const std::vector<std::int64_t>& points) {
     const rc_backend& backend = *work_.record.choice.backend;
-    TrialSet trial = all_if_full(points_.on.index);
-    if (const rc_system& s = system().unit; system().periodic() && backend.subset)
-      trial.zero_mode = std::max(s.hx * static_cast<double>(s.nx), s.hy * static_cast<double>(s.ny)) / std::numbers::pi;
+    TrialSet trial = all_if_full(points);
+    if (system().periodic() && backend.subset) trial.zero_mode = system().longest_wave();
     return work_.bound_operator(backend, trial);
   }
 
   Workspace& work_;
   const Monitor& monitor_;
   const std::int64_t before_;
-  const Pressures points_;  // p on C
-  Field u_;                 // [length] on C
+  const Pressures loaded_;
+  std::vector<std::int64_t> set_;          // C
+  std::vector<std::size_t> among_loaded_;  // where each of its points is
+  Field u_;                                // [length] on C
   std::optional<SubsetSolve> solve_;
   bool stalled_ = false;
 };
@@ -198,12 +208,12 @@ rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& mo
   direct -= sum_of(all, by_gap);
 
   // b = (dJ/dp + H dJ/dg)_C / unit. It is a multiple of 1 where J depends on load and approach alone.
-  Field product(step.n()), b(step.n());
-  if (request.dJ_dgap && step.n() > 0)
+  Field product(step.loaded().size()), b(step.n());
+  if (request.dJ_dgap && !product.empty())
     if (const rc_status status = step.multiplied(request.dJ_dgap, product); status != RC_OK) return status;
   for (std::size_t k = 0; k < b.size(); ++k) {
     const double by_p = (request.dJ_dp ? request.dJ_dp[step.point(k)] : 0) + by_load * area;
-    b[k] = by_p / step.unit() + product[k];
+    b[k] = by_p / step.unit() + product[step.among_loaded(k)];
   }
   const bool uniform = !request.dJ_dp && !request.dJ_dgap;
   Solution lambda, flat;
@@ -232,7 +242,7 @@ rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& mo
   Field w = lambda.x;
   for (std::size_t k = 0; k < w.size() && part != 0; ++k) w[k] += part * flat.x[k];
   request.dJ_dmodulus =
-      system.halfspace() ? (dot(w, step.u()) - step.unit() * dot(product, step.p())) / system.given.modulus : unknown;
+      system.halfspace() ? (dot(w, step.u()) - step.unit() * dot(product, step.loaded())) / system.given.modulus : unknown;
   request.undecided = step.undecided();
   request.products = step.products();
   if (double* const out = request.dJ_dundeformed_gap) {
@@ -282,9 +292,10 @@ rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& mo
   const std::size_t all = static_cast<std::size_t>(system.points());
   if (request.dgap) {
     Field moved(all);
-    Field stiffened = dp;
-    for (std::size_t k = 0; k < dp.size(); ++k) stiffened[k] -= softer * step.p()[k];
-    if (step.n() > 0) step.deflection(stiffened, moved);
+    Field stiffened = step.loaded();
+    for (double& value : stiffened) value *= -softer;
+    for (std::size_t k = 0; k < dp.size(); ++k) stiffened[step.among_loaded(k)] += dp[k];
+    if (!stiffened.empty()) step.deflection(stiffened, moved);
     for (std::size_t i = 0; i < all; ++i) request.dgap[i] = step.included(i) ? moved[i] - (dd - dh(i)) : 0;
     for (std::size_t k = 0; k < dp.size(); ++k) request.dgap[step.point(k)] = 0;
   }

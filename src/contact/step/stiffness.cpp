@@ -76,7 +76,7 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
   if (!answer.op) return result;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < answer.p.size(); ++i)
-    if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
+    if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
   if (contact.empty()) return result;
   if (system.periodic() && all_of(system, contact)) {
     result.value = unbounded;

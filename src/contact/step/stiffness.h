@@ -18,11 +18,12 @@ struct Stiffness {
   std::vector<double> rate;
 };
 
-// hx hy 1' H_CC^-1 1 on the contact set C; NaN where a stop came before it was found.
+// hx hy 1' H_CC^-1 1 on the points C with 0 < p < hardness; NaN where a stop came before it was found.
 Stiffness stiffness(Workspace& work, const Answer& answer);
 // The interval, from the points that work.record.proven holds: 1' H_SS^-1 1 grows with S, being the largest value of
-// 2 1'x - x'Hx over all x that are 0 off S. So that of the points proven to be in contact is a lower bound, that of the points
-// not proven to be open an upper one, each widened by the error of its solve. op: null where nothing touches.
+// 2 1'x - x'Hx over all x that are 0 off S. So that of the points proven to carry less than the hardness is a lower bound,
+// that of the points proven neither to be open nor to carry it an upper one, each widened by the error of its solve. op: null
+// where nothing touches.
 void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness);
 
 }  // namespace rc
