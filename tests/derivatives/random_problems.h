@@ -22,7 +22,7 @@ struct RandomProblem {
   RandomProblem& operator=(const RandomProblem&) = delete;
 };
 
-/** Kernel, boundary, control, sides, cells, mask, solver and backend from the seed; some points touch, but not all of a periodic
+/** Kernel, boundary, control, sides, cells, mask, hardness, solver and backend from the seed; some points touch, but not all of a periodic
  *  grid in displacement control. systems: half-spaces alone, or matrices and products, too. */
 void make_random(unsigned seed, std::int64_t most, bool half_spaces_alone, RandomProblem& out);
 

@@ -22,9 +22,11 @@ Problem moved(const Problem& problem, const Change& change, double step) {
   return result;
 }
 
-bool same_contact(const Answer& a, const Answer& b) {
+// The same points open, between the bounds, and at the hardness.
+bool same_contact(const Problem& problem, const Answer& a, const Answer& b) {
+  const double hardness = problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL;
   for (std::size_t i = 0; i < a.p.size(); ++i)
-    if ((a.p[i] > 0) != (b.p[i] > 0)) return false;
+    if ((a.p[i] > 0) != (b.p[i] > 0) || (a.p[i] < hardness) != (b.p[i] < hardness)) return false;
   return true;
 }
 
@@ -38,7 +40,7 @@ bool find_ends(const RandomProblem& random, const Answer& middle, const Change& 
   for (const double step : {1e-5, 1e-6, 1e-7}) {
     out = {step, solved(moved(random.problem, change, -step), exact, {{RC_OPT_TOL, "1e-13"}}),
            solved(moved(random.problem, change, step), exact, {{RC_OPT_TOL, "1e-13"}})};
-    if (same_contact(out.low, middle) && same_contact(out.high, middle)) return true;
+    if (same_contact(random.problem, out.low, middle) && same_contact(random.problem, out.high, middle)) return true;
   }
   return false;
 }
@@ -69,7 +71,9 @@ void agrees_with_differences(unsigned seed, int& compared) {
       change.gap[i] = by.p[i] = by.gap[i] = 0;
     }
     check(answer.p[i] > 0 || forward.p[i] == 0, "an open point gets pressure");
-    check(answer.p[i] == 0 || forward.gap[i] == 0, "a gap opens in contact");
+    const bool capped = problem.system.hardness > 0 && answer.p[i] >= problem.system.hardness;
+    check(!capped || forward.p[i] == 0, "a pressure at the hardness changes");
+    check(answer.p[i] == 0 || capped || forward.gap[i] == 0, "a gap opens in contact");
   }
 
   // Reverse and forward mode are each other's transpose.
@@ -120,7 +124,7 @@ void errors_are_bounded() {
     const Contact exact(problem, half_space ? Pair{"nnls", "dense"} : automatic);
     const Answer a = loose.solve(problem), b = exact.solve(problem);
     check_status(a, RC_OK, random.name);
-    if (!same_contact(a, b)) continue;
+    if (!same_contact(problem, a, b)) continue;
     std::mt19937 generator(seed);
     Cotangents by{normals(n, generator), normals(n, generator), 0.3, -0.2};
     if (seed % 4 == 0) by = {};
