@@ -5,6 +5,7 @@
 #include "calls.h"
 #include "naive.h"
 #include "random_problems.h"
+#include "surfaces.h"
 
 namespace pairs {
 
@@ -234,6 +235,38 @@ void a_gradient_leaves_the_contact_as_it_is() {
   }
 }
 
+void the_same_bits_for_any_number_of_threads() {
+  const Problem problem = at_load(rough_problem(96, 80), 900);
+  std::mt19937 generator(6);
+  const Cotangents by{normals(problem.points(), generator), normals(problem.points(), generator), 0, 0};
+  std::vector<Gradient> found;
+  for (const char* threads : {"1", "2", "3"}) {
+    const Contact contact(problem, {"haar-cg", "fft"}, {{RC_OPT_THREADS, threads}});
+    check_status(contact.solve(problem), RC_OK);
+    found.push_back(gradient(contact, problem.points(), by));
+    check_same(found.back().by_gap, found.front().by_gap, "gradients");
+    check_near(found.back().result.dJ_dtarget, found.front().result.dJ_dtarget, 0, "dJ/dF");
+  }
+}
+
+void a_stopped_gradient_writes_nothing() {
+  const Problem problem = rough_problem(24, 20);
+  const Contact contact(problem, {"haar-cg", "fft"});
+  check_status(contact.solve(problem), RC_OK);
+  const Field untouched(problem.points(), -7.0);
+  rc_contact_cancel(contact.handle());
+  const Gradient cancelled = gradient(contact, problem.points());
+  check_equal(cancelled.status, RC_STOP_CANCELLED, "status");
+  check_same(cancelled.by_gap, untouched, "gradient");
+  check_equal(gradient(contact, problem.points()).status, RC_OK, "the next one");
+  const Options hasty = make_options({"haar-cg", "fft"}, "auto", {{RC_OPT_TIME_LIMIT, "1e-9"}});
+  check_equal(rc_contact_set_options(contact.handle(), hasty.get()), RC_OK, "options");
+  const Tangent late = tangent(contact, problem.points(), {{}, 1, 0});
+  check_equal(late.status, RC_STOP_TIME, "status");
+  check_same(late.p, untouched, "tangent");
+  check(late.message.find("rc_contact_tangent: ") == 0, late.message);
+}
+
 }  // namespace
 
 }  // namespace pairs
@@ -246,6 +279,8 @@ int main(int argc, char** argv) {
                     {"load_and_approach_by_default", load_and_approach_by_default},
                     {"full_periodic_contact", full_periodic_contact},
                     {"no_contact", no_contact},
+                    {"the_same_bits_for_any_number_of_threads", the_same_bits_for_any_number_of_threads},
+                    {"a_stopped_gradient_writes_nothing", a_stopped_gradient_writes_nothing},
                     {"a_gradient_leaves_the_contact_as_it_is", a_gradient_leaves_the_contact_as_it_is}},
                    argc, argv);
 }
