@@ -93,6 +93,8 @@ void Summary::add(const StepRecord& step) {
                  {"load_upper", r.load_upper},
                  {"area_lower", r.area_lower},
                  {"area_upper", r.area_upper},
+                 {"stiffness_lower", r.stiffness_lower},
+                 {"stiffness_upper", r.stiffness_upper},
                  {"proven_contacts", r.proven_contacts},
                  {"proven_open", r.proven_open},
                  {"undecided", r.undecided},

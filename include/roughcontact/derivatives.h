@@ -22,7 +22,7 @@ extern "C" {
  *  Both calls multiply with H: rc_contact_cancel and option time_limit stop them. They leave the contact as it is, except that its
  *  operators may prepare for other points: the next step's answer is the same to round-off.
  *  Memory: a few arrays over the points in contact; for dJ_dgap, products over the points where it is not 0.
- *  Status: RC_OK: solved to a relative residual of 100 tol, but of 1e-11 at least and 1e-4 at most. RC_STOP_STALLED: written,
+ *  Status: RC_OK: solved to a relative residual of 300 tol, but of 1e-11 at least and 1e-4 at most. RC_STOP_STALLED: written,
  *  round-off kept a larger residual; `error` counts it. Other positive values: stopped. Nothing is written by a call that fails or
  *  is stopped.
  *  Errors: ARGUMENT (the step did not return RC_OK, NaN or infinite input, load control with load 0: no point carries pressure),

@@ -72,7 +72,14 @@ void make_random(unsigned seed, std::int64_t most, bool half_spaces_alone, Rando
     out.pair = automatic;
   }
   out.name = std::to_string(seed) + " " + kernel + " " + matrices + " " + out.pair.name();
-  if (uniform(generator) < 0.5) problem = at_load(problem, solved(problem, out.pair).result.load);
+  if (uniform(generator) < 0.3) {
+    system.hardness = (0.3 + 0.6 * uniform(generator)) * largest(solved(problem, out.pair).p);
+    out.name += " hardness";
+  }
+  if (uniform(generator) < 0.5) {
+    const rc_result found = solved(problem, out.pair).result;
+    if (found.capped < found.contacts) problem = at_load(problem, found.load);  // else the load does not determine the approach
+  }
   out.name += problem.control == RC_CONTROL_LOAD ? " load" : " displacement";
 }
 

@@ -22,8 +22,8 @@ struct RandomProblem {
   RandomProblem& operator=(const RandomProblem&) = delete;
 };
 
-/** Kernel, boundary, control, sides, cells, mask, solver and backend from the seed; some points touch, but not all of a periodic
- *  grid in displacement control. systems: half-spaces alone, or matrices and products, too. */
+/** Kernel, boundary, control, sides, cells, mask, hardness, solver and backend from the seed; some points touch, but not all of a
+ * periodic grid in displacement control. systems: half-spaces alone, or matrices and products, too. */
 void make_random(unsigned seed, std::int64_t most, bool half_spaces_alone, RandomProblem& out);
 
 }  // namespace pairs

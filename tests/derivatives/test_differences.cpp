@@ -5,6 +5,7 @@
 #include "calls.h"
 #include "naive.h"
 #include "random_problems.h"
+#include "surfaces.h"
 
 namespace pairs {
 
@@ -22,9 +23,11 @@ Problem moved(const Problem& problem, const Change& change, double step) {
   return result;
 }
 
-bool same_contact(const Answer& a, const Answer& b) {
+// The same points open, between the bounds, and at the hardness.
+bool same_contact(const Problem& problem, const Answer& a, const Answer& b) {
+  const double hardness = problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL;
   for (std::size_t i = 0; i < a.p.size(); ++i)
-    if ((a.p[i] > 0) != (b.p[i] > 0)) return false;
+    if ((a.p[i] > 0) != (b.p[i] > 0) || (a.p[i] < hardness) != (b.p[i] < hardness)) return false;
   return true;
 }
 
@@ -38,7 +41,7 @@ bool find_ends(const RandomProblem& random, const Answer& middle, const Change& 
   for (const double step : {1e-5, 1e-6, 1e-7}) {
     out = {step, solved(moved(random.problem, change, -step), exact, {{RC_OPT_TOL, "1e-13"}}),
            solved(moved(random.problem, change, step), exact, {{RC_OPT_TOL, "1e-13"}})};
-    if (same_contact(out.low, middle) && same_contact(out.high, middle)) return true;
+    if (same_contact(random.problem, out.low, middle) && same_contact(random.problem, out.high, middle)) return true;
   }
   return false;
 }
@@ -69,7 +72,9 @@ void agrees_with_differences(unsigned seed, int& compared) {
       change.gap[i] = by.p[i] = by.gap[i] = 0;
     }
     check(answer.p[i] > 0 || forward.p[i] == 0, "an open point gets pressure");
-    check(answer.p[i] == 0 || forward.gap[i] == 0, "a gap opens in contact");
+    const bool capped = problem.system.hardness > 0 && answer.p[i] >= problem.system.hardness;
+    check(!capped || forward.p[i] == 0, "a pressure at the hardness changes");
+    check(answer.p[i] == 0 || capped || forward.gap[i] == 0, "a gap opens in contact");
   }
 
   // Reverse and forward mode are each other's transpose.
@@ -104,6 +109,47 @@ void derivatives_are_differences_of_answers() {
   for (unsigned seed = 0; seed < scenes; ++seed) agrees_with_differences(seed, compared);
   report(std::to_string(compared) + " of " + std::to_string(scenes) + " scenes compared with differences");
   check(compared * 20 >= static_cast<int>(scenes) * 19, "too many contact sets change within the smallest step");
+}
+
+// The bounds of the errors that solves leave hold against solves to round-off, and are not far above the residual.
+void errors_are_bounded() {
+  int compared = 0;
+  double widest = 0;
+  for (unsigned seed = 300; seed < 420; ++seed) {
+    RandomProblem random;
+    make_random(seed, 14, false, random);
+    const Problem& problem = random.problem;
+    const bool half_space = problem.system.op == RC_OPERATOR_HALFSPACE;
+    const std::size_t n = problem.points();
+    const Contact loose(problem, half_space ? Pair{"haar-cg", "fft"} : automatic, {{RC_OPT_TOL, "1e-5"}});
+    const Contact exact(problem, half_space ? Pair{"nnls", "dense"} : automatic);
+    const Answer a = loose.solve(problem), b = exact.solve(problem);
+    check_status(a, RC_OK, random.name);
+    if (!same_contact(problem, a, b)) continue;
+    std::mt19937 generator(seed);
+    Cotangents by{normals(n, generator), normals(n, generator), 0.3, -0.2};
+    if (seed % 4 == 0) by = {};
+    const Gradient found = gradient(loose, n, by), right = gradient(exact, n, by);
+    const Tangent forward = tangent(loose, n, {by.gap, 0.7, 0}), known = tangent(exact, n, {by.gap, 0.7, 0});
+    if (problem.system.op == RC_OPERATOR_CALLBACK) {
+      check(std::isnan(found.result.error) && std::isnan(forward.result.error), "a product's eigenvalues are not known");
+      continue;
+    }
+    const auto off = [](const Field& x, const Field& y) {
+      double square = 0;
+      for (std::size_t i = 0; i < x.size(); ++i) square += (x[i] - y[i]) * (x[i] - y[i]);
+      return std::sqrt(square);
+    };
+    const double reverse_off = off(found.by_gap, right.by_gap), forward_off = off(forward.p, known.p);
+    check(reverse_off <= found.result.error + right.result.error + 1e-11 * norm(right.by_gap),
+          random.name + ": gradient off by " + text(reverse_off) + ", bound " + text(found.result.error));
+    check(forward_off <= forward.result.error + known.result.error + 1e-11 * norm(known.p),
+          random.name + ": tangent off by " + text(forward_off) + ", bound " + text(forward.result.error));
+    if (half_space) widest = std::max(widest, found.result.error / norm(right.by_gap));
+    compared += half_space;
+  }
+  report(std::to_string(compared) + " gradients of half-spaces, the largest bound is " + text(widest) + " of its gradient");
+  check(compared >= 60 && widest > 1e-6 && widest < 0.1, "bounds of errors");
 }
 
 // The gradients of load and approach are those that their cotangents give, and take one solve.
@@ -189,6 +235,38 @@ void a_gradient_leaves_the_contact_as_it_is() {
   }
 }
 
+void the_same_bits_for_any_number_of_threads() {
+  const Problem problem = at_load(rough_problem(96, 80), 900);
+  std::mt19937 generator(6);
+  const Cotangents by{normals(problem.points(), generator), normals(problem.points(), generator), 0, 0};
+  std::vector<Gradient> found;
+  for (const char* threads : {"1", "2", "3"}) {
+    const Contact contact(problem, {"haar-cg", "fft"}, {{RC_OPT_THREADS, threads}});
+    check_status(contact.solve(problem), RC_OK);
+    found.push_back(gradient(contact, problem.points(), by));
+    check_same(found.back().by_gap, found.front().by_gap, "gradients");
+    check_near(found.back().result.dJ_dtarget, found.front().result.dJ_dtarget, 0, "dJ/dF");
+  }
+}
+
+void a_stopped_gradient_writes_nothing() {
+  const Problem problem = rough_problem(24, 20);
+  const Contact contact(problem, {"haar-cg", "fft"});
+  check_status(contact.solve(problem), RC_OK);
+  const Field untouched(problem.points(), -7.0);
+  rc_contact_cancel(contact.handle());
+  const Gradient cancelled = gradient(contact, problem.points());
+  check_equal(cancelled.status, RC_STOP_CANCELLED, "status");
+  check_same(cancelled.by_gap, untouched, "gradient");
+  check_equal(gradient(contact, problem.points()).status, RC_OK, "the next one");
+  const Options hasty = make_options({"haar-cg", "fft"}, "auto", {{RC_OPT_TIME_LIMIT, "1e-9"}});
+  check_equal(rc_contact_set_options(contact.handle(), hasty.get()), RC_OK, "options");
+  const Tangent late = tangent(contact, problem.points(), {{}, 1, 0});
+  check_equal(late.status, RC_STOP_TIME, "status");
+  check_same(late.p, untouched, "tangent");
+  check(late.message.find("rc_contact_tangent: ") == 0, late.message);
+}
+
 }  // namespace
 
 }  // namespace pairs
@@ -197,9 +275,12 @@ int main(int argc, char** argv) {
   using namespace pairs;
   return run_group("derivatives.differences",
                    {{"derivatives_are_differences_of_answers", derivatives_are_differences_of_answers},
+                    {"errors_are_bounded", errors_are_bounded},
                     {"load_and_approach_by_default", load_and_approach_by_default},
                     {"full_periodic_contact", full_periodic_contact},
                     {"no_contact", no_contact},
+                    {"the_same_bits_for_any_number_of_threads", the_same_bits_for_any_number_of_threads},
+                    {"a_stopped_gradient_writes_nothing", a_stopped_gradient_writes_nothing},
                     {"a_gradient_leaves_the_contact_as_it_is", a_gradient_leaves_the_contact_as_it_is}},
                    argc, argv);
 }

@@ -13,11 +13,11 @@ namespace pairs {
 
 namespace {
 
-// hx hy 1' H_CC^-1 1 on the points in contact; infinite where H does not resist a mean.
+// hx hy 1' H_CC^-1 1 on the points in contact below the hardness; infinite where H does not resist a mean.
 double dense_stiffness(const Problem& problem, const Field& matrix, const Field& p) {
   std::vector<std::size_t> contact;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (p[i] > 0) contact.push_back(i);
+    if (p[i] > 0 && !(problem.system.hardness > 0 && p[i] >= problem.system.hardness)) contact.push_back(i);
   if (problem.periodic() && contact.size() == p.size()) return HUGE_VAL;
   Field part;
   for (const std::size_t i : contact)
@@ -61,7 +61,9 @@ void holds_in(unsigned seed, Count& count) {
   Field off = exact.p;
   const double size = largest(exact.p) * std::pow(10, -1 - 5 * uniform(generator));
   for (std::size_t i = 0; i < off.size(); ++i)
-    if (problem.included(i)) off[i] = std::max(0.0, off[i] + size * normal(generator));
+    if (problem.included(i))
+      off[i] =
+          std::clamp(off[i] + size * normal(generator), 0.0, problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL);
   const rc_result r = contact.certify(same.step(), off).result;
   check(holds(r, stiffness), say(r));
   ++count.intervals;

@@ -17,7 +17,7 @@ Answer = Tuple[Doubles, Doubles, float, float]
 
 
 class Press:
-    """Steps of one system, from any thread, one at a time.
+    """Steps of one system, from any thread, one at a time; each on its surface as given, whatever was pressed before.
 
     system: `HalfSpace`, `Matrix` or `Product`
     control: "displacement" or "load": what the target is
@@ -75,6 +75,8 @@ class Press:
 
     def _answer(self, gap: Doubles, target: float, modulus: Optional[float], start: Optional[ArrayLike]) -> Answer:
         contact, self._solved = self._contact_of(modulus), None
+        if self.system.hardness is not None:
+            contact.reset()  # no step is to feel the plastic indentation that another one left
         step = {self.control: target}
         result = contact.solve(undeformed_gap=gap, mask=self._mask, start=start, want_gap=True, **step)  # type: ignore[arg-type]
         assert result.pressure is not None and result.gap is not None
@@ -87,7 +89,9 @@ class Press:
             if modulus is not None:
                 if not isinstance(system, HalfSpace):
                     raise ArgumentError("modulus is given, but the system is no HalfSpace")
-                system = HalfSpace(system.shape, pitch=system.pitch, modulus=float(modulus), boundary=system.boundary)
+                system = HalfSpace(
+                    system.shape, pitch=system.pitch, modulus=float(modulus), boundary=system.boundary, hardness=system.hardness
+                )
             if self._contact is not None:
                 self._contact.close()
             self._contact, self._modulus = Contact(system, options=self._options), modulus

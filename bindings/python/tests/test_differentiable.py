@@ -81,6 +81,25 @@ def test_a_step_that_fails_raises():
     refused(rc.ShapeError, "undeformed_gap has shape", Press(SYSTEM, control="load").solve, np.zeros((2, 2)), 1.0)
 
 
+def test_a_hardness_leaves_no_trace(control):
+    from roughcontact._press import Press
+
+    hard = rc.HalfSpace(SHAPE, pitch=SYSTEM.pitch, modulus=1.5, hardness=0.6 * expected(control).pressure.max())
+    press = Press(hard, control=control, options=OPTIONS)
+    target = CONTROLS[control]
+    first = press.solve(GAP, target, 1.5)
+    press.solve(GAP, 1.3 * target, 1.5)
+    again = press.solve(GAP, target, 1.5)
+    assert np.count_nonzero(first[0] == hard.hardness) > 0
+    np.testing.assert_allclose(again[0], first[0], rtol=1e-10, atol=1e-12)
+    change = np.random.default_rng(2).standard_normal(SHAPE)
+    ends = [press.solve(GAP + way * change, target, 1.5 + 0.3 * way) for way in (-1e-6, 1e-6)]
+    by = np.random.default_rng(3).standard_normal((2, *SHAPE))
+    slope = sum(np.sum(b * (high - low)) / 2e-6 for b, low, high in zip((*by, 0.5, -0.7), *ends))
+    by_gap, _, by_modulus = press.pull_back(GAP, target, 1.5, first[0], (*by, 0.5, -0.7))
+    assert np.sum(by_gap * change) + 0.3 * by_modulus == pytest.approx(slope, rel=1e-6)
+
+
 def test_no_cotangents_no_gradient():
     from roughcontact._press import Press
 

@@ -18,8 +18,9 @@ namespace {
 
 using Field = std::vector<double>;
 
-constexpr double looser = 100;  // residuals of the solves over the tolerance: errors of derivatives are
-constexpr double least_residual = 1e-11, most_residual = 1e-4;  // proportional to them and add up over no steps; between these
+constexpr double looser =
+    300;  // residuals of the solves over the tolerance: derivatives are of use to fewer digits than pressures
+constexpr double least_residual = 1e-11, most_residual = 1e-4;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double total(const Field& x) {
