@@ -12,7 +12,6 @@
 #include <cmath>
 #include <numbers>
 #include <roughcontact/plugin.hpp>
-#include <vector>
 
 namespace {
 
@@ -53,15 +52,14 @@ class Layer {
 class Images {
  public:
   explicit Images(const Layer& layer) {
-    depth_.push_back(0);
-    weight_.push_back(layer.thickness > 0 ? layer.softness() : 1);
-    lowest_ = weight_.front();
+    weight_[0] = layer.thickness > 0 ? layer.softness() : 1;
+    lowest_ = weight_[0];
     if (layer.thickness > 0) fit(layer);
   }
 
   double lowest() const { return lowest_; }  // of the fitted f
   double misfit() const { return misfit_; }  // largest, relative to f
-  std::size_t size() const { return depth_.size(); }
+  std::size_t size() const { return size_; }
   double depth(std::size_t j) const { return depth_[j]; }
   double weight(std::size_t j) const { return weight_[j]; }
 
@@ -78,8 +76,7 @@ class Images {
     const double sum = 1 - layer.softness();
     std::array<double, terms> z;
     for (int j = 0; j < terms; ++j) z[j] = between(shallowest, deepest, j, terms);
-    std::vector<std::array<double, rows>> column(unknowns + 1);  // the last one is the right-hand side
-    for (auto& each : column) each.fill(0);
+    std::array<std::array<double, rows>, unknowns + 1> column{};  // the last one is the right-hand side
     for (int i = 0; i < samples; ++i) {
       const double s = between(least_s, most_s, i, samples), last = std::exp(-s * z[unknowns]);
       for (int j = 0; j < unknowns; ++j) column[j][i] = std::exp(-s * z[j]) - last;
@@ -87,7 +84,7 @@ class Images {
     }
     for (int j = 0; j < unknowns; ++j) column[j][samples + j] = small;
 
-    std::vector<std::array<double, unknowns + 1>> r(unknowns);
+    std::array<std::array<double, unknowns + 1>, unknowns> r;
     const auto dot = [](const auto& a, const auto& b) {
       double total = 0;
       for (int i = 0; i < rows; ++i) total += a[i] * b[i];
@@ -110,9 +107,10 @@ class Images {
     }
     for (int j = 0; j < unknowns; ++j) w[unknowns] -= w[j];
     for (int j = 0; j < terms; ++j) {
-      depth_.push_back(z[j] * layer.thickness);
-      weight_.push_back(w[j]);
+      depth_[j + 1] = z[j] * layer.thickness;
+      weight_[j + 1] = w[j];
     }
+    size_ = terms + 1;
     compare(layer, z, w);
   }
 
@@ -128,7 +126,8 @@ class Images {
     }
   }
 
-  std::vector<double> depth_, weight_;
+  std::array<double, terms + 1> depth_{}, weight_{};
+  std::size_t size_ = 1;
   double lowest_ = 0, misfit_ = 0;
 };
 

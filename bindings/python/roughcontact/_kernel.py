@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._arrays import Doubles, as_doubles, as_text
 from ._c import *  # noqa: F403
-from ._c import Sized, callback, double, doubles, handle, int64_t, integers, rc_status, size_t, struct, text, uint32_t, uint64_t
 from ._calls import check
 from ._library import contact_library
 from ._structs import rc_system
