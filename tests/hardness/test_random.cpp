@@ -107,8 +107,8 @@ void check_proofs(const Problem& problem, const Answer& answer, const Field& exa
   check(r.proven_contacts <= contacts && contacts <= r.proven_contacts + r.undecided,
         which + std::to_string(contacts) + " contacts, proven " + std::to_string(r.proven_contacts) + ", undecided " +
             std::to_string(r.undecided));
-  check(r.proven_capped <= capped, which + std::to_string(capped) + " points at the hardness, proven " +
-                                       std::to_string(r.proven_capped));
+  check(r.proven_capped <= capped,
+        which + std::to_string(capped) + " points at the hardness, proven " + std::to_string(r.proven_capped));
   check(r.duality_gap >= 0 || std::isnan(r.duality_gap), which + "the duality gap is negative");
 }
 

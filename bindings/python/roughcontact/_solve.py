@@ -91,7 +91,9 @@ def solve(
     options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
     progress, every, context: as in `Contact`; the others: as in `Contact.solve`
     """
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
             displacement=displacement,
@@ -141,7 +143,9 @@ def path(
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
     the others: as in `solve`
     """
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
         return path_on(contact, control, targets, undeformed_gap, mask, warm_start, stiffness, keep_pressure, each, check)
