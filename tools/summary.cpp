@@ -106,8 +106,7 @@ void Summary::add(const StepRecord& step) {
                  {"area_estimate", step.accuracy.area_estimate},
                  {"note", r.note},
                  {"message", step.message}});
-  if (hardness_)
-    document_.add({{"capped", r.capped}, {"plastic_volume", r.plastic_volume}, {"proven_capped", r.proven_capped}});
+  if (hardness_) document_.add({{"capped", r.capped}, {"plastic_volume", r.plastic_volume}, {"proven_capped", r.proven_capped}});
   document_.end();
 }
 

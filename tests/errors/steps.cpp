@@ -167,7 +167,8 @@ Section steps() {
            [] { return all_masked(RC_CONTROL_LOAD, 1); }},
           {"load above hardness times area",
            infeasible,
-           {"load = 33 is more than hardness times the area of the 16 points that may carry pressure, 32; prescribe less load, or "
+           {"load = 33 is more than hardness times the area of the 16 points that may carry pressure, 32; prescribe less load, "
+            "or "
             "allow more points"},
            hard(33)},
           {"load of hardness times area", RC_OK, {}, hard(32)},

@@ -1,4 +1,5 @@
-// With a hardness: units, symmetries and translations change nothing else; a hardness that is never reached changes nothing at all.
+// With a hardness: units, symmetries and translations change nothing else; a hardness that is never reached changes nothing at
+// all.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -103,7 +104,8 @@ void masked_points_carry_nothing(std::int32_t boundary, const Pair& pair) {
   for (std::size_t i = 0; i < problem.points(); i += 7) problem.mask[i] = 0;
   const Answer answer = solved(problem, pair);
   check(answer.result.capped > 0, "the surface should yield");
-  for (std::size_t i = 0; i < problem.points(); ++i) check(problem.included(i) || answer.p[i] == 0, "a masked point carries pressure");
+  for (std::size_t i = 0; i < problem.points(); ++i)
+    check(problem.included(i) || answer.p[i] == 0, "a masked point carries pressure");
   check_against_naive(problem, answer);
 }
 

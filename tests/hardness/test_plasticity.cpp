@@ -51,7 +51,8 @@ void full_plasticity_is_rigid() {
     const double area = 2 * pi * radius * approach, load = area * problem.system.hardness;
     check_near(answer.result.contact_area, area, 0.01 * area, "area");
     check_near(answer.result.load, load, 0.01 * load, "load");
-    check_near(answer.result.plastic_volume, pi * radius * approach * approach, 0.01 * pi * radius * approach * approach, "volume");
+    check_near(answer.result.plastic_volume, pi * radius * approach * approach, 0.01 * pi * radius * approach * approach,
+               "volume");
     check(answer.result.capped >= answer.result.contacts - 8, "nearly all contact is plastic");
     // The area bears the load at the hardness.
     check(answer.result.contact_area * problem.system.hardness >= answer.result.load * (1 - 1e-12), "A >= F / H");
@@ -71,7 +72,8 @@ void softer_is_less() {
     check_equal(r.proven_contacts + r.proven_open + r.undecided, r.points, "counts");
     const double doubt = 1e-13 * r.load;  // of the sum
     check(r.load_lower <= r.load + doubt && r.load - doubt <= r.load_upper && r.load_upper - r.load_lower < 1e-6 * r.load,
-          "an interval of " + text((r.load_upper - r.load_lower) / r.load) + " at hardness " + text(hardness) + ", tol " + text(r.tolerance));
+          "an interval of " + text((r.load_upper - r.load_lower) / r.load) + " at hardness " + text(hardness) + ", tol " +
+              text(r.tolerance));
     before = r.load;
   }
 }

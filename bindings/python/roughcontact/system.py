@@ -62,8 +62,8 @@ class HalfSpace(System):
     pitch: cell size, one number or (hx, hy) with hx along the last axis [length]
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     boundary: "free" or "periodic"; None: the library's
-    hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a plastic
-        indentation that stays for the steps that follow, see `Contact.indentation`
+    hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a
+        plastic indentation that stays for the steps that follow, see `Contact.indentation`
     """
 
     def __init__(
@@ -112,12 +112,7 @@ class Matrix(System):
     """
 
     def __init__(
-        self,
-        H: ArrayLike,
-        *,
-        pitch: Pitch,
-        shape: Optional[Union[int, Sequence[int]]] = None,
-        hardness: Optional[float] = None,
+        self, H: ArrayLike, *, pitch: Pitch, shape: Optional[Union[int, Sequence[int]]] = None, hardness: Optional[float] = None
     ) -> None:
         self.H, self.hardness = square(H), as_hardness(hardness)
         n = self.H.shape[0]
