@@ -81,11 +81,12 @@ static rc_status set_target(Request* request, int32_t control, double value) {
   return RC_OK;
 }
 
-/* A field of opts: hx, hy, modulus, displacement, load, boundary, or an option of the library with '_' for '.'. */
+/* A field of opts: hx, hy, modulus, hardness, displacement, load, boundary, or an option of the library with '_' for '.'. */
 static rc_status set_number(Request* request, const char* field, double value) {
   if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
+  if (!strcmp(field, "hardness")) return request->system.hardness = value, RC_OK;
   if (!strcmp(field, "displacement")) return set_target(request, RC_CONTROL_DISPLACEMENT, value);
   if (!strcmp(field, "load")) return set_target(request, RC_CONTROL_LOAD, value);
 

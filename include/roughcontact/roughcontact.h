@@ -125,7 +125,7 @@ typedef struct rc_system {
   int32_t (*apply)(const double *x, double *y, int64_t n, void *user); /* CALLBACK: y = H x, symmetric positive
                           definite; return nonzero to fail; must return: no exception, no longjmp; called on the solving thread */
   void *user;          /* handed to apply                                                                            */
-  double hardness;     /* the largest pressure c [force/length^2], for every op; 0: none, all is elastic             */
+  double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: all is elastic       */
 } rc_system;
 #define RC_SYSTEM_INIT \
   { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL, 0.0 }

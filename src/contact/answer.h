@@ -15,14 +15,14 @@ namespace rc {
 struct Answer {
   rc_status status = RC_OK;
   Choice choice;
-  Operator* op = nullptr;                                   // bound to the trial set
-  std::vector<double> p;                                    // on the trial set, dimensionless
-  double length_unit = 1;                                   // [length]
-  double pressure_unit = 1;                                 // [force/length^2]
+  Operator* op = nullptr;                                     // bound to the trial set
+  std::vector<double> p;                                      // on the trial set, dimensionless
+  double length_unit = 1;                                     // [length]
+  double pressure_unit = 1;                                   // [force/length^2]
   double hardness = std::numeric_limits<double>::infinity();  // [force/length^2] the largest pressure
-  double compression = 0;                                   // [length] approach less the lowest gap
-  double limit = -std::numeric_limits<double>::infinity();  // [length] every point below this height is in the trial set
-  std::optional<Deflected> checked;                         // H p where it matters, if the operator screened all points
+  double compression = 0;                                     // [length] approach less the lowest gap
+  double limit = -std::numeric_limits<double>::infinity();    // [length] every point below this height is in the trial set
+  std::optional<Deflected> checked;                           // H p where it matters, if the operator screened all points
   bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
 

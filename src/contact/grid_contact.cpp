@@ -84,6 +84,7 @@ void GridContact::begin(const rc_step& step) {
     adopt(std::move(given->surface));
     indentation_ = std::move(given->indentation);
   }
+  memory_.indented = !indentation_.none();
   if (work_.options.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
   work_.solver_grids.begin_step();
   work_.record = {};

@@ -1,24 +1,14 @@
-// What steps leave behind where the pressure is the hardness: the overlap there becomes plastic and is added to the undeformed gap
-// of the steps that follow.
+// What steps leave behind where the pressure is the hardness: the overlap there becomes plastic and is added to the undeformed
+// gap of the steps that follow.
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "contact/pressures.h"
+
 namespace rc {
-
-// Overlaps [length] at the points where one step has the hardness.
-struct Overlap {
-  std::vector<std::int64_t> point;
-  std::vector<double> depth;
-
-  bool empty() const { return point.empty(); }
-  void add_to(std::span<double> indentation) const {
-    for (std::size_t k = 0; k < point.size(); ++k) indentation[static_cast<std::size_t>(point[k])] += depth[k];
-  }
-};
 
 class Indentation {
  public:

@@ -1,7 +1,9 @@
-// Pressures on a set of points, 0 elsewhere, and the deflections that they cause.
+// Pressures on a set of points, 0 elsewhere, the deflections that they cause, and the overlap that stays.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "operator/operator.h"
@@ -31,6 +33,17 @@ struct Deflected {
   const std::vector<double>& p() const { return pressures.p; }
   std::size_t size() const { return pressures.p.size(); }
   std::size_t point(std::size_t k) const { return on().index.empty() ? k : static_cast<std::size_t>(on().index[k]); }
+};
+
+// Overlaps [length] at the points where one step has the hardness.
+struct Overlap {
+  std::vector<std::int64_t> point;
+  std::vector<double> depth;
+
+  bool empty() const { return point.empty(); }
+  void add_to(std::span<double> indentation) const {
+    for (std::size_t k = 0; k < point.size(); ++k) indentation[static_cast<std::size_t>(point[k])] += depth[k];
+  }
 };
 
 }  // namespace rc

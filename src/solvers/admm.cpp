@@ -2,7 +2,8 @@
 // 2011, 3.4.3) and residual balancing (the rule of OSQP: Stellato et al. 2020, 5.2).
 //
 // The pressure is split in two. x solves (H + rho I) x = u + rho (z - v); in load control u + d stands for u, with d such that
-// sum x = load. z is the projection of x + v on 0 <= z <= cap, and v is the sum of all x - z. At the solution -rho v is the gap w.
+// sum x = load. z is the projection of x + v on 0 <= z <= cap, and v is the sum of all x - z. At the solution -rho v is the gap
+// w.
 //
 // Changes to the printed algorithm: the sign of its step 5.1; a penalty rho on the scale of the problem; a stop by the residual
 // of z from its own product with H, because a small |x - z| alone does not mean a small residual.

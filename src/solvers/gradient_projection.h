@@ -1,6 +1,7 @@
 // Accelerated gradient projection: Bemporad & Paggi (2015), Algorithm 4, with the adaptive restart of O'Donoghue & Candes (2015).
 //
-// Minimises 1/2 p'Hp - u'p over 0 <= p <= cap (load control: and sum p = load) by projected steps of length 1/L, L >= lambda_max(H).
+// Minimises 1/2 p'Hp - u'p over 0 <= p <= cap (load control: and sum p = load) by projected steps of length 1/L, L >=
+// lambda_max(H).
 #pragma once
 
 #include <limits>

@@ -1,13 +1,13 @@
 // Non-negative least squares: Bemporad & Paggi (2015), Algorithm 3. Finite and exact: the answer solves H_CC p_C = u_C on the
-// final contact set C. With a cap of the pressure (bounded-variable least squares: Stark & Parker 1995) the points of C carry less
-// than the cap, others the cap itself, and their deflection is taken from u.
+// final contact set C. With a cap of the pressure (bounded-variable least squares: Stark & Parker 1995) the points of C carry
+// less than the cap, others the cap itself, and their deflection is taken from u.
 //
 // nnls.pivoting = block exchanges all infeasible points at once (block principal pivoting: Kostreva 1978; Judice & Pires 1994).
 // It needs a handful of solves. It may fail to make progress; then the other method goes on from its pressures.
 // nnls.pivoting = single adds the point of the largest overlap (Lawson & Hanson 1974), as published. Each solve lowers the
-// energy, so no set comes twice; but every point of the contact set costs a solve. It takes points off the cap in the same way. Changes to the printed algorithm: the
-// tolerances are relative; all points that reach zero leave at once and are set to zero; and a point that was refused, because it
-// would pull, is not tried again before another one has been accepted.
+// energy, so no set comes twice; but every point of the contact set costs a solve. It takes points off the cap in the same way.
+// Changes to the printed algorithm: the tolerances are relative; all points that reach zero leave at once and are set to zero;
+// and a point that was refused, because it would pull, is not tried again before another one has been accepted.
 //
 // Iterations are counted in solves, each on one contact set.
 #include <algorithm>
@@ -104,16 +104,15 @@ class Pivoting {
       if (settings.lipschitz > 0) gradient_projection(problem_, p_, unused, settings);
     }
     const bool directly = cold && problem_.size() <= start_directly;
-    for (std::size_t i = 0; i < n_; ++i)
-      state_[i] = !directly ? state_of(p_[i]) : u[i] > 0 ? State::free : State::open;
+    for (std::size_t i = 0; i < n_; ++i) state_[i] = !directly ? state_of(p_[i]) : u[i] > 0 ? State::free : State::open;
   }
 
   State state_of(double p) const { return p >= cap_ ? State::capped : p > 0 ? State::free : State::open; }
   // Of a point at a bound: its overlap or, at the cap, its gap.
   double violation(std::size_t i) const { return state_[i] == State::capped ? w_[i] : -w_[i]; }
 
-  // Moves p towards the solution on the contact set. Points whose pressure vanishes or meets the cap on the way leave the set, and
-  // the rest is solved again, until no point is beyond its bounds. `entered` is the point just added, or n.
+  // Moves p towards the solution on the contact set. Points whose pressure vanishes or meets the cap on the way leave the set,
+  // and the rest is solved again, until no point is beyond its bounds. `entered` is the point just added, or n.
   rc_status settle(std::size_t entered, bool& accepted) {
     for (bool first = true;; first = false) {
       if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
@@ -123,7 +122,8 @@ class Pivoting {
         const auto i = static_cast<std::size_t>(contact_[k]);
         if (is_between(solution_[k])) continue;
         const double to_go = solution_[k] > 0 ? cap_ - p_[i] : p_[i], change = std::abs(solution_[k] - p_[i]);
-        if (first && i == entered && to_go == 0) {  // round-off: by its gap it must leave its bound, by the solution it goes beyond
+        if (first && i == entered &&
+            to_go == 0) {  // round-off: by its gap it must leave its bound, by the solution it goes beyond
           state_[i] = state_of(p_[i]);
           accepted = false;
           return RC_OK;
@@ -171,12 +171,13 @@ class Pivoting {
         if (state_[i] == State::free) contact_.push_back(static_cast<std::int64_t>(i));
       find_right();
       solution_.clear();
-      for (const std::int64_t i : contact_) solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start of an iterative solve
+      for (const std::int64_t i : contact_)
+        solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start of an iterative solve
       const rc_status status = contact_.empty() && cap_ < infinite ? RC_OK : problem_.try_subset(contact_, right_, solution_);
       if (status == RC_OK) return RC_OK;
       // A periodic operator gives 0 for uniform pressure, so full contact has no solution in displacement control: the point with
-      // the largest gap must stay out or, above the mean plane, the one with the largest overlap at the cap. Where it keeps coming
-      // back, the operator is indefinite.
+      // the largest gap must stay out or, above the mean plane, the one with the largest overlap at the cap. Where it keeps
+      // coming back, the operator is indefinite.
       const bool singular = status == RC_ERR_NUMERIC || status == RC_STOP_STALLED;
       if (!singular || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
       const bool above = cap_ < infinite && std::accumulate(u, u + n_, 0.0) > 0;

@@ -156,7 +156,8 @@ class Iteration {
     return length < infinite ? length : 0;
   }
 
-  // Moves along t, clips at the bounds, admits points that overlap and releases those with a gap from the cap. True if the contact set changed: H p must then be computed anew.
+  // Moves along t, clips at the bounds, admits points that overlap and releases those with a gap from the cap. True if the
+  // contact set changed: H p must then be computed anew.
   bool step(double length) {
     if (length > 0) last_length_ = length;
     bool bounded = false;

@@ -32,6 +32,7 @@ program test_contacts
   call many_steps()
   call paths()
   call restored()
+  call hard()
   call batches()
   call finish()
 
@@ -192,6 +193,38 @@ contains
       end do
       call rcf_contact_destroy(contact)
     end do
+    call rcf_options_destroy(options)
+  end subroutine
+
+  ! Pressures of at most the hardness; the indentation that they leave goes on in a new contact.
+  subroutine hard()
+    type(rcf_contact) :: contact
+    type(rc_system) :: soft
+    type(c_ptr) :: options
+    type(rc_result) :: first, second, again
+    real(c_double) :: p_first(nx, ny), p_second(nx, ny)
+    real(c_double), allocatable :: left(:, :), restored_left(:, :)
+    soft = system
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=p)
+    soft%hardness = 0.5 * maxval(p)
+    call rcf_options_create(options)
+    call rcf_options_set_int(options, RC_OPT_RESUMABLE, 1)
+    call rcf_contact_create(contact, soft, options)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, undeformed_gap=gap, p=p_first, result=first)
+    call check('at the hardness', maxval(p_first) == soft%hardness .and. first%capped == count(p_first == soft%hardness))
+    call rcf_contact_indentation(contact, left)
+    call check('indentation', abs(sum(left) * system%hx * system%hy / first%plastic_volume - 1) < 1e-10)
+    call rcf_contact_solve(contact, displacement=0.3_c_double, p=p_second, result=second)
+    call check('unloading is elastic', second%capped == 0 .and. first%load > second%load)
+    call rcf_contact_destroy(contact)
+    call rcf_contact_create(contact, soft, options)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, indentation=left)
+    call rcf_contact_indentation(contact, restored_left)
+    call rcf_contact_solve(contact, displacement=0.3_c_double, p=p, result=again)
+    call check('restored', all(restored_left == left) .and. all(p == p_second) .and. again%load == second%load)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, indentation=-left - 1, stat=stat)
+    call check('a negative indentation', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_destroy(contact)
     call rcf_options_destroy(options)
   end subroutine
 

@@ -47,8 +47,8 @@ CappedCase read_case(const json& entry) {
   problem.gap = read_npy(result.name + "_gap.npy", problem.points());
   for (const json& given : entry["steps"]) {
     const std::string number = std::to_string(result.steps.size() + 1);
-    CappedStep step{given["target"],   given["approach"], given["load"], given["plastic_volume"],
-                    given["contacts"], given["capped"],   {},            {}};
+    CappedStep step{
+        given["target"], given["approach"], given["load"], given["plastic_volume"], given["contacts"], given["capped"], {}, {}};
     step.p = read_npy(result.name + "_p" + number + ".npy", problem.points());
     step.overlap = read_npy(result.name + "_plastic" + number + ".npy", problem.points());
     result.steps.push_back(step);

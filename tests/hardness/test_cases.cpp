@@ -85,7 +85,8 @@ void pairs_are_there() {
     for (const char* backend : {"dense", "fft"}) {
       const std::vector<std::string> can = capped_solvers(backend, system);
       for (const char* solver : {"nnls", "polonsky-keer", "gp", "admm", "cmr"})
-        check(std::count(can.begin(), can.end(), solver) == 1, std::string(solver) + " on " + backend + " cannot keep a hardness");
+        check(std::count(can.begin(), can.end(), solver) == 1,
+              std::string(solver) + " on " + backend + " cannot keep a hardness");
       check(std::count(can.begin(), can.end(), "greedy") == 0, "greedy does not keep a hardness");
     }
   }
@@ -103,8 +104,9 @@ int main(int argc, char** argv) {
     for (const std::string& backend : backend_names()) {
       rc_system system = reference.problem.system;
       for (const std::string& solver : capped_solvers(backend, system))
-        tests.push_back({solver + "*" + backend + "/" + reference.name,
-                         [&reference, solver, backend] { run(reference, reference.problem, {solver, backend}); }});
+        tests.push_back({solver + "*" + backend + "/" + reference.name, [&reference, solver, backend] {
+                           run(reference, reference.problem, {solver, backend});
+                         }});
       if (reference.problem.periodic() || reference.problem.points() > 600) continue;
       for (const std::int32_t op : {RC_OPERATOR_DENSE, RC_OPERATOR_CALLBACK}) {
         system.op = op;
@@ -113,8 +115,10 @@ int main(int argc, char** argv) {
         system.dense = reference.problem.gap.data();
         system.dense_ld = system.nx * system.ny;
         for (const std::string& solver : capped_solvers(backend, system))
-          tests.push_back({solver + "*" + backend + "/" + kind_of(system) + "/" + reference.name,
-                           [&reference, solver, backend, op] { run_as_operator(reference, {solver, backend}, op); }});
+          tests.push_back(
+              {solver + "*" + backend + "/" + kind_of(system) + "/" + reference.name, [&reference, solver, backend, op] {
+                 run_as_operator(reference, {solver, backend}, op);
+               }});
       }
     }
   check(cases.size() == 12, "there are 12 cases");

@@ -98,7 +98,8 @@ void what_fails_leaves_nothing() {
   check_status(answer, RC_OK);
   const Field left = indentation_of(contact, problem.points());
   for (std::size_t i = 0; i < left.size(); ++i)
-    check(left[i] == (answer.p[i] == problem.system.hardness ? std::max(0.0, -answer.gap[i]) : 0.0), "the overlap at the hardness");
+    check(left[i] == (answer.p[i] == problem.system.hardness ? std::max(0.0, -answer.gap[i]) : 0.0),
+          "the overlap at the hardness");
   check_status(contact.solve(refused), RC_ERR_ARGUMENT);
   check_same(indentation_of(contact, problem.points()), left, "after a later refused step");
   Problem heavy = at_load(problem, 2 * problem.system.hardness * problem.cell_area() * static_cast<double>(problem.points()));
@@ -211,8 +212,9 @@ void stiffness_is_of_the_free_points() {
     Problem less = problem, more = problem;
     less.target -= step;
     more.target += step;
-    const double slope = (solved(more, {"nnls", backend}, settings).result.load -
-                          solved(less, {"nnls", backend}, settings).result.load) / (2 * step);
+    const double slope =
+        (solved(more, {"nnls", backend}, settings).result.load - solved(less, {"nnls", backend}, settings).result.load) /
+        (2 * step);
     check_near(middle.result.stiffness, slope, 1e-6 * slope, "stiffness");
   }
 }
@@ -231,7 +233,8 @@ int main(int argc, char** argv) {
                              {"stiffness_is_of_the_free_points", stiffness_is_of_the_free_points}};
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
     for (const std::string& solver : capped_solvers("fft", yielding(boundary).system))
-      tests.push_back({solver + (boundary == RC_BOUNDARY_FREE ? "/free" : "/periodic") + "/unloading_is_elastic",
-                       [=] { unloading_is_elastic(boundary, {solver, "fft"}); }});
+      tests.push_back({solver + (boundary == RC_BOUNDARY_FREE ? "/free" : "/periodic") + "/unloading_is_elastic", [=] {
+                         unloading_is_elastic(boundary, {solver, "fft"});
+                       }});
   return run_group("hardness histories", tests, argc, argv);
 }

@@ -53,6 +53,10 @@ by_name.stiffness = true; by_name.nnls_pivoting = "single"; by_name.max_iter = 5
 check ("names", strcmp ({info.solver, info.backend, info.kernel}, {"nnls", "dense", "galerkin"}));
 check ("options", info.stiffness > 0 && info.tolerance == 1e-10);
 
+soft = opts; soft.hardness = 0.5 * max (rc_solve (z, opts)(:));
+[p, info] = rc_solve (z, soft);
+check ("hardness", max (p(:)) == soft.hardness && info.capped == nnz (p == soft.hardness) && info.plastic_volume > 0);
+
 masked = opts;
 masked.mask = z < 1.9;
 holes = z; holes(! masked.mask) = NaN;

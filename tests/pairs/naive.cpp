@@ -98,7 +98,8 @@ Field product(const Field& matrix, const Field& x) {
 
 Certificate certificate(const Problem& problem, const Field& matrix, const Field& p, double approach) {
   Certificate c{0, 0, 0, 0, 0, 0, 0, product(matrix, p)};
-  const double largest_p = largest(p), hardness = problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL, scale = std::max(0.0, approach - problem.lowest_gap());
+  const double largest_p = largest(p), hardness = problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL,
+               scale = std::max(0.0, approach - problem.lowest_gap());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double hp = c.gap[i];
     c.gap[i] += problem.gap[i] - approach;

@@ -37,6 +37,7 @@ def batch(
     pitch: Optional[Pitch] = None,
     modulus: Optional[float] = None,
     boundary: Optional[str] = None,
+    hardness: Optional[float] = None,
     options: Options = None,
     context: Optional[Context] = None,
 ) -> BatchResult:
@@ -55,7 +56,7 @@ def batch(
     options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
     the others: as in `solve`
     """
-    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary)
+    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, hardness)
     control, values = control_and_target(displacement, load)
     targets = as_doubles(values, "load" if displacement is None else "displacement")
     targets = np.atleast_1d(targets)
@@ -135,6 +136,7 @@ def _surfaces(
     pitch: Optional[Pitch],
     modulus: Optional[float],
     boundary: Optional[str],
+    hardness: Optional[float],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
     if (heights is None) == (undeformed_gap is None):
@@ -165,7 +167,11 @@ def _surfaces(
         if modulus is None or pitch is None:
             raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")
         system = HalfSpace(
-            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary or ("periodic" if periodic else None)
+            gaps.shape[-2:],
+            pitch=pitch,
+            modulus=modulus,
+            boundary=boundary or ("periodic" if periodic else None),
+            hardness=hardness,
         )
     axes = len(system.shape)
     for name, array in (("heights or undeformed_gap", gaps), ("mask", masks)):

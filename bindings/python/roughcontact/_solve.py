@@ -25,12 +25,13 @@ def system_for(
     modulus: Optional[float],
     boundary: Optional[str],
     unit: Optional[str],
+    hardness: Optional[float],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, undeformed_gap, mask) from what one-shot functions are given."""
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     if system is not None:
-        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit}
+        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
         twice = [name for name, value in given.items() if value is not None]
         if twice:
             raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
@@ -42,12 +43,12 @@ def system_for(
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
         boundary = boundary or ("periodic" if surface.periodic else None)
-        half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary)
+        half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
         return half_space, surface.undeformed_gap(), surface.mask
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
     array = as_doubles(undeformed_gap, "undeformed_gap")  # type: ignore[arg-type]
-    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary)
+    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
 
@@ -68,6 +69,7 @@ def solve(
     modulus: Optional[float] = None,
     boundary: Optional[str] = None,
     unit: Optional[str] = None,
+    hardness: Optional[float] = None,
     options: Options = None,
     progress: Optional[Callable[[Progress], object]] = None,
     every: int = 1,
@@ -84,11 +86,14 @@ def solve(
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     boundary: "free" or "periodic"; None: as the surface says, free for arrays
     unit: the lengths of a surface that knows its unit are converted to this one first ("m")
-    system: in the place of pitch, modulus, boundary and unit: a `HalfSpace`, `Matrix` or `Product`
+    hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
+    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
     options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
     progress, every, context: as in `Contact`; the others: as in `Contact.solve`
     """
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
             displacement=displacement,
@@ -121,6 +126,7 @@ def path(
     modulus: Optional[float] = None,
     boundary: Optional[str] = None,
     unit: Optional[str] = None,
+    hardness: Optional[float] = None,
     options: Options = None,
     progress: Optional[Callable[[Progress], object]] = None,
     every: int = 1,
@@ -137,7 +143,9 @@ def path(
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
     the others: as in `solve`
     """
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
         return path_on(contact, control, targets, undeformed_gap, mask, warm_start, stiffness, keep_pressure, each, check)

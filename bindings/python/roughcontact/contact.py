@@ -192,6 +192,16 @@ class Contact(Handle):
             check(library.rc_contact_points(handle, n.value, pointer(index), pointer(pressure), n))
         return index, pressure
 
+    def indentation(self) -> Doubles:
+        """The plastic indentation that the steps so far have left where the pressure was the system's hardness [length].
+
+        The next step adds it to its undeformed gap, also to one that is given anew; `reset` forgets it.
+        """
+        left = np.zeros(self.system.shape)
+        with self._holding() as handle:
+            check(contact_library().rc_contact_indentation(handle, pointer(left)))
+        return left
+
     def explain(self) -> str:
         """Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend."""
         text = ctypes.c_char_p()
@@ -207,7 +217,7 @@ class Contact(Handle):
         self._options = together
 
     def reset(self) -> None:
-        """Forgets the surface, the last pressures and factors."""
+        """Forgets the surface, its plastic indentation, the last pressures and factors."""
         with self._holding() as handle:
             check(contact_library().rc_contact_reset(handle))
             self._borrowed, self._mask = [], None
@@ -218,6 +228,7 @@ class Contact(Handle):
         *,
         last: Tuple[ArrayLike, float, float],
         before: Optional[Tuple[ArrayLike, float, float]] = None,
+        indentation: Optional[ArrayLike] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -227,6 +238,7 @@ class Contact(Handle):
         heights, undeformed_gap, mask, missing: its surface, as in `solve`
         last: its pressures, approach and load, as its result has them
         before: likewise of the step before it, on the same surface; None: there was none
+        indentation: what `indentation` gave after its last step [length]; None: none
 
         With options={"resumable": 1} in both contacts the next steps give the same bits as in the other, without it to
         round-off.
@@ -238,6 +250,8 @@ class Contact(Handle):
         if before is not None:
             earlier = as_doubles(before[0], "before[0]", self.system.shape)
             given(state, p_before=earlier, approach_before=float(before[1]), load_before=float(before[2]))
+        if indentation is not None:
+            given(state, indentation=as_doubles(indentation, "indentation", self.system.shape))
         with self._holding() as handle:
             check(contact_library().rc_contact_restore(handle, state))
             self._borrowed, self._mask = [], mask_array

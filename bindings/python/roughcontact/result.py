@@ -108,6 +108,12 @@ class Result:
     levels: int
     #: what the residuals were held to
     tolerance: float
+    #: points that carry the system's hardness; 0 without one
+    capped: int
+    #: of the overlap of these points in this step [length^3]
+    plastic_volume: float
+    #: points proven to carry the hardness; -1 where no proof is known
+    proven_capped: int
     #: which grid it is of, and estimated errors; None in `batch`
     accuracy: Optional[Accuracy]
 

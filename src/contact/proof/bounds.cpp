@@ -33,8 +33,8 @@ struct Distance {
   }
 };
 
-// In units of length_ and of the dimensionless operator: p = the given p between 0 and the hardness, u = d - h, w = H p - u. docs/certificate.md has the
-// derivation.
+// In units of length_ and of the dimensionless operator: p = the given p between 0 and the hardness, u = d - h, w = H p - u.
+// docs/certificate.md has the derivation.
 class Proof {
  public:
   Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer)
@@ -89,7 +89,8 @@ class Proof {
   bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ > height(i)); }
 
   // Sizes, and doubt_, a bound of the error of every w_i: round-off of the product, round-off of the approach as it is returned,
-  // and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than its largest diagonal entry).
+  // and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than its largest
+  // diagonal entry).
   void measure() {
     double largest_product = 0, largest_w = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
@@ -145,8 +146,8 @@ class Proof {
   // Points with a larger gap are open, since |(Hx)_i| <= |x|_H sqrt(H_ii).
   double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
 
-  // Points that were given a pressure, or may carry one and are not proven open, without those that were given the hardness and are
-  // proven to have it. Outside this set x is 0.
+  // Points that were given a pressure, or may carry one and are not proven open, without those that were given the hardness and
+  // are proven to have it. Outside this set x is 0.
   Extent undecided_pressures() const {
     const double reach = open_beyond();
     const std::int64_t nx = system_.unit.nx;
@@ -198,12 +199,14 @@ class Proof {
     return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
   }
 
-  // Periodic, no mask, d off the mean plane (above it the pressures need a cap): with e = u + eps of mean 0 and H q = e,  eps sum(x) = x'H(q - p) + x'w.
+  // Periodic, no mask, d off the mean plane (above it the pressures need a cap): with e = u + eps of mean 0 and H q = e,  eps
+  // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
     long double u_sum = 0;  // [length]
     for (const double h : surface_.gap()) u_sum += compression_ - (h - surface_.lowest());
-    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())), off = system_.capped() ? std::abs(mean_gap) : mean_gap;
+    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())),
+                 off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_) / length_;
     if (!(eps > 0)) return {};
     double e_square = 0, ep = 0, php = 0;
@@ -274,11 +277,15 @@ class Proof {
     // Multiplies one factor after the other: the product of the factors may underflow where the load does not.
     const double pressure = length_ / system_.length_per_pressure, area = system_.cell_area();
     const double sum_error = distance_.sum + 4 * epsilon * sum_;
-    double most = sum_ + sum_error;
-    const double least = std::max(sum_ - sum_error, result.proven_capped > 0 ? cap() * static_cast<double>(result.proven_capped) : 0);
-    if (const std::int64_t may = result.proven_contacts + result.undecided; may > 0)
-      most = std::min(most, cap() * static_cast<double>(may) * (1 + 4 * epsilon));
-    if (!system_.periodic() && result.proven_capped == 0) most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
+    double least = sum_ - sum_error, most = sum_ + sum_error;
+    if (system_.capped()) {  // a sum of n equal pressures rounds by about sqrt(n) epsilon
+      const double rounding = (4 + std::sqrt(n())) * epsilon;
+      const std::int64_t may = result.proven_contacts + result.undecided;
+      least = std::max(least, cap() * static_cast<double>(result.proven_capped) * (1 - rounding));
+      most = std::min(most, cap() * static_cast<double>(may) * (1 + rounding));
+    }
+    if (!system_.periodic() && result.proven_capped == 0)
+      most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
     result.load_lower = std::max(0.0, least) * pressure * area;
     result.load_upper = most < infinity ? most * pressure * area : infinity;
     if (distance_.energy == infinity) return;

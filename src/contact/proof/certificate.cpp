@@ -22,13 +22,12 @@ double load_imbalance(double load, double wanted) { return relative(std::abs(loa
 
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale, double hardness) {
   const std::span<const double> p = answer.p();
-  double largest_p = 0, least_p = 0, excess = 0, overlap = 0, worst = 0;
+  double largest_p = 0, least_p = 0, overlap = 0, worst = 0;
   const double infinite = std::numeric_limits<double>::infinity();
   bool finite = true;
   for (const double value : p) {
     largest_p = std::max(largest_p, std::abs(value));
     least_p = std::min(least_p, value);
-    excess = std::max(excess, value / hardness - 1);
   }
   for (std::size_t k = 0; k < p.size(); ++k) {
     const std::size_t i = answer.point(k);
@@ -43,7 +42,7 @@ Certificate certify(const StepSurface& surface, double compression, const Deflec
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, 0};
   }
-  return {std::max(relative(-least_p, largest_p), excess), overlap, worst, 0};
+  return {std::max({0.0, relative(-least_p, largest_p), largest_p / hardness - 1}), overlap, worst, 0};
 }
 
 }  // namespace rc

@@ -15,8 +15,8 @@ struct Certificate {
   bool within(double tol) const;  // false if any is NaN
 };
 
-// g is the deformed gap, c the hardness, which may be infinite. Excluded points have p = 0 and do not count; points that are not listed have p = 0 and g >= 0. scale: s
-// [length], see residual_scale.
+// g is the deformed gap, c the hardness, which may be infinite. Excluded points have p = 0 and do not count; points that are not
+// listed have p = 0 and g >= 0. scale: s [length], see residual_scale.
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale, double hardness);
 
 // |load - wanted| / wanted; 0 if both are 0.

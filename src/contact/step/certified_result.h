@@ -2,7 +2,6 @@
 #pragma once
 
 #include "contact/answer.h"
-#include "contact/indentation.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
 
@@ -24,8 +23,8 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
 
 // H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs.
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
-// The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where none
-// is, the least at which all points with pressure touch.
+// The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where
+// none is, the least at which all points with pressure touch.
 double fitting_compression(const Workspace& work, const Deflected& answer);
 // Writes certificate, bounds and all that follows from pressures and product. Returns RC_OK or RC_UNCERTIFIED.
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result);

@@ -27,7 +27,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
 // share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
 // too small the trial set grows. Between two loads on the same surface the approach grows at most in
-// proportion, because the load is a convex function of the approach.
+// proportion, because the load is a convex function of the approach; a plastic indentation in between raises the lowest gap.
 double approach_estimate(double load, bool warm, const Workspace& work, const CertifiedStep& last) {
   const rc_system& s = work.system.given;
   double height = margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
@@ -37,8 +37,8 @@ double approach_estimate(double load, bool warm, const Workspace& work, const Ce
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
 // the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, where a cap keeps the load
-// from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the operator's zero
-// mode adds `shift` to the approach, which is taken out of the answer.
+// from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the
+// operator's zero mode adds `shift` to the approach, which is taken out of the answer.
 rc_status balance_load(Answer& answer, double load, double shift, double first, Workspace& work, Monitor& monitor) {
   const TrialSet& trial = answer.op->trial();
   const std::size_t n = answer.p.size();
@@ -102,7 +102,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   const double ratio = last.load > 0 ? step.target / last.load : infinite;
   const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last.same_gap;
   double height = estimate             ? growth * (estimate->approach - lowest)
-                  : system.halfspace() ? approach_estimate(step.target, warm, work, last)
+                  : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
                                        : surface.highest() - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
   rc_step from = step;
@@ -114,11 +114,12 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   if (estimate) nearer = std::move(estimate->pressures);
   bool handed_over = false;
   for (int round = 0;; ++round) {
-    const double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
+    double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet trial = system.halfspace() ? trial_below(limit, work) : surface.all();
-    if (static_cast<double>(trial.n) * system.hardness < spare * load && trial.n < surface.included_points()) {
+    while (static_cast<double>(trial.n) * system.hardness < spare * load && trial.n < surface.included_points()) {
       height *= 2;
-      continue;
+      limit = lowest + height;
+      trial = trial_below(limit, work);
     }
     Answer answer = prepared(trial, step.control, height, work);
     trial = widened(std::move(trial), answer.choice, work);
@@ -142,7 +143,9 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
       answer.compression = d;
     } else {
-      double first = estimate ? (likely - lowest) / height : warm ? (last.approach - lowest) / height : 1;
+      double first = estimate                         ? (likely - lowest) / height
+                     : warm && last.approach > lowest ? (last.approach - lowest) / height
+                                                      : 1;
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, work, monitor);
     }

@@ -27,8 +27,8 @@ double approach_without_free(const Vector& p, const Vector& hp, const double* u,
   return least <= most ? least : 0.5 * (least + most);
 }
 
-// The shift for which clamp(v + shift, 0, cap) has the sum wanted: Newton's method on a sum that is piecewise linear in the shift.
-// Every third step halves the bracket instead.
+// The shift for which clamp(v + shift, 0, cap) has the sum wanted: Newton's method on a sum that is piecewise linear in the
+// shift. Every third step halves the bracket instead.
 double shift_in_box(const Vector& v, double cap, double wanted) {
   const auto [least, most] = std::minmax_element(v.begin(), v.end());
   double low = -*most, high = cap - *least, shift = std::clamp(0.0, low, high);
@@ -65,17 +65,15 @@ void project(const Problem& problem, Vector& v) {
       count = remaining;
       sum = sum_of(v.size(), [&](std::size_t i) { return stays(i) ? v[i] : 0.0; });
     }
-    if (std::any_of(v.begin(), v.end(), [&](double value) { return value + shift > problem.cap(); })) {
-      shift = shift_in_box(v, problem.cap(), problem.load());
-      for (double& value : v) value += shift;
-      return clip(problem, v);
-    }
   }
-  for (double& value : v) value += shift;
-  clip(problem, v);
-  if (!problem.load_control()) return;
+  const double cap = problem.cap();
+  const auto exceeds = [&](double value) { return value + shift > cap; };
+  const bool capped = cap < infinite && problem.load_control() && std::any_of(v.begin(), v.end(), exceeds);
+  if (capped) shift = shift_in_box(v, cap, problem.load());
+  for (double& value : v) value = std::min(std::max(0.0, value + shift), cap);
+  if (!problem.load_control() || capped) return;
   scale(problem, v);  // removes the round-off in the sum
-  clip(problem, v);
+  if (cap < infinite) clip(problem, v);
 }
 
 Residual residual_of(const Problem& problem, const Vector& p, const Vector& hp) {
