@@ -25,7 +25,9 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
 }
 NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
     'solvers/haar_cg/machine.h': (),
-    'solvers/haar_cg/iteration.h': ('solvers/haar_cg/machine.h',),
+    'solvers/haar_cg/task.h': (),
+    'solvers/haar_cg/known_loads.h': (),
+    'solvers/haar_cg/iteration.h': ('solvers/haar_cg/machine.h', 'solvers/haar_cg/task.h', 'solvers/haar_cg/known_loads.h'),
     'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
                         'kernel/'),
     'contact/history/*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
