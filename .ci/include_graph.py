@@ -7,8 +7,8 @@ import pathlib
 import re
 import sys
 
-CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'direct', 'analysis', 'registry')}
-PUBLIC = CONTACT | {'roughcontact/plugin.h', 'roughcontact/surface.h', 'roughcontact/plugin.hpp'}
+CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'registry')}
+PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'core': {'core'},
     'kernel': {'kernel'},
@@ -34,14 +34,16 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
-    'bindings': CONTACT,
+    'bindings': CONTACT | {'roughcontact/formats.h'},
     'tools': CONTACT | {'roughcontact/surface.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
-    'fuzz': CONTACT | {'roughcontact/surface.h'},
+    'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},
+    'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
 }
 # What a folder outside src takes from it: headers alone, but for grid.
-BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}
+BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 

@@ -1,12 +1,13 @@
 """The failure atlas: where methods for this contact problem fail, how the library tells, and what it does about it."""
 import sys
+from statistics import fmean
 
 import numpy as np
 import roughcontact as rc
 
 from contact import FILTERS, OK, cascade_note, cascade_options, cascade_verdict, certified, difference, names, press, runs, status_of
 from options import listed, one_of, question
-from samples import mean, wilson
+from samples import wilson
 from store import Store
 from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, influence, measured_scene, rough_scene,
                       strained_scenes, tied_scene)
@@ -251,11 +252,11 @@ def cascades(atlas, scene, halvings, seed):
 
 def summarise(atlas, name, words):
     rows = [row for row in atlas.data['cmr'] if row['surface'] == name]
-    off = [100 * mean(row['plain_error'] for row in rows if row['filter'] == kind) for kind in FILTERS]
+    off = [100 * fmean(row['plain_error'] for row in rows if row['filter'] == kind) for kind in FILTERS]
     best = [row for row in rows if row['filter'] == 'max']
     atlas.add('cmr', 'as published, ' + words, 'load off by {:.2f} % (subsample), {:.2f} % (mean), {:.2f} % (max)'.format(*off),
               f'wrong answers with status RC_OK: {max(row["dishonest"] for row in rows)}; the surface\'s spectrum warns: '
-              f'{mean(row["unresolved"] for row in best):.2f} unresolved, trustworthy {mean(row["trustworthy"] for row in best):.0f}',
+              f'{fmean(row["unresolved"] for row in best):.2f} unresolved, trustworthy {fmean(row["trustworthy"] for row in best):.0f}',
               f'certified: load off by {max(abs(row["certified_error"]) for row in rows):.0e} at most, {max(row["rounds"] for row in rows)} '
               'rounds at most')
 

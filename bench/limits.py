@@ -9,9 +9,9 @@ import subprocess
 import sys
 import tempfile
 import time
+from statistics import median
 
 import numpy as np
-import roughcontact as rc
 
 import native
 from case import Failure, checked, in_child, repeats
@@ -215,10 +215,6 @@ class ColdSolve:
         return 100 * share_in_contact(self.result)
 
 
-def middle(values):
-    return sorted(values)[len(values) // 2]
-
-
 @contextlib.contextmanager
 def spinners(count):
     """Processes that do nothing but use a core each, while this one lives."""
@@ -246,11 +242,11 @@ def busy(request):
             idle.append(solve.seconds(count))
             with spinners(request.others):
                 loaded.append(solve.seconds(count))
-        median = middle(idle)
+        usual = median(idle)
         rows.append({'n': request.points, 'contact_percent': solve.percent, 'tol': request.tol, 'solver': solve.result.solver,
-                     'backend': solve.result.backend, 'threads': count, 'others': request.others, 'idle_median': median,
-                     'idle_largest': max(idle), 'busy_median': middle(loaded), 'busy_largest': max(loaded), 'ratio': middle(loaded) / median,
-                     'ratio_largest': max(loaded) / median, 'idle': idle, 'busy': loaded})
+                     'backend': solve.result.backend, 'threads': count, 'others': request.others, 'idle_median': usual,
+                     'idle_largest': max(idle), 'busy_median': median(loaded), 'busy_largest': max(loaded), 'ratio': median(loaded) / usual,
+                     'ratio_largest': max(loaded) / usual, 'idle': idle, 'busy': loaded})
         print(f'{count} threads done', file=sys.stderr)
     print(f'Cold solves alone and beside {request.others} processes at full load; largest ratio: the slowest busy one over the median idle one')
     store.save(busy=rows)
@@ -262,8 +258,6 @@ CHOICES = {'1': {'deterministic': 1}, '0': {'deterministic': 0}}
 
 def deterministic(request):
     store, solve, rows, one_thread = Store(request.json, 'deterministic', THREADS), scene_of(request), [], {}
-    if not any(option.key == 'deterministic' for option in rc.options()):
-        raise Failure('this library has no option "deterministic"')
 
     def twice(count, options):
         """In a process of their own, so that plans of other choices are not known: the first also loads and plans."""
@@ -283,8 +277,8 @@ def deterministic(request):
             first = found[0]['bits'][0]
             one_thread.setdefault(choice, first)
             rows.append({'n': request.points, 'contact_percent': found[-1]['contact_percent'], 'tol': request.tol, 'threads': count,
-                         'choice': choice, 'median': middle(times[choice]), 'best': min(times[choice]),
-                         'cost_median': middle(times['1']) / middle(times[choice]) - 1, 'cost_best': min(times['1']) / min(times[choice]) - 1,
+                         'choice': choice, 'median': median(times[choice]), 'best': min(times[choice]),
+                         'cost_median': median(times['1']) / median(times[choice]) - 1, 'cost_best': min(times['1']) / min(times[choice]) - 1,
                          'same_as_one_thread': 'yes' if one_thread[choice] == first else 'no',
                          'same_again': 'yes' if all(bits == first for run in found for bits in run['bits']) else 'no'})
         print(f'{count} threads done', file=sys.stderr)

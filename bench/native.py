@@ -1,4 +1,4 @@
-"""What is compiled: products and transforms that are timed, the standard method, the readers of surface files. See native/."""
+"""What is compiled: products and transforms that are timed, the standard method. See native/."""
 import ctypes as C
 import functools
 import os
@@ -82,12 +82,3 @@ def polonsky_keer(gap, load_control, target, threads, planning_limit, wisdom, lo
 
     _call('polonsky_keer', len(gap), gap, load_control, float(target), threads, most, float(planning_limit), wisdom, times, LOOK(call))
     return tuple(times)
-
-
-def read_surface(file):
-    """(heights, (hx, hy)) in metres, of any format that the command reads."""
-    shape, pitch, heights = (C.c_int64 * 2)(), (C.c_double * 2)(), DOUBLES()
-    _call('read_surface', file, shape, pitch, C.byref(heights))
-    found = np.ctypeslib.as_array(heights, (shape[1], shape[0])).copy()
-    C.CDLL(None).free(heights)
-    return found, tuple(pitch)

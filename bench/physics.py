@@ -3,6 +3,7 @@ pictures of docs/physics.md."""
 import math
 import os
 import sys
+from statistics import fmean, linear_regression
 
 import numpy as np
 import roughcontact as rc
@@ -11,7 +12,7 @@ from case import Failure
 from charts import OPEN_MARKERS, STYLES, Panels, axes, style
 from contact import OK, record_of, unit_square
 from options import ALL_THREADS, listed, question, ranged, side
-from samples import groups, line, mean, solved
+from samples import groups, solved
 from store import Store, load
 from surfaces import self_affine_gap
 from tables import provenance, records, show, table
@@ -62,7 +63,7 @@ class Pressed:
 
 
 def spread(values):
-    return {'mean': mean(values), 'lowest': min(values), 'highest': max(values)}
+    return {'mean': fmean(values), 'lowest': min(values), 'highest': max(values)}
 
 
 class Summary:
@@ -84,7 +85,7 @@ class Summary:
             entry = {'pressure': pressure, 'surfaces': len(found), 'persson': math.erf(math.sqrt(2) * pressure)}
             for key in ('area', 'corrected_area', 'perimeter', 'mean_gap', 'stiffness', 'patches', 'largest_patch'):
                 if all(key in row for row in found):
-                    entry[key] = mean(row[key] for row in found)
+                    entry[key] = fmean(row[key] for row in found)
             entry['corrected_ratio'] = spread([row['corrected_area'] / pressure for row in found])
             if 'stiffness' in entry:
                 entry['decay'] = pressure / entry['stiffness']
@@ -100,10 +101,10 @@ class Summary:
                 if light:
                     found[name].append(sum(row['pressure'] * row[key] for row in light) / sum(row['pressure']**2 for row in light))
             if len(middle) > 1:  # length, over the rms height, in which the pressure falls by e
-                found['decay'].append(-1 / line([(row['mean_gap'], math.log(row['pressure'])) for row in middle])[0])
+                found['decay'].append(-1 / linear_regression(*zip(*[(row['mean_gap'], math.log(row['pressure'])) for row in middle])).slope)
             stiff = [row['pressure'] / row['stiffness'] for row in middle if 'stiffness' in row]  # the same: K = p / u0
             if stiff:
-                found['stiffness_decay'].append(mean(stiff))
+                found['stiffness_decay'].append(fmean(stiff))
         if not all(found.values()):
             return {}
         return {'light': LIGHT, 'from': FITTED[0], 'to': FITTED[1], **{name: spread(values) for name, values in found.items()}}
@@ -120,9 +121,9 @@ class Summary:
                 a, b = 1 / sizes[-1], 1 / sizes[-2]
                 limits = [(b * last['area'] - a * before['area']) / (b - a) for _, last, before in sets]
                 areas, corrected = ([rows[0][key] for rows in sets] for key in ('area', 'corrected_area'))
-                yield {'pressure': pressure, 'n': n, 'cells_a_wave': n / self.request.cut_off, 'surfaces': len(sets), 'area': mean(areas),
-                       'corrected_area': mean(corrected), 'raw_error': mean(area / limit - 1 for area, limit in zip(areas, limits)),
-                       'corrected_error': mean(area / limit - 1 for area, limit in zip(corrected, limits))}
+                yield {'pressure': pressure, 'n': n, 'cells_a_wave': n / self.request.cut_off, 'surfaces': len(sets), 'area': fmean(areas),
+                       'corrected_area': fmean(corrected), 'raw_error': fmean(area / limit - 1 for area, limit in zip(areas, limits)),
+                       'corrected_error': fmean(area / limit - 1 for area, limit in zip(corrected, limits))}
 
 
 def solve(request, store, settings, n, seed, pressures):

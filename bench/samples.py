@@ -1,6 +1,6 @@
 """Rows by the values of keys, and statistics of samples: medians with their intervals, shares, ratios, slopes."""
 import math
-from statistics import median
+from statistics import fmean, linear_regression, median
 
 
 def fits(row, values):
@@ -32,13 +32,8 @@ def total_seconds(row):
     return row['setup_seconds'] + row['solve_seconds']
 
 
-def mean(values):
-    values = list(values)
-    return sum(values) / len(values)
-
-
 def mean_of(rows, key):
-    return mean(row[key] for row in rows)
+    return fmean(row[key] for row in rows)
 
 
 def median_interval(values, confidence=0.95):
@@ -67,13 +62,6 @@ def ratios(found, others, key='cpu_seconds'):
     return [first[seed] / second[seed] for seed in sorted(first.keys() & second.keys())]
 
 
-def line(points):
-    """(slope, intercept) of least squares of y over x."""
-    mean_x, mean_y = (mean(values) for values in zip(*points))
-    steepness = sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x)**2 for x, _ in points)
-    return steepness, mean_y - steepness * mean_x
-
-
 def slope(points):
     """Least squares of log y over log x."""
-    return line([(math.log(x), math.log(y)) for x, y in points])[0]
+    return linear_regression(*zip(*[(math.log(x), math.log(y)) for x, y in points])).slope

@@ -1,10 +1,13 @@
-"""Products that the stiffness takes beside those of the contact, and the residual that its solve reached."""
+"""Products that the stiffness, its interval and gradients take beside those of the contact, the residual that the stiffness' solve
+reached, and the width of the interval."""
 import sys
+
+import numpy as np
 
 import roughcontact as rc
 
 from case import in_child
-from contact import certified, share_in_contact, unit_square
+from contact import certified, find_load, share_in_contact, unit_square
 from options import ALL_THREADS, CONTROLS, listed, one_of, percent, question, side
 from scaling import light_load
 from store import Store
@@ -16,23 +19,28 @@ PATCH = 64  # points a side of a warm step, as an element of a larger model has 
 
 def measure(n, boundary, control, area, request):
     """Of a cold step; on a patch, of one after a step with a thousandth less load or depth."""
-    system, gap, load, said = unit_square(n, boundary), self_affine_gap(n, request.seed), light_load(area), []
-    with rc.Contact(system, options={'tol': 1e-2, 'threads': request.threads}) as loose:
-        for _ in range(4):
-            found = loose.solve(load=load, undeformed_gap=gap, want_pressure=False, check=False)
-            load *= min(max(area / max(share_in_contact(found), area / 4), 0.25), 4)
+    system, gap, said = unit_square(n, boundary), self_affine_gap(n, request.seed), []
+    found = find_load(system, gap, area, light_load(area), 4, {'threads': request.threads})
     target, depth = (found.load, found.load) if control == 'load' else (found.approach, found.approach - gap.min())
     context = rc.Context(log=lambda _, text: said.append(text))  # the library logs the residual
     options = {'threads': request.threads, 'tol': request.tol, **({'solver': 'haar-cg', 'backend': 'fft'} if n == PATCH else {})}
-    products = []
-    for stiffness in (0, 1):
+    products, residual, gradients = [], [], []
+    for stiffness in (0, 1, 2):
         with rc.Contact(system, options={**options, 'stiffness': stiffness}, context=context) as contact:
             for k in range(2 if n == PATCH else 1):
+                said.clear()
                 result = certified(contact.solve(undeformed_gap=gap, want_pressure=False, **{control: target + 1e-3 * k * depth}))
             products.append(result.applications)
-    extra = products[1] - products[0]
+            residual += said[:1]
+            if stiffness == 0:
+                by = np.random.default_rng(request.seed).standard_normal((2, *gap.shape))
+                gradients = [contact.gradient().products, contact.gradient(*by).products]
+    extra, more = products[1] - products[0], products[2] - products[1]
+    width = (result.stiffness_upper - result.stiffness_lower) / result.stiffness
     return {'found': 100 * share_in_contact(result), 'contact': products[0], 'stiffness': extra, 'ratio': extra / products[0],
-            'residual': float(said[-1].split()[-1]), 'backend': result.backend}
+            'interval': more, 'width': 100 * width, 'load': gradients[0], 'load_ratio': gradients[0] / products[0],
+            'gradient': gradients[1], 'gradient_ratio': gradients[1] / products[0], 'backend': result.backend,
+            **({'residual': float(residual[0].split()[-1])} if residual else {})}  # none where a matrix is factored
 
 
 def run(request):
@@ -44,12 +52,14 @@ def run(request):
             rows.append({'n': n, 'step': 'warm' if n == PATCH else 'cold', **names, **row})
             print(n, *case, file=sys.stderr)
     store.save(stiffness=rows)
-    print(f'Products of a step certified to {request.tol:g}, and of its stiffness to the residual that is told')
+    print(f'Products of a step certified to {request.tol:g}; of its stiffness to the residual that is told, and of the interval, with '
+          'its width in percent of the stiffness; of gradients: of load or approach, and of a function of all pressures and gaps')
     show('n; step; %={percent}; found %={found:.2f}; boundary; control; backend; contact; stiffness; ratio={ratio:.2f}; '
-         'residual={residual:.0e}', rows)
+         'residual={residual:.0e}; interval; width %={width:.1e}; load; ratio={load_ratio:.2f}; gradient; '
+         'ratio={gradient_ratio:.2f}', rows)
 
 
-question('stiffness', 'products of the stiffness beside those of the contact', run, {
+question('stiffness', 'products of stiffness and gradients beside those of the contact', run, {
     'sizes': (listed(side), [512, 1024, 2048], 'points per side of cold solves'),
     'percents': (listed(percent), [1, 10, 40], 'contact areas in percent of the grid, about'),
     'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),

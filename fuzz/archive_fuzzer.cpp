@@ -68,22 +68,22 @@ std::string_view take_part(std::string_view& rest) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view rest = fuzz::text(data, size);
   if (rest.starts_with("PK")) {
-    cli::zip_has_main_xml(rest);
-    cli::zip_has_netcdf(rest);
-    fuzz::check_reader(cli::read_x3p, rest);
-    fuzz::check_reader(cli::read_container, rest);
+    rc::formats::zip_has_main_xml(rest);
+    rc::formats::zip_has_netcdf(rest);
+    fuzz::check_reader(rc::formats::read_x3p, rest);
+    fuzz::check_reader(rc::formats::read_container, rest);
     return 0;
   }
   Archive archive;
   if (rest.starts_with("CDF")) {
     archive.add("meta.yml", "a: 1\n");
     archive.add("m.nc", rest);
-    fuzz::check_reader(cli::read_container, archive.finished());
+    fuzz::check_reader(rc::formats::read_container, archive.finished());
     return 0;
   }
   archive.add("main.xml", take_part(rest));
   archive.add("bindata/data.bin", take_part(rest));
   archive.add("bindata/valid.bin", rest);
-  fuzz::check_reader(cli::read_x3p, archive.finished());
+  fuzz::check_reader(rc::formats::read_x3p, archive.finished());
   return 0;
 }

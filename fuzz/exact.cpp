@@ -42,39 +42,45 @@ std::optional<std::vector<Real>> solve(const std::vector<Real>& h, const std::ve
 }  // namespace
 
 std::optional<std::vector<Real>> exact_pressures(const std::vector<Real>& h, const std::vector<Real>& u,
-                                                 const std::vector<bool>& open) {
+                                                 const std::vector<bool>& open, Real cap) {
+  enum class At : char { zero, free, most };
   const std::size_t n = u.size();
-  std::vector<bool> in(n);
-  for (std::size_t i = 0; i < n; ++i) in[i] = open[i] && u[i] > 0;
+  std::vector<At> at(n, At::zero);
+  for (std::size_t i = 0; i < n; ++i)
+    if (open[i] && u[i] > 0) at[i] = At::free;
   std::size_t fewest = n + 1;
   int blocks_left = 8;
   for (int pass = 0; pass < 400; ++pass) {
     std::vector<std::size_t> set, wrong;
-    for (std::size_t i = 0; i < n; ++i)
-      if (in[i]) set.push_back(i);
-    const auto x = solve(h, u, set);
+    std::vector<Real> p(n), right(u);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (at[i] == At::free) set.push_back(i);
+      if (at[i] != At::most) continue;
+      p[i] = cap;
+      for (std::size_t j = 0; j < n; ++j) right[j] -= h[j * n + i] * cap;
+    }
+    const auto x = solve(h, right, set);
     if (!x) return {};
-    std::vector<Real> p(n);
     Real largest = 0;
     for (std::size_t k = 0; k < set.size(); ++k) {
       p[set[k]] = (*x)[k];
       largest = std::max(largest, std::abs((*x)[k]));
     }
     for (std::size_t i = 0; i < n; ++i) {
-      if (in[i]) {
-        if (p[i] < -1e3L * epsilon * largest) wrong.push_back(i);
+      if (at[i] == At::free) {
+        if (p[i] < -1e3L * epsilon * largest || p[i] > cap + 1e3L * epsilon * largest) wrong.push_back(i);
         continue;
       }
       if (!open[i]) continue;
       Real w = -u[i], size = std::abs(u[i]);
-      for (const std::size_t j : set) {
+      for (std::size_t j = 0; j < n; ++j) {
         w += h[i * n + j] * p[j];
         size += std::abs(h[i * n + j] * p[j]);
       }
-      if (w < -1e3L * epsilon * size) wrong.push_back(i);
+      if ((at[i] == At::zero ? -w : w) > 1e3L * epsilon * size) wrong.push_back(i);
     }
     if (wrong.empty()) {
-      for (Real& value : p) value = std::max<Real>(value, 0);
+      for (Real& value : p) value = std::min(std::max<Real>(value, 0), cap);
       return p;
     }
     if (wrong.size() < fewest) {
@@ -84,7 +90,7 @@ std::optional<std::vector<Real>> exact_pressures(const std::vector<Real>& h, con
       --blocks_left;
     }
     if (blocks_left <= 0) wrong = {wrong.back()};
-    for (const std::size_t i : wrong) in[i] = !in[i];
+    for (const std::size_t i : wrong) at[i] = at[i] != At::free ? At::free : p[i] > 0 ? At::most : At::zero;
   }
   return {};
 }

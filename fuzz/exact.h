@@ -1,4 +1,5 @@
-// The exact solution of a small problem: p >= 0, w = H p - u >= 0, p w = 0, in extended precision.
+// The exact solution of a small problem in extended precision: 0 <= p <= cap, w = H p - u >= 0 where p = 0, <= 0 where p = cap, 0
+// elsewhere.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,6 @@ namespace fuzz {
  *  factor. `h` is n x n, symmetric; only points with `open` may carry pressure. Nothing where a factor shows that H is not
  *  positive definite on a set, or no set solves the problem to rounding. */
 std::optional<std::vector<Real>> exact_pressures(const std::vector<Real>& h, const std::vector<Real>& u,
-                                                 const std::vector<bool>& open);
+                                                 const std::vector<bool>& open, Real cap);
 
 }  // namespace fuzz

@@ -3,6 +3,6 @@
 #include "reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz::check_reader(cli::read_gsf, fuzz::text(data, size));
+  fuzz::check_reader(rc::formats::read_gsf, fuzz::text(data, size));
   return 0;
 }

@@ -81,6 +81,7 @@ void Oracle::check(const Problem& problem, const Answer& answer) const {
   }
   require(answer.explained == (answer.status != RC_OK && answer.status != RC_WITHIN_GOAL), "what is not certified says why");
   require(answer.result.status == answer.status, "the result's status is the returned one");
+  require(answer.status != RC_WITHIN_GOAL || scene_.system.hardness == 0, "with a hardness the whole grid is solved");
   check_sums(problem, answer);
   if (!h_ || answer.status == RC_WITHIN_GOAL) return;
   Parts parts;
@@ -88,12 +89,18 @@ void Oracle::check(const Problem& problem, const Answer& answer) const {
   check_intervals(answer, parts);
 }
 
+Real Oracle::cap() const {
+  return scene_.system.hardness > 0 ? static_cast<Real>(scene_.system.hardness) : std::numeric_limits<Real>::infinity();
+}
+
 void Oracle::check_sums(const Problem& problem, const Answer& answer) const {
   const rc_result& r = answer.result;
   const std::size_t n = answer.p.size();
   const Real area = static_cast<Real>(scene_.system.hx) * static_cast<Real>(scene_.system.hy);
   Real sum = 0, sizes = 0;
-  std::int64_t contacts = 0;
+  const Real hardness = cap();
+  Real overlap = 0;
+  std::int64_t contacts = 0, capped = 0;
   for (std::size_t i = 0; i < n; ++i) {
     require(std::isfinite(answer.p[i]), "pressures are finite");
     const bool open = !problem.mask || problem.mask[i] != 0;
@@ -102,7 +109,13 @@ void Oracle::check_sums(const Problem& problem, const Answer& answer) const {
     sum += static_cast<Real>(answer.p[i]);
     sizes += std::abs(static_cast<Real>(answer.p[i]));
     contacts += answer.p[i] > 0;
+    require(static_cast<Real>(answer.p[i]) <= hardness, "no pressure exceeds the hardness");
+    if (!open || static_cast<Real>(answer.p[i]) != hardness) continue;
+    ++capped;
+    overlap += std::max<Real>(0, -static_cast<Real>(answer.gap[i]));
   }
+  require(r.capped == capped, "capped are the points at the hardness");
+  require(near(r.plastic_volume, area * overlap, 1e-12L * area * overlap + (area + 1) * 64 * least_double), "plastic volume");
   require(r.points == static_cast<std::int64_t>(n) && r.contacts == contacts, "contacts are the points with pressure");
   require(near(r.load, area * sum, 1e-12L * area * sizes + (area + 1) * 64 * least_double),
           "the load is the sum of the pressures");
@@ -139,7 +152,7 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
     for (std::size_t j = 0; j < n; ++j) row += std::abs(h[i * n + j]);
     parts.largest_row = std::max(parts.largest_row, row);
   }
-  parts.exact = exact_pressures(h, parts.u, parts.open);
+  parts.exact = exact_pressures(h, parts.u, parts.open, cap());
   parts.noise = round_off * parts.largest_row * parts.largest_p + 8 * epsilon * (highest + std::abs(approach)) +
                 64 * least_double * (1 + parts.largest_row);
 
@@ -166,7 +179,8 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
     require(near(answer.gap[i], gap, parts.noise), "the gap is H p + h - d");
     if (answer.status != RC_OK) continue;
     require(static_cast<Real>(answer.p[i]) >= -tol * parts.largest_p, "certified: no point pulls");
-    require(gap >= -allowed, "certified: no point overlaps");
+    require(gap >= -allowed || static_cast<Real>(answer.p[i]) >= cap() * (1 - tol * (1 + 1e-6L)),
+            "certified: no point below the hardness overlaps");
     require(static_cast<Real>(answer.p[i]) <= tol * (1 + 1e-6L) * parts.largest_p || gap <= allowed,
             "certified: no pressure across a gap");
   }
@@ -187,7 +201,7 @@ void Oracle::check_intervals(const Answer& answer, const Parts& parts) const {
 
   // Points at which both pressure and gap vanish to rounding may count as in contact or not.
   Real load = 0, energy = 0, returned = 0;
-  std::int64_t contacts = 0, surely = 0, open = 0;
+  std::int64_t contacts = 0, surely = 0, open = 0, capped = 0;
   for (std::size_t i = 0; i < n; ++i) {
     Real product = 0, own = 0;
     for (std::size_t j = 0; j < n; ++j) {
@@ -200,12 +214,14 @@ void Oracle::check_intervals(const Answer& answer, const Parts& parts) const {
     const bool clearly_in = exact[i] > 1e-9L * largest;
     const bool clearly_out = !parts.open[i] || (exact[i] == 0 && product - parts.u[i] > 1e-9L * parts.scale + parts.noise);
     surely += clearly_in;
+    capped += exact[i] >= cap() * (1 - 1e-9L);
     contacts += clearly_in || !clearly_out;
     open += clearly_out || !clearly_in;
   }
   const Real slack = 1e-9L * static_cast<Real>(n) * largest * area + (area + 1) * 64 * least_double;
   require(static_cast<Real>(r.load_lower) <= load * area + slack && load * area <= static_cast<Real>(r.load_upper) + slack,
           "the exact load lies in its interval");
+  require(r.proven_capped <= capped, "points proven to carry the hardness do");
   require(r.proven_contacts <= contacts && r.proven_open <= open, "what is proven of points is so");
   require(r.proven_contacts + r.proven_open + r.undecided == r.points, "every point is counted once");
   require(static_cast<Real>(r.area_lower) <= static_cast<Real>(contacts) * area * (1 + 1e-12L) &&

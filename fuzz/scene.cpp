@@ -65,6 +65,10 @@ void read_options(Bytes& bytes, Scene& scene) {
     const auto equals = line.find('=');
     if (equals == std::string::npos || scene.options.size() == most_options) continue;
     const std::string key = line.substr(0, equals), value = line.substr(equals + 1);
+    if (key == "hardness") {
+      std::from_chars(value.data(), value.data() + value.size(), scene.system.hardness);
+      continue;
+    }
     int threads = 0;
     std::from_chars(value.data(), value.data() + value.size(), threads);
     if (key != RC_OPT_THREADS || threads <= most_threads) scene.options.emplace_back(key, value);
@@ -106,8 +110,12 @@ void read_scene(Bytes& bytes, Scene& scene) {
   s.hy = bytes.flag() ? magnitude(bytes) : s.hx;
   s.modulus = magnitude(bytes);
   scene.height = magnitude(bytes);
-  if (s.op == RC_OPERATOR_HALFSPACE) return;
+  if (s.op == RC_OPERATOR_HALFSPACE) {
+    s.hardness *= s.modulus * scene.height / std::sqrt(s.hx * s.hy);
+    return;
+  }
   read_matrix(bytes, scene);
+  s.hardness *= scene.height / std::abs(scene.matrix.front());
   if (s.op == RC_OPERATOR_DENSE) {
     s.dense = scene.matrix.data();
     s.dense_ld = s.nx * s.ny;

@@ -1,5 +1,6 @@
 // A contact problem of up to 64 points, from bytes. Its input begins with options as text, "key=value" a line, up to an empty
-// line; so a file of the corpus says what it sets. What follows is binary, a byte or a few for each number, in the order of
+// line; so a file of the corpus says what it sets. The line "hardness=X" is none of the library's: X in units of the pressure that
+// deflects by the unit of heights. What follows is binary, a byte or a few for each number, in the order of
 // read_scene() and read_step().
 #pragma once
 

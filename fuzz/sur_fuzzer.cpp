@@ -18,8 +18,10 @@ void append_word(std::string& file, std::uint32_t word) {
 
 // The same heights as one stream, without what follows them.
 std::string packed(std::string_view file, std::size_t points) {
-  const std::size_t skipped = cli::field<std::uint16_t>(file, 334, "") + std::size_t{cli::field<std::uint16_t>(file, 336, "")};
-  const std::string_view data = file.substr(header_size + skipped, points * (cli::field<std::uint16_t>(file, 98, "") / 8u));
+  const std::size_t skipped =
+      rc::formats::field<std::uint16_t>(file, 334, "") + std::size_t{rc::formats::field<std::uint16_t>(file, 336, "")};
+  const std::string_view data =
+      file.substr(header_size + skipped, points * (rc::formats::field<std::uint16_t>(file, 98, "") / 8u));
   std::string stream(compressBound(data.size()), '\0');
   uLongf length = stream.size();
   fuzz::require(compress2(reinterpret_cast<Bytef*>(stream.data()), &length, reinterpret_cast<const Bytef*>(data.data()),
@@ -40,9 +42,9 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view file = fuzz::text(data, size);
-  const auto surface = fuzz::check_reader(cli::read_sur, file);
+  const auto surface = fuzz::check_reader(rc::formats::read_sur, file);
   if (!surface || !file.starts_with("DIGITAL SURF")) return 0;
-  const auto again = fuzz::check_reader(cli::read_sur, packed(file, surface->heights.size()));
+  const auto again = fuzz::check_reader(rc::formats::read_sur, packed(file, surface->heights.size()));
   fuzz::require(again && same_bits(again->heights, surface->heights), "a packed file reads as the plain one");
   return 0;
 }

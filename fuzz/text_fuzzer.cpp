@@ -4,7 +4,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view file = fuzz::text(data, size);
-  if (const auto matrix = fuzz::check_reader(cli::read_text, file)) cli::looks_like_points(*matrix);
-  fuzz::check_reader(cli::read_xyz, file);
+  if (const auto matrix = fuzz::check_reader(rc::formats::read_text, file)) rc::formats::looks_like_points(*matrix);
+  fuzz::check_reader(rc::formats::read_xyz, file);
   return 0;
 }

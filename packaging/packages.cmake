@@ -80,8 +80,13 @@ rc_package(libroughcontact-surface0 COMPONENTS surface SECTION libs LIBRARY roug
   SUMMARY "makes and judges rough surfaces - shared library"
   DESCRIPTION ${rc_about} "." "This package has the library of generators, roughness parameters and spectra."
     "It links the GNU Scientific Library and is therefore under the GPL.")
+rc_package(libroughcontact-formats0 COMPONENTS formats SECTION libs LIBRARY roughcontact-formats NOTICES eigen
+  SUMMARY "reads surfaces from files of instruments - shared library"
+  DESCRIPTION ${rc_about} "." "This package has the library that reads surface files: X3P, Digital Surf, SDF, PLu,"
+    "Gwyddion's and NumPy's files, NetCDF and text.")
 rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION libdevel NOTICES eigen gsl
-  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libgsl-dev SUGGESTS pkg-config gfortran octave-dev
+  DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0
+  RECOMMENDS libgsl-dev libzip-dev libpugixml-dev zlib1g-dev SUGGESTS pkg-config gfortran octave-dev
   SUMMARY "certified normal contact of rough surfaces - development files"
   DESCRIPTION ${rc_about} "." "This package has headers, static libraries, pkg-config files, a CMake package"
     "and the sources of the Fortran modules and of rc_solve for Octave.")
@@ -102,8 +107,9 @@ rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11
   DESCRIPTION ${rc_about} "." "This package has the command roughcontact, which presses measured or generated"
     "surfaces, makes surfaces, and analyses them.")
 rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
-  DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})" python3 python3-numpy
-  RECOMMENDS libroughcontact-backend-split SUGGESTS python3-matplotlib
+  DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})"
+    "libroughcontact-formats0 (>= ${PROJECT_VERSION})" python3 python3-numpy
+  RECOMMENDS libroughcontact-backend-split SUGGESTS python3-matplotlib python3-pandas python3-xarray
   SUMMARY "certified normal contact of rough surfaces - Python module"
   DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")
 

@@ -27,8 +27,9 @@ except ImportError as missing:
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # What a program includes to use each library. Headers that these include are read as well; the first library has them.
 HEADERS = {
-    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "direct", "analysis", "registry")],
+    "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "analysis", "registry")],
     "surface": ["roughcontact/surface.h"],
+    "formats": ["roughcontact/formats.h"],
 }
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
@@ -36,6 +37,7 @@ SCALARS = {
     "rc_options_get_int": "out",
     "rc_options_get_real": "out",
     "rc_contact_points": "n",
+    "rc_conductance": "conductance lower upper",
     "rc_surface_psd": "count",
 }
 # Arguments that Fortran may leave out: NULL in C.
@@ -43,9 +45,12 @@ OPTIONAL = {
     "rc_version": "major minor patch abi",
     "rc_context_create": "config",
     "rc_contact_points": "index p",
+    "rc_conductance": "lower upper",
     **dict.fromkeys(("rc_greedy", "rc_polonsky_keer", "rc_nnls", "rc_gp", "rc_admm"), "w result"),
     "rc_cmr": "inner result",
     "rc_surface_psd": "q psd modes",
+    "rc_surface_read": "spec",
+    "rc_surface_read_memory": "name spec",
 }
 WIDTH = {"fortran": 132, "python": 128}
 
@@ -190,7 +195,7 @@ def fortran_functions(interface: Interface) -> List[str]:
 
 def fortran_constants(interface: Interface) -> List[str]:
     lines = []
-    for values in [interface.numbers, *interface.enums]:
+    for values in filter(None, [interface.numbers, *interface.enums]):
         pairs = ", ".join(f"{name} = {value}" for name, value in values.items())
         lines.append(f"  integer(c_int32_t), parameter :: {pairs}")
     if interface.strings:
@@ -311,11 +316,16 @@ def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
-    surface = read(HEADERS["surface"], include, cc, contact)
-    unknown = (SCALARS.keys() | OPTIONAL.keys()) - contact.functions.keys() - surface.functions.keys()
+    surface, formats = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats"))
+    known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys()
+    unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
-    own, fortran, python = "the headers but surface.h and plugin.h", "bindings/fortran/roughcontact", "bindings/python/roughcontact"
+    own, fortran, python = (
+        "the headers but surface.h, formats.h and plugin.h",
+        "bindings/fortran/roughcontact",
+        "bindings/python/roughcontact",
+    )
     use_c = "  use, intrinsic :: iso_c_binding"
     members = [
         f"{'TEXT' if kind.array else 'NUMBER'}({struct.name.replace('rc_', '')}, {name})"
@@ -368,19 +378,32 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             fortran_structs(surface),
             fortran_functions(surface),
         ),
+        f"{fortran}_formats_interface.f90": fortran_module(
+            "roughcontact_formats_interface",
+            ["The C interface of <roughcontact/formats.h>, name for name; units, rules and errors are described there."],
+            ["  use roughcontact_constants, only: rc_status", use_c],
+            [""],
+            fortran_constants(formats),
+            fortran_structs(formats),
+            fortran_functions(formats),
+        ),
         f"{python}/_constants.py": python_module(
-            "The constants of the headers, under their names there.", python_constants([contact, surface])
+            "The constants of the headers, under their names there.", python_constants([contact, surface, formats])
         ),
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
             "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",
-            f"{python_structs(contact)}\n\n\n{python_structs(surface)}",
+            "\n\n\n".join(map(python_structs, (contact, surface, formats))),
             after=["_c", "_constants"],
         ),
         f"{python}/_functions.py": python_module(
             "The functions of the headers.",
             python_functions(
-                {"ContactFunctions": ("libroughcontact", contact), "SurfaceFunctions": ("libroughcontact-surface", surface)}
+                {
+                    "ContactFunctions": ("libroughcontact", contact),
+                    "SurfaceFunctions": ("libroughcontact-surface", surface),
+                    "FormatsFunctions": ("libroughcontact-formats", formats),
+                }
             ),
             after=["_c", "_structs"],
         ),

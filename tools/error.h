@@ -1,13 +1,10 @@
-// A failure that the user can act on. Its text is "what, which value, which limit or what to do"; the command prints it as one
-// line and exits with code 1.
+// A failure that the user can act on; the command prints it as one line and exits with code 1.
 #pragma once
 
-#include <stdexcept>
+#include "formats/error.h"
 
 namespace cli {
 
-struct Error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using namespace rc::formats;
 
 }  // namespace cli

@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "error.h"
-#include "formats/surface.h"
 #include "gsf_writer.h"
 #include "lengths.h"
 #include "npy_writer.h"
 #include "numbers.h"
+#include "surface.h"
 #include "surface_library.h"
 #include "text.h"
 #include "whole_file.h"

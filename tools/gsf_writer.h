@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "formats/surface.h"
+#include "surface.h"
 
 namespace cli {
 

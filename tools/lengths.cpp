@@ -1,9 +1,9 @@
 #include "lengths.h"
 
 #include "error.h"
+#include "formats/units.h"
 #include "numbers.h"
 #include "text.h"
-#include "units.h"
 
 namespace cli {
 
@@ -26,7 +26,7 @@ std::string settle_pitch(const std::optional<Pitch>& given, const std::string& f
   const bool in_file = surface.hx && surface.hy;
   if (!given && !in_file) throw Error(file + ": the file does not say its pitch, give --pitch H or --pitch HX,HY");
   if (given && in_file) {
-    note = format("note: --pitch is used instead of the pitch %g m, %g m of the file", *surface.hx, *surface.hy);
+    note = format("--pitch is used instead of the pitch %g m, %g m of the file", *surface.hx, *surface.hy);
   }
   if (given) {
     surface.hx = given->x;

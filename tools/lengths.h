@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "formats/surface.h"
+#include "surface.h"
 
 namespace cli {
 

@@ -77,8 +77,8 @@ void list_options() {
 void list_formats() {
   std::vector<Row> rows{{"name", "summary", "extensions", "recognised by", "the file says"}};
   for (const Format& f : surface_formats()) {
-    rows.push_back({std::string(f.name), std::string(f.summary), std::string(trimmed(f.extensions)),
-                    f.matches ? "contents" : "extension", std::string(f.lengths)});
+    rows.push_back({std::string(f.name), std::string(f.summary), std::string(f.extensions), f.matches ? "contents" : "extension",
+                    std::string(f.lengths)});
   }
   print_rows(rows);
 }

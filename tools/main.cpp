@@ -59,6 +59,9 @@ void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
   option("--E", arguments.young, "E", "Young's modulus", "Elasticity (--modulus, or --E and --nu)");
   option("--nu", arguments.poisson, "NU", "Poisson's ratio", "Elasticity (--modulus, or --E and --nu)");
 
+  option("--hardness", arguments.hardness, "H", "Largest pressure; above it the surface yields. None: elastic",
+         "Elasticity (--modulus, or --E and --nu)");
+
   option("--displacement", arguments.displacement, "TARGETS", "Approach from first touch of the highest point",
          "Loading (one of)");
   option("--load", arguments.load, "TARGETS", "Normal force", "Loading (one of)");

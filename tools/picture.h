@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "formats/surface.h"
 #include "gnuplot.h"
 #include "step_record.h"
+#include "surface.h"
 
 namespace cli {
 

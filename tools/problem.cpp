@@ -81,6 +81,7 @@ Problem make_problem(const SolveArguments& arguments) {
   problem.system = RC_SYSTEM_INIT;
   const double unit = unit_of(arguments.surface);
   problem.system.modulus = contact_modulus(arguments);
+  if (arguments.hardness) problem.system.hardness = positive_number("--hardness", *arguments.hardness);
   problem.system.boundary = boundary(arguments.boundary);
   set_targets(arguments, unit, problem);
   set_options(arguments, problem);

@@ -14,7 +14,7 @@ namespace cli {
 
 struct SolveArguments {
   SurfaceArguments surface;
-  std::optional<std::string> young, poisson, modulus;
+  std::optional<std::string> young, poisson, modulus, hardness;
   std::optional<std::string> displacement, load, pressure;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value

@@ -61,6 +61,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
   check(rc_contact_accuracy(contact, &record.accuracy), "");
+  if (!fields.indentation.empty()) check(rc_contact_indentation(contact, fields.indentation.data()), "");
   return record;
 }
 
@@ -80,6 +81,8 @@ void restore(rc_contact* contact, const Problem& problem, const std::vector<doub
     state.approach_before = certified[1].approach;
     state.load_before = certified[1].load;
   }
+  const std::vector<double> indentation = files.indentation();
+  if (!indentation.empty()) state.indentation = indentation.data();
   check(rc_contact_restore(contact, &state), "--resume");
   report(format("--resume: %d of %zu steps are finished", files.finished(), problem.targets.size()));
 }
@@ -107,7 +110,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const int steps = static_cast<int>(problem.targets.size());
   std::vector<double> gap = problem.input.surface.heights;
   check(rc_gap_from_heights(static_cast<std::int64_t>(gap.size()), gap.data(), nullptr, gap.data()), "");
-  Fields fields{gap.size()};
+  Fields fields{gap.size(), problem.system.hardness > 0};
 
   Context context;
   const Options options = make_options(context, problem);
@@ -134,7 +137,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     const bool good = step.result.status == RC_OK || step.result.status == RC_WITHIN_GOAL;
     if (!good) code = exit_uncertified;
     if (!arguments.quiet && first) print_table_head(problem);
-    if (!arguments.quiet) print_table_row(step);
+    if (!arguments.quiet) print_table_row(problem, step);
     if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
     if (arguments.explain) report_choice(contact.get());
     if (files) files->write(step, fields);

@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "error.h"
-#include "formats/surface.h"
 #include "npy_writer.h"
 #include "picture.h"
+#include "surface.h"
 #include "text.h"
 #include "whole_file.h"
 
@@ -21,7 +21,8 @@ std::string step_name(const char* stem, std::size_t number, const char* extensio
 }
 
 std::vector<std::string> step_names(std::size_t number) {
-  return {step_name("pressure", number, "npy"), step_name("gap", number, "npy"), step_name("contact", number, "png")};
+  return {step_name("pressure", number, "npy"), step_name("gap", number, "npy"), step_name("indentation", number, "npy"),
+          step_name("contact", number, "png")};
 }
 
 // The number of the step that a file of this name belongs to; 0: of none.
@@ -90,14 +91,24 @@ std::vector<CertifiedStep> StepFiles::certified() const {
   for (auto number = static_cast<std::size_t>(finished_); number > 0 && found.size() < 2; --number) {
     const EarlierStep& step = earlier_->steps[number - 1];
     if (!step.certified()) continue;
-    const Surface read = read_surface(folder_.path(step_name("pressure", number, "npy")), 1, "npy");
-    if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
-      throw Error(format("--resume: pressure-%zu.npy has %lld x %lld points, the surface has %lld x %lld", number,
-                         static_cast<long long>(read.nx), static_cast<long long>(read.ny),
-                         static_cast<long long>(problem_.system.nx), static_cast<long long>(problem_.system.ny)));
-    found.push_back({read.heights, step.approach, step.load});
+    found.push_back({values("pressure", number), step.approach, step.load});
   }
   return found;
+}
+
+std::vector<double> StepFiles::indentation() const {
+  if (!(problem_.system.hardness > 0) || finished_ == 0) return {};
+  return values("indentation", static_cast<std::size_t>(finished_));
+}
+
+std::vector<double> StepFiles::values(const char* stem, std::size_t number) const {
+  const std::string name = step_name(stem, number, "npy");
+  const Surface read = read_surface(folder_.path(name), 1, "npy");
+  if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
+    throw Error(format("--resume: %s has %lld x %lld points, the surface has %lld x %lld", name.c_str(),
+                       static_cast<long long>(read.nx), static_cast<long long>(read.ny),
+                       static_cast<long long>(problem_.system.nx), static_cast<long long>(problem_.system.ny)));
+  return read.heights;
 }
 
 // Called before the first file of this run is written. At every moment summary.json lists only files that exist, and shows to
@@ -124,6 +135,7 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   };
   folder_.write(step_name("pressure", number, "npy"), array(fields.pressure));
   folder_.write(step_name("gap", number, "npy"), array(fields.gap));
+  if (!fields.indentation.empty()) folder_.write(step_name("indentation", number, "npy"), array(fields.indentation));
   if (can_draw_) draw(step, fields);
 
   summary_.add(step);

@@ -13,10 +13,10 @@
 
 namespace cli {
 
-// Pressures and deformed gaps of a step.
+// Pressures and deformed gaps of a step and, where there is a hardness, the plastic indentation after it.
 struct Fields {
-  explicit Fields(std::size_t points) : pressure(points), gap(points) {}
-  std::vector<double> pressure, gap;
+  Fields(std::size_t points, bool yields) : pressure(points), gap(points), indentation(yields ? points : 0) {}
+  std::vector<double> pressure, gap, indentation;
 };
 
 // A certified step of an earlier run.
@@ -39,10 +39,13 @@ class StepFiles {
   int finished() const { return finished_; }
   bool all_certified() const { return all_certified_; }
   std::vector<CertifiedStep> certified() const;
+  // After the last finished step; empty without a hardness.
+  std::vector<double> indentation() const;
 
   void write(const StepRecord& step, const Fields& fields);
 
  private:
+  std::vector<double> values(const char* stem, std::size_t number) const;
   void remove_unfinished(const std::vector<std::string>& present);
   void refuse_foreign(const std::vector<std::string>& present) const;
   void take_up(const EarlierRun& now);

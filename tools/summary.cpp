@@ -29,7 +29,7 @@ std::string checksum(const std::vector<double>& heights) {
 
 }  // namespace
 
-Summary::Summary(const Problem& problem) {
+Summary::Summary(const Problem& problem) : hardness_(problem.system.hardness > 0) {
   const rc_system& system = problem.system;
   document_.begin("units");
   document_.add({{"length", "m"},
@@ -50,6 +50,7 @@ Summary::Summary(const Problem& problem) {
                  {"modulus", system.modulus},
                  {"boundary", system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free"},
                  {"control", problem.control}});
+  if (hardness_) document_.add("hardness", system.hardness);
   document_.add("targets", problem.targets);
   document_.begin("options");
   for (auto option = problem.options.begin(); option != problem.options.end(); ++option) {
@@ -92,6 +93,8 @@ void Summary::add(const StepRecord& step) {
                  {"load_upper", r.load_upper},
                  {"area_lower", r.area_lower},
                  {"area_upper", r.area_upper},
+                 {"stiffness_lower", r.stiffness_lower},
+                 {"stiffness_upper", r.stiffness_upper},
                  {"proven_contacts", r.proven_contacts},
                  {"proven_open", r.proven_open},
                  {"undecided", r.undecided},
@@ -103,6 +106,8 @@ void Summary::add(const StepRecord& step) {
                  {"area_estimate", step.accuracy.area_estimate},
                  {"note", r.note},
                  {"message", step.message}});
+  if (hardness_)
+    document_.add({{"capped", r.capped}, {"plastic_volume", r.plastic_volume}, {"proven_capped", r.proven_capped}});
   document_.end();
 }
 

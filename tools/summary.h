@@ -22,6 +22,7 @@ class Summary {
 
  private:
   JsonText document_;
+  bool hardness_;  // is given
 };
 
 }  // namespace cli

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/surface.h"
+#include "surface.h"
 
 namespace cli {
 

@@ -7,6 +7,6 @@
 namespace cli {
 
 void print_table_head(const Problem& problem);
-void print_table_row(const StepRecord& step);
+void print_table_row(const Problem& problem, const StepRecord& step);
 
 }  // namespace cli

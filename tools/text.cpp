@@ -1,42 +1,8 @@
 #include "text.h"
 
-#include <cstdarg>
 #include <cstdio>
 
 namespace cli {
-
-namespace {
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-std::string without_controls(std::string_view text) {
-  std::string line{text};
-  for (char& c : line) {
-    if (is_control(c)) c = '?';
-  }
-  return line;
-}
-
-}  // namespace
-
-std::string format(const char* pattern, ...) {
-  va_list arguments;
-  va_start(arguments, pattern);
-  const int length = std::vsnprintf(nullptr, 0, pattern, arguments);
-  va_end(arguments);
-
-  std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
-  va_start(arguments, pattern);
-  std::vsnprintf(text.data(), text.size() + 1, pattern, arguments);
-  va_end(arguments);
-  return text;
-}
-
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  const std::string shown = without_controls(text.substr(0, longest));
-  return format("\"%s%s\"", shown.c_str(), text.size() > longest ? "..." : "");
-}
 
 void report(std::string_view text) {
   char line[512] = "roughcontact: ";
@@ -47,15 +13,8 @@ void report(std::string_view text) {
     std::fwrite(line, 1, length, stderr);
     length = 0;
   };
-  for (const char c : text) put(is_control(c) ? '?' : c);
+  for (const char c : text) put(static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c);
   put('\n');
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view space = " \t\r\n\f\v";
-  const auto first = text.find_first_not_of(space);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(space) - first + 1);
 }
 
 }  // namespace cli

@@ -1,11 +1,8 @@
-// C functions for bench/native.py: what must be compiled to be timed, and the readers of surface files. Each returns null, or why
-// it failed, which is valid until the thread's next call.
+// C functions for bench/native.py: what must be compiled to be timed. Each returns null, or why it failed, which is valid until
+// the thread's next call.
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <functional>
 
-#include "formats/surface.h"
 #include "padded_product.h"
 
 namespace {
@@ -106,21 +103,6 @@ const char* bench_time_triad(std::int64_t n, std::int64_t threads, double budget
 const char* bench_time_transform(std::int64_t length, std::int64_t repeats, std::int64_t threads, double budget,
                                  std::int64_t single, double* seconds) {
   return guarded([&] { *seconds = (single ? time_transform<float> : time_transform<double>)(length, repeats, threads, budget); });
-}
-
-// shape: nx, ny; pitch: hx, hy, 1 where the file does not say [m]; heights: [ny][nx] [m], the caller frees them
-const char* bench_read_surface(const char* file, std::int64_t* shape, double* pitch, double** heights) {
-  return guarded([&] {
-    const cli::Surface surface = cli::read_surface(file, 1);
-    shape[0] = surface.nx;
-    shape[1] = surface.ny;
-    pitch[0] = surface.hx.value_or(1);
-    pitch[1] = surface.hy.value_or(1);
-    const std::size_t bytes = surface.heights.size() * sizeof(double);
-    *heights = static_cast<double*>(std::malloc(bytes));
-    if (!*heights) throw std::bad_alloc();
-    std::memcpy(*heights, surface.heights.data(), bytes);
-  });
 }
 
 }  // extern "C"

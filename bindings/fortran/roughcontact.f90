@@ -9,6 +9,7 @@ module roughcontact
   use roughcontact_options
   use roughcontact_contacts
   use roughcontact_histories
+  use roughcontact_derivatives
   use roughcontact_direct
   use roughcontact_analysis
   implicit none

@@ -5,7 +5,7 @@ module roughcontact_analysis
   use roughcontact_functions
   implicit none
   private
-  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_patch
+  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_patch, rcf_conductance
 
   ! One connected part of a contact.
   type :: rcf_patch
@@ -101,6 +101,19 @@ contains
     status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double), p, address(bytes), filled)
     if (present(histogram)) histogram = filled
     call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Electrical or thermal conductance of a contact of half-spaces, and the interval it lies in. result: with option stiffness 1
+  ! or 2. rho1, rho2: resistivities, or reciprocals of thermal conductivities.
+  subroutine rcf_conductance(system, result, rho1, rho2, conductance, lower, upper, stat, errmsg)
+    type(rc_system), intent(in) :: system
+    type(rc_result), intent(in) :: result
+    real(c_double), intent(in) :: rho1, rho2
+    real(c_double), intent(inout) :: conductance
+    real(c_double), intent(inout), optional :: lower, upper
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call rcf_check(rc_conductance(system, result, rho1, rho2, conductance, lower, upper), stat, errmsg)
   end subroutine
 
   pure function grid(p, hx, hy, boundary) result(system)

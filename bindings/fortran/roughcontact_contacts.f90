@@ -10,7 +10,7 @@ module roughcontact_contacts
   private
   public :: rcf_contact, rcf_contact_create, rcf_contact_destroy, rcf_contact_reset, rcf_contact_cancel, &
     rcf_contact_set_options, rcf_contact_on_progress, rcf_contact_solve, rcf_contact_certify, rcf_contact_level, &
-    rcf_contact_points, rcf_contact_explain, rcf_contact_restore, rcf_solve
+    rcf_contact_points, rcf_contact_explain, rcf_contact_indentation, rcf_contact_restore, rcf_solve
 
   ! Not to be copied: one variable, destroyed once.
   type :: rcf_contact
@@ -170,16 +170,28 @@ contains
     call rcf_check(status, stat, errmsg)
   end subroutine
 
+  ! The plastic indentation that the steps so far have left where the pressure was system%hardness [length].
+  subroutine rcf_contact_indentation(contact, indentation, stat, errmsg)
+    type(rcf_contact), intent(in) :: contact
+    real(c_double), allocatable, intent(out) :: indentation(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    allocate (indentation(contact%nx, contact%ny))
+    call rcf_check(rc_contact_indentation(contact%handle, indentation), stat, errmsg)
+  end subroutine
+
   ! Goes on after a certified step that this contact or another has solved: its surface, pressures, and approach and load as its
-  ! result has them; with p_before likewise of the step before it, on the same surface. See option resumable.
-  subroutine rcf_contact_restore(contact, undeformed_gap, p, approach, load, p_before, approach_before, load_before, mask, stat, &
-    errmsg)
+  ! result has them; with p_before likewise of the step before it, on the same surface; with a hardness the indentation that
+  ! rcf_contact_indentation gave after it. See option resumable.
+  subroutine rcf_contact_restore(contact, undeformed_gap, p, approach, load, p_before, approach_before, load_before, mask, &
+    indentation, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :), p(:, :)
     real(c_double), intent(in) :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: p_before(:, :)
     real(c_double), intent(in), optional :: approach_before, load_before
     logical, intent(in), optional :: mask(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: indentation(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     character(*), parameter :: where = 'rcf_contact_restore'
@@ -200,6 +212,10 @@ contains
       state%p_before = rcf_address(p_before)
       state%approach_before = approach_before
       state%load_before = load_before
+    end if
+    if (present(indentation)) then
+      if (.not. rcf_shaped(where, 'indentation', shape(indentation), contact%nx, contact%ny, stat, errmsg)) return
+      state%indentation = rcf_address(indentation)
     end if
     call rcf_mask_bytes(mask, bytes)
     if (allocated(bytes)) state%mask = c_loc(bytes)

@@ -1,4 +1,4 @@
-! The functions of the headers but surface.h and plugin.h, name for name; units, rules and errors are described there.
+! The functions of the headers but surface.h, formats.h and plugin.h, name for name; units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed
 ! as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)
@@ -112,6 +112,10 @@ module roughcontact_functions
       type(c_ptr), value :: contact
       type(rc_path), intent(inout) :: path
     end function
+    integer(rc_status) function rc_contact_indentation(contact, indentation) bind(c); import
+      type(c_ptr), value :: contact
+      real(c_double), intent(inout) :: indentation(*)
+    end function
     integer(rc_status) function rc_contact_restore(contact, state) bind(c); import
       type(c_ptr), value :: contact
       type(rc_state), intent(in) :: state
@@ -125,6 +129,14 @@ module roughcontact_functions
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: i
       type(rc_level), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_contact_gradient(contact, gradient) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_gradient), intent(inout) :: gradient
+    end function
+    integer(rc_status) function rc_contact_tangent(contact, tangent) bind(c); import
+      type(c_ptr), value :: contact
+      type(rc_tangent), intent(inout) :: tangent
     end function
     integer(rc_status) function rc_greedy(n, H, ld, u, p, w, tol, max_iter, result) bind(c); import
       integer(c_int64_t), value :: n, ld, max_iter
@@ -159,6 +171,13 @@ module roughcontact_functions
       real(c_double), intent(in) :: p(*)
       type(c_ptr), value :: mask
       type(rc_histogram), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_conductance(system, result, rho1, rho2, conductance, lower, upper) bind(c); import
+      type(rc_system), intent(in) :: system
+      type(rc_result), intent(in) :: result
+      real(c_double), value :: rho1, rho2
+      real(c_double), intent(inout) :: conductance
+      real(c_double), intent(inout), optional :: lower, upper
     end function
     integer(rc_status) function rc_context_create(config, out) bind(c); import
       type(rc_context_config), intent(in), optional :: config

@@ -1,4 +1,4 @@
-! The structs of the headers but surface.h and plugin.h, member for member, with the values of the RC_..._INIT macros.
+! The structs of the headers but surface.h, formats.h and plugin.h, member for member, with the values of the RC_..._INIT macros.
 !
 ! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the
 ! order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)
@@ -9,7 +9,7 @@ module roughcontact_structs
   implicit none
 
   type, bind(c) :: rc_system
-    integer(c_size_t) :: struct_size = 88
+    integer(c_size_t) :: struct_size = 96
     integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = RC_BOUNDARY_FREE
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0, modulus = 0
@@ -17,6 +17,7 @@ module roughcontact_structs
     integer(c_int64_t) :: dense_ld = 0
     type(c_funptr) :: apply = c_null_funptr  ! integer(c_int32_t) function apply(x, y, n, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
+    real(c_double) :: hardness = 0
   end type
 
   type, bind(c) :: rc_step
@@ -29,7 +30,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 512
+    integer(c_size_t) :: struct_size = 552
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
@@ -39,7 +40,10 @@ module roughcontact_structs
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
     real(c_double) :: duality_gap = 0, load_lower = 0, load_upper = 0, area_lower = 0, area_upper = 0
     integer(c_int64_t) :: proven_contacts = 0, proven_open = 0, undecided = 0, levels = 0
-    real(c_double) :: tolerance = 0
+    real(c_double) :: tolerance = 0, stiffness_lower = 0, stiffness_upper = 0
+    integer(c_int64_t) :: capped = 0
+    real(c_double) :: plastic_volume = 0
+    integer(c_int64_t) :: proven_capped = 0
   end type
 
   type, bind(c) :: rc_accuracy
@@ -70,13 +74,14 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_state
-    integer(c_size_t) :: struct_size = 72
+    integer(c_size_t) :: struct_size = 80
     type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     type(c_ptr) :: p = c_null_ptr  ! const double *
     real(c_double) :: approach = 0, load = 0
     type(c_ptr) :: p_before = c_null_ptr  ! const double *
     real(c_double) :: approach_before = 0, load_before = 0
+    type(c_ptr) :: indentation = c_null_ptr  ! const double *
   end type
 
   type, bind(c) :: rc_batch
@@ -108,6 +113,24 @@ module roughcontact_structs
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0, approach = 0, load = 0
     integer(c_int64_t) :: candidates = 0, contacts = 0
+  end type
+
+  type, bind(c) :: rc_gradient
+    integer(c_size_t) :: struct_size = 88
+    type(c_ptr) :: dJ_dp = c_null_ptr, dJ_dgap = c_null_ptr  ! const double *
+    real(c_double) :: dJ_dload = 0, dJ_dapproach = 0
+    type(c_ptr) :: dJ_dundeformed_gap = c_null_ptr  ! double *
+    real(c_double) :: dJ_dtarget = 0, dJ_dmodulus = 0, error = 0
+    integer(c_int64_t) :: undecided = 0, products = 0
+  end type
+
+  type, bind(c) :: rc_tangent
+    integer(c_size_t) :: struct_size = 88
+    type(c_ptr) :: dundeformed_gap = c_null_ptr  ! const double *
+    real(c_double) :: dtarget = 0, dmodulus = 0
+    type(c_ptr) :: dp = c_null_ptr, dgap = c_null_ptr  ! double *
+    real(c_double) :: dload = 0, dapproach = 0, error = 0
+    integer(c_int64_t) :: undecided = 0, products = 0
   end type
 
   type, bind(c) :: rc_direct

@@ -3,6 +3,7 @@
  *   mex rc_solve.c -I<include> -L<lib> -lroughcontact -lut                    (MATLAB) */
 #include <math.h>
 #include <mex.h>
+#include <roughcontact/derivatives.h>
 #include <roughcontact/registry.h>
 #include <roughcontact/roughcontact.h>
 #include <signal.h>
@@ -19,7 +20,10 @@ typedef struct Request {
   rc_options* options;
   uint8_t* mask;        /* NULL: all points */
   rc_accuracy accuracy; /* out */
-  char* explanation;    /* of rc_contact_explain, after a solve */
+  rc_gradient gradient; /* of a certified answer, where it is asked for */
+  bool asks_gradient;
+  mxArray* by_gap;   /* what it writes; NULL: none was computed */
+  char* explanation; /* of rc_contact_explain, after a solve */
   char message[1024];
 } Request;
 
@@ -50,7 +54,7 @@ static rc_status refuse(Request* request, rc_status status, const char* format, 
 }
 
 static rc_status open_request(Request* request, int64_t nx, int64_t ny) {
-  *request = (Request){RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, RC_ACCURACY_INIT, NULL, ""};
+  *request = (Request){RC_SYSTEM_INIT, RC_STEP_INIT, NULL, NULL, RC_ACCURACY_INIT, RC_GRADIENT_INIT, false, NULL, NULL, ""};
   request->system.nx = nx;
   request->system.ny = ny;
   return keep_message(request, rc_options_create(NULL, &request->options));
@@ -81,12 +85,17 @@ static rc_status set_target(Request* request, int32_t control, double value) {
   return RC_OK;
 }
 
-/* A field of opts: hx, hy, modulus, displacement, load, boundary, or an option of the library with '_' for '.'. */
+/* A field of opts: hx, hy, modulus, hardness, displacement, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the
+ * library with '_' for '.'. */
 static rc_status set_number(Request* request, const char* field, double value) {
   if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
+  if (!strcmp(field, "hardness")) return request->system.hardness = value, RC_OK;
   if (!strcmp(field, "displacement")) return set_target(request, RC_CONTROL_DISPLACEMENT, value);
+  if (!strcmp(field, "gradient")) return request->asks_gradient = value != 0, RC_OK;
+  if (!strcmp(field, "dJ_dload")) return request->gradient.dJ_dload = value, RC_OK;
+  if (!strcmp(field, "dJ_dapproach")) return request->gradient.dJ_dapproach = value, RC_OK;
   if (!strcmp(field, "load")) return set_target(request, RC_CONTROL_LOAD, value);
 
   rc_option_spec spec;
@@ -129,6 +138,12 @@ static rc_status solve(Request* request, const double* heights, const double* p0
   const char* why = NULL;
   if (status >= 0 && rc_contact_explain(contact, &why) == RC_OK) request->explanation = strcpy(mxMalloc(strlen(why) + 1), why);
   if (status >= 0) rc_contact_accuracy(contact, &request->accuracy);
+  if (status == RC_OK && request->asks_gradient) {
+    request->by_gap = mxCreateDoubleMatrix((size_t)request->system.nx, (size_t)request->system.ny, mxREAL);
+    request->gradient.dJ_dundeformed_gap = mxGetPr(request->by_gap);
+    const rc_status found = keep_message(request, rc_contact_gradient(contact, &request->gradient));
+    if (found != RC_OK && found != RC_STOP_STALLED) status = found;
+  }
   rc_contact_destroy(contact);
   return status;
 }
@@ -182,6 +197,19 @@ static void set_field(Request* request, const char* field, const mxArray* value)
   }
 }
 
+static mxArray* gradient_of(const Request* request) {
+  static const char* names[] = {"undeformed_gap", "target", "modulus", "error", "undecided", "products"};
+  if (!request->by_gap) return NULL;
+  const rc_gradient* found = &request->gradient;
+  const double numbers[] = {found->dJ_dtarget, found->dJ_dmodulus, found->error, (double)found->undecided,
+                            (double)found->products};
+  mxArray* gradient = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
+  mxSetField(gradient, 0, names[0], request->by_gap);
+  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i)
+    mxSetField(gradient, 0, names[i + 1], mxCreateDoubleScalar(numbers[i]));
+  return gradient;
+}
+
 static mxArray* info_of(const rc_result* result, const Request* request, mxArray* gap) {
   const rc_accuracy* accuracy = &request->accuracy;
   static const char* names[] = {
@@ -190,7 +218,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
 #include "result_fields.def"
 #undef NUMBER
 #undef TEXT
-      "status_name", "status_text", "message", "explanation", "gap"};
+      "status_name", "status_text", "message", "explanation", "gap", "gradient"};
   mxArray* info = mxCreateStructMatrix(1, 1, sizeof names / sizeof *names, names);
 #define NUMBER(from, name) mxSetField(info, 0, #name, mxCreateDoubleScalar((double)from->name));
 #define TEXT(from, name) mxSetField(info, 0, #name, mxCreateString(from->name));
@@ -202,6 +230,7 @@ static mxArray* info_of(const rc_result* result, const Request* request, mxArray
   mxSetField(info, 0, "message", mxCreateString(request->message));
   mxSetField(info, 0, "explanation", mxCreateString(request->explanation ? request->explanation : ""));
   mxSetField(info, 0, "gap", gap);
+  mxSetField(info, 0, "gradient", gradient_of(request));
   return info;
 }
 
@@ -211,17 +240,25 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
   Request request;
   check(&request, open_request(&request, (int64_t)nx, (int64_t)ny));
   const double *heights = matrix(&request, "z", prhs[0]), *p0 = NULL;
+  const struct {
+    const char* name;
+    const double** to;
+  } fields[] = {{"p0", &p0}, {"dJ_dp", &request.gradient.dJ_dp}, {"dJ_dgap", &request.gradient.dJ_dgap}};
   if (!mxIsStruct(prhs[1]) || mxGetNumberOfElements(prhs[1]) != 1)
     check(&request, refuse(&request, RC_ERR_ARGUMENT, "opts must be a struct"));
   for (int k = 0; k < mxGetNumberOfFields(prhs[1]); ++k) {
     const char* field = mxGetFieldNameByNumber(prhs[1], k);
     const mxArray* value = mxGetFieldByNumber(prhs[1], 0, k);
+    size_t which = 0;
+    while (which < 3 && strcmp(field, fields[which].name)) ++which;
     if (value && !strcmp(field, "mask")) {
       set_mask(&request, value);
-    } else if (value && !strcmp(field, "p0")) {
-      p0 = matrix(&request, "opts.p0", value);
+    } else if (value && which < 3) {
+      char name[16];
+      snprintf(name, sizeof name, "opts.%s", field);
+      *fields[which].to = matrix(&request, name, value);
       if (mxGetM(value) != nx || mxGetN(value) != ny)
-        check(&request, refuse(&request, RC_ERR_SHAPE, "opts.p0 must have the shape of z"));
+        check(&request, refuse(&request, RC_ERR_SHAPE, "%s must have the shape of z", name));
     } else {
       set_field(&request, field, value);
     }

@@ -1,4 +1,4 @@
-/* roughcontact: what a contact looks like: area, connected patches, distribution of pressure. */
+/* roughcontact: what a contact looks like: area, connected patches, distribution of pressure; and its conductance. */
 #ifndef ROUGHCONTACT_ANALYSIS_H
 #define ROUGHCONTACT_ANALYSIS_H
 
@@ -78,6 +78,14 @@ RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const
 RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
 RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
+/** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
+ *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
+ *  result: of a step with option stiffness = 1 or 2. rho1, rho2 >= 0, not both 0: resistivities of the bodies, or reciprocals of
+ *  their thermal conductivities. Units: dW/dd / E* is a length, so ohm m give 1/ohm, and m K/W give W/K. *conductance: infinite
+ *  in full periodic contact, where nothing constricts the flow. *lower, *upper (NULL: not wanted): the exact
+ *  conductance lies between them; NaN where the result proves no interval. Errors: ARGUMENT. */
+RC_API rc_status rc_conductance(const rc_system *system, const rc_result *result, double rho1, double rho2, double *conductance,
+                                double *lower, double *upper);
 /** @} */
 
 #ifdef __cplusplus

@@ -43,6 +43,14 @@ typedef struct rc_path {
 RC_API rc_status rc_contact_solve_path(rc_contact *contact, rc_path *path);
 /** @} */
 
+/** @defgroup plastic Plastic indentation  @{ */
+/** The plastic indentation that the contact's steps have left [n]: the sum over all steps with RC_OK of the overlap -g where
+ *  p = rc_system.hardness [length]; zeros before the first such step and without a hardness. The next step adds it to
+ *  rc_step.undeformed_gap, also to one that is given anew: give the surface as it was before the first step. A failed, stopped
+ *  or refused step and rc_contact_certify leave it as it is; rc_contact_reset forgets it. Errors: ARGUMENT, BUSY. */
+RC_API rc_status rc_contact_indentation(rc_contact *contact, double *indentation);
+/** @} */
+
 /** @defgroup restart Restart  @{ */
 /** Where a loading history stands, for rc_contact_restore: what rc_result gave for its last two steps with RC_OK or
  *  RC_WITHIN_GOAL. All of it is copied. */
@@ -55,9 +63,10 @@ typedef struct rc_state {
   double load;          /* rc_result.load [force]                                                                    */
   const double *p_before; /* [n] likewise of the step before it; NULL: none, or its surface was another              */
   double approach_before, load_before;
+  const double *indentation; /* [n] of rc_contact_indentation after its last step, >= 0 [length]; NULL: none          */
 } rc_state;
 #define RC_STATE_INIT \
-  { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0 }
+  { sizeof(rc_state), NULL, NULL, NULL, 0.0, 0.0, NULL, 0.0, 0.0, NULL }
 
 /** Puts the contact, a new one or one that has solved steps, where another one of the same system and options was after a
  *  certified step: the next steps start from the same pressures and approaches. With option resumable = 1, in the contact that

@@ -1,4 +1,5 @@
-/* roughcontact plugin interface: how a backend (a way to multiply by H) or a solver is added from outside.
+/* roughcontact plugin interface: how a backend (a way to multiply by H), a solver or a kernel (the entries of H) is added from
+ * outside.
  *
  * A plugin is a shared object rcb_<name>.so that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
  * its head). It links nothing of the library: all services come through rc_host. The same source can be built
@@ -13,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 5u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 6u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -88,6 +89,7 @@ typedef struct rc_domain {
 #define RC_CAP_FLOAT (UINT64_C(1) << 8)            /* has apply_float()                                       */
 #define RC_CAP_SCREEN (UINT64_C(1) << 9)           /* has screen()                                            */
 #define RC_CAP_APPROXIMATE (UINT64_C(1) << 10)     /* products may be off by about 1e-11 of the largest entry */
+#define RC_CAP_FAR_FIELD (UINT64_C(1) << 11)   /* only for kernels with RC_KERNEL_FAR_FIELD                    */
 
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
@@ -245,6 +247,7 @@ struct rc_problem {
   rc_status (*apply_float)(const rc_problem *, const float *x, float *y);
   const rc_team *team;     /* the contact's threads                                                            */
   double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */
+  double cap;              /* the largest pressure: 0 <= p <= cap; p = cap: w <= 0. INFINITY: none                      */
 };
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
@@ -252,6 +255,7 @@ struct rc_problem {
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
                                              u = (grid->approach - grid->undeformed_gap) / length              */
+#define RC_TAKES_CAP (UINT64_C(1) << 35) /* keeps p <= cap; without it the core refuses a step with a hardness */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {
@@ -272,6 +276,56 @@ typedef struct rc_solver {
   rc_status (*score)(const rc_facts *, rc_estimate *);
 } rc_solver;
 
+/* What a kernel is defined for, and what it promises. */
+#define RC_KERNEL_FREE (UINT64_C(1) << 0)      /* free boundaries: has window()                                          */
+#define RC_KERNEL_PERIODIC (UINT64_C(1) << 1)  /* periodic boundaries: has symbol()                                      */
+#define RC_KERNEL_SQUARE (UINT64_C(1) << 2)    /* cells must be square                                                   */
+#define RC_KERNEL_POSITIVE (UINT64_C(1) << 3)  /* free boundaries: no coefficient is negative                            */
+#define RC_KERNEL_FAR_FIELD (UINT64_C(1) << 4) /* from 16 cells on it deflects as loads on the half-space near the cell's
+                                                  centre would, to 1e-9                                                  */
+
+typedef struct rc_kernel rc_kernel;
+
+/** What a kernel's values are asked for. Valid during the call. */
+typedef struct rc_kernel_spec {
+  size_t struct_size;
+  const rc_kernel *kernel;
+  const rc_system *system;   /* dimensionless: modulus 1. nx and ny matter to symbol() alone                             */
+  const rc_options *options; /* read through rc_host                                                                     */
+  double length;             /* how long 1 in `system` is for the caller [length]                                        */
+  double modulus;            /* E* of the caller [force/length^2]                                                        */
+} rc_kernel_spec;
+
+/** Promises about the spectrum, for any set of cells; proven intervals of load and area rest on them. 0: none. */
+typedef struct rc_kernel_bounds {
+  size_t struct_size;
+  double lowest;         /* no eigenvalue of H is smaller; PERIODIC: but the mean's                                      */
+  double galerkin_share; /* FREE: x'Hx is at least this times that of the kernel galerkin, for every x                   */
+} rc_kernel_bounds;
+
+/** A kernel: what unit pressure on a cell deflects, times the modulus. Functions are called from several threads at the same
+ *  time; what they return depends on the spec alone. The library checks what it is told: RC_ERR_NUMERIC where H cannot be positive
+ *  definite or a promise is seen to be broken. Since plugin ABI minor 6. */
+struct rc_kernel {
+  size_t struct_size;
+  const char *name;
+  const char *summary;
+  const char *license;
+  uint64_t caps; /* RC_KERNEL_*                                                                                          */
+  int64_t n_options;
+  const rc_option_spec *const *options; /* keys "<name>.<key>"; all are fixed when a contact is made                     */
+  /** RC_KERNEL_FREE, else NULL: coefficients at the offsets (first_x + ix, first_y + iy) cells, 0 <= ix < mx, 0 <= iy < my,
+   *  into out[iy*mx + ix] [length]. A value depends on its offset, not on the window. Those at -x and -y are equal. */
+  rc_status (*window)(const rc_host *, const rc_kernel_spec *, int64_t first_x, int64_t first_y, int64_t mx, int64_t my,
+                      double *out);
+  /** RC_KERNEL_PERIODIC, else NULL: eigenvalues of H at wave numbers kx = 0..nx/2, ky = 0..ny/2 into out[ky*(nx/2+1) + kx]
+   *  [length]; those at nx-kx and ny-ky are equal. The mean's, out[0], is not looked at: it counts as 0. */
+  rc_status (*symbol)(const rc_host *, const rc_kernel_spec *, double *out);
+  /** NULL where nothing is promised. The lowest eigenvalue of a symbol is looked up, and compared with a promise. */
+  rc_status (*bounds)(const rc_host *, const rc_kernel_spec *, rc_kernel_bounds *);
+  void *user; /* not looked at                                                                                           */
+};
+
 typedef struct rc_plugin {
   size_t struct_size;
   uint32_t abi_major, abi_minor; /* RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR                                   */
@@ -280,6 +334,8 @@ typedef struct rc_plugin {
   int64_t n_backends, n_solvers;
   const rc_backend *const *backends;
   const rc_solver *const *solvers;
+  int64_t n_kernels;             /* since plugin ABI minor 6, as the list                                      */
+  const rc_kernel *const *kernels;
 } rc_plugin;
 
 /** The one symbol a plugin file exports. *out points to static data. May refuse with host->fail. */

@@ -32,7 +32,7 @@ typedef struct rc_component {
   size_t struct_size;
   const char *name;
   const char *summary;
-  const char *license;     /* of the component with what it links (SPDX); "" for kernels                             */
+  const char *license;     /* of the component with what it links (SPDX); "" for the library's kernels               */
   const char *origin;      /* "built-in" or the file it was loaded from                                              */
 } rc_component;
 #define RC_COMPONENT_INIT \
@@ -71,9 +71,11 @@ RC_API rc_status rc_kernel_describe(rc_context *context, int64_t i, rc_component
  *  rc_contact_solve would give, with the reason in rc_last_error(). options may be NULL. */
 RC_API rc_status rc_pair_supported(rc_context *context, const char *solver, const char *backend, const rc_system *system,
                                    int32_t control, const rc_options *options);
-/** Influence coefficients of a kernel: out[iy*nx + ix] = E* times the deflection [length] at offset
- *  (ix*hx, iy*hy) from a cell under unit pressure. Free boundaries; relative error <= 1e-12.
- *  Errors: ARGUMENT, SHAPE, OPTION (unknown kernel), INCOMPATIBLE (hx != hy where the kernel needs square cells). */
+/** Influence coefficients of a kernel of the default context, with the default values of its options: out[iy*nx + ix] = E*
+ *  times the deflection [length] at offset (ix*hx, iy*hy) from a cell under unit pressure, for E* = 1. Free boundaries; relative
+ *  error <= 1e-12 for the library's kernels.
+ *  Errors: ARGUMENT, SHAPE, OPTION (unknown kernel), INCOMPATIBLE (hx != hy where the kernel needs square cells; not for free
+ *  boundaries), NUMERIC and PLUGIN (values that are refused). */
 RC_API rc_status rc_kernel_coefficients(const char *kernel, double hx, double hy, int64_t nx, int64_t ny, double *out);
 /** @} */
 

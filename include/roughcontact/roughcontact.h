@@ -6,9 +6,14 @@
  * on cell j) and g the deformed gap. Either d is prescribed (displacement control) or the normal force W = hx hy sum(p) is (load
  * control, d is then found).
  *
+ * With a hardness c (rc_system.hardness) no pressure exceeds c: 0 <= p <= c, and where p = c the bodies may overlap, g <= 0. The
+ * overlap -g is plastic: a certified step of a contact adds it to h for the steps that follow (see rc_contact_indentation), so
+ * that unloading is elastic. A step's answer depends on the steps before it through this gap alone.
+ *
  * This header is what a first program needs: a system, a step, a result. Others, each with all that it needs:
  *     history.h    loading histories, batches of contacts, restarts, coarse solutions
- *     analysis.h   area, patches and pressures of a contact
+ *     derivatives.h  gradients and tangents of a step
+ *     analysis.h   area, patches, pressures and conductance of a contact
  *     direct.h     the paper's algorithms on a matrix, one call each
  *     registry.h   contexts, the components and options there are
  *     plugin.h     backends and solvers of your own           surface.h   generated surfaces, spectra (a library of its own)
@@ -76,7 +81,8 @@ enum {
   RC_ERR_INCOMPATIBLE = -6, /* solver, backend, kernel, boundary and control do not go together                      */
   RC_ERR_PLUGIN = -7,       /* a plugin was found but is refused (permissions, version, contents)                    */
   RC_ERR_MEMORY = -8,       /* out of memory, or a request that cannot fit                                           */
-  RC_ERR_INFEASIBLE = -9,   /* no solution exists: negative load, periodic approach beyond the mean plane            */
+  RC_ERR_INFEASIBLE = -9,   /* no solution exists: negative load, periodic approach beyond the mean plane, load above
+                               hardness times area                                                                   */
   RC_ERR_NUMERIC = -10,     /* the operator is not positive definite or returned NaN                                 */
   RC_ERR_EXTERNAL = -11,    /* the caller's apply callback reported failure                                          */
   RC_ERR_BUSY = -12,        /* this contact is being used by another thread                                          */
@@ -120,9 +126,10 @@ typedef struct rc_system {
   int32_t (*apply)(const double *x, double *y, int64_t n, void *user); /* CALLBACK: y = H x, symmetric positive
                           definite; return nonzero to fail; must return: no exception, no longjmp; called on the solving thread */
   void *user;          /* handed to apply                                                                            */
+  double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: all is elastic       */
 } rc_system;
 #define RC_SYSTEM_INIT \
-  { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL }
+  { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL, 0.0 }
 
 /** What changes from step to step. Nothing in it is kept after the call except a copy of undeformed_gap and mask, or with
  *  borrow the two pointers. */
@@ -172,12 +179,13 @@ typedef struct rc_result {
   double contact_area; /* contacts hx hy [length^2]                                                                  */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised              */
   double stiffness;    /* dW/dd of the contact set [force/length], to about tol / 100 of its value; infinite in full
-                          periodic contact; NaN unless option stiffness is 1                                         */
-  double kkt_primal;   /* max(0, -min p) / max|p|                                                                    */
+                          periodic contact; NaN where option stiffness is 0                                          */
+  double kkt_primal;   /* max(0, -min p) / max|p|; hardness c: at least max(0, max p - c) / c                        */
   double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
                           least a quarter of the mean pressure times sqrt(hx hy) / E*; under displacement control
-                          without excluded points at most (mean(h) - d) / (2 tolerance)                              */
-  double kkt_complementarity; /* max over all points of min(p / max p, |g| / s)                                      */
+                          without excluded points at most |mean(h) - d| / (2 tolerance). Hardness c: max over points
+                          with g < 0 of min((c - p) / c, -g / s)                                                     */
+  double kkt_complementarity; /* max over all points of min(p / max p, |g| / s); hardness: where g < 0 (c - p) / c counts, too */
   double kkt_control;  /* |load - W| / W, 0 in displacement control                                                  */
   double seconds;      /* solving and certifying                                                                     */
   double setup_seconds; /* influence coefficients, plans and factors built in this call                              */
@@ -196,10 +204,15 @@ typedef struct rc_result {
   int64_t undecided;   /* the other points                                                                           */
   int64_t levels;      /* coarse solutions kept, see rc_contact_level                                                */
   double tolerance;    /* the kkt_* residuals were held to: tol, or accuracy/100 (area: /1000) if larger             */
+  double stiffness_lower, stiffness_upper; /* the exact dW/dd at this approach lies between these [force/length]; NaN
+                          unless option stiffness is 2, and where no proof is known                                  */
+  int64_t capped;      /* points with p = hardness; this and the next: 0 without a hardness                          */
+  double plastic_volume; /* hx hy times the overlap of these points in this step [length^3]                          */
+  int64_t proven_capped; /* points proven to carry the hardness; counted in proven_contacts, too                     */
 } rc_result;
 #define RC_RESULT_INIT                                                                                                         \
   { sizeof(rc_result), NULL, NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, \
-    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0 }
+    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0 }
 
 /** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
  *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the
@@ -302,7 +315,7 @@ RC_API void rc_contact_cancel(rc_contact *contact);
  *  bytes that they say they need, or the reason why they cannot. *out: "" where no step has needed a solver; lives until the
  *  contact is next used or destroyed. Errors: ARGUMENT, MEMORY, BUSY. */
 RC_API rc_status rc_contact_explain(rc_contact *contact, const char **out);
-/** Forgets the surface, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
+/** Forgets the surface, its plastic indentation, last pressures and factors; keeps plans and tables of transforms. Errors: BUSY. */
 RC_API rc_status rc_contact_reset(rc_contact *contact);
 /** @} */
 

@@ -1,7 +1,11 @@
-// rc_area_measure, rc_patches_find, rc_histogram_fill
+// rc_area_measure, rc_patches_find, rc_histogram_fill, rc_conductance
+#include <cmath>
+#include <limits>
+
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
 #include "analysis/area.h"
+#include "analysis/conductance.h"
 #include "analysis/histogram.h"
 #include "analysis/patches.h"
 
@@ -38,6 +42,23 @@ rc_status rc_histogram_fill(const rc_system* system, const double* p, const uint
     rc_histogram today = read<rc_histogram>(out, "rc_histogram", RC_HISTOGRAM_INIT);
     fill_histogram(map_of(system, p, mask), today);
     write(out, today);
+    return RC_OK;
+  });
+}
+
+rc_status rc_conductance(const rc_system* system, const rc_result* result, double rho1, double rho2, double* conductance,
+                         double* lower, double* upper) {
+  return guard("rc_conductance", [&] {
+    if (!conductance) fail(RC_ERR_ARGUMENT, "conductance is null");
+    const rc_system given = read<rc_system>(system, "rc_system", RC_SYSTEM_INIT);
+    rc_result answer = RC_RESULT_INIT;  // an older caller's has no interval
+    answer.stiffness_lower = answer.stiffness_upper = std::numeric_limits<double>::quiet_NaN();
+    answer = read<rc_result>(result, "rc_result", answer);
+    const double unit = conductance_per_stiffness(given, rho1, rho2);
+    if (std::isnan(answer.stiffness)) fail(RC_ERR_ARGUMENT, "rc_result.stiffness is NaN; solve with option stiffness = 1 or 2");
+    *conductance = answer.stiffness * unit;
+    if (lower) *lower = answer.stiffness_lower * unit;
+    if (upper) *upper = answer.stiffness_upper * unit;
     return RC_OK;
   });
 }

@@ -122,9 +122,35 @@ rc_status rc_contact_explain(rc_contact* contact, const char** out) {
   });
 }
 
+rc_status rc_contact_gradient(rc_contact* contact, rc_gradient* gradient) {
+  return exclusively("rc_contact_gradient", contact, [&](Contact& c) {
+    rc_gradient today = read<rc_gradient>(gradient, "rc_gradient", RC_GRADIENT_INIT);
+    const rc_status status = c.gradient(today);
+    if (status == RC_OK || status == RC_STOP_STALLED) write(gradient, today);
+    return status;
+  });
+}
+
+rc_status rc_contact_tangent(rc_contact* contact, rc_tangent* tangent) {
+  return exclusively("rc_contact_tangent", contact, [&](Contact& c) {
+    rc_tangent today = read<rc_tangent>(tangent, "rc_tangent", RC_TANGENT_INIT);
+    const rc_status status = c.tangent(today);
+    if (status == RC_OK || status == RC_STOP_STALLED) write(tangent, today);
+    return status;
+  });
+}
+
 rc_status rc_contact_reset(rc_contact* contact) {
   return exclusively("rc_contact_reset", contact, [&](Contact& c) {
     c.reset();
+    return RC_OK;
+  });
+}
+
+rc_status rc_contact_indentation(rc_contact* contact, double* indentation) {
+  return exclusively("rc_contact_indentation", contact, [&](Contact& c) {
+    if (!indentation) fail(RC_ERR_ARGUMENT, "indentation is null");
+    c.write_indentation({indentation, static_cast<std::size_t>(c.work().system.points())});
     return RC_OK;
   });
 }

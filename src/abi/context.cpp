@@ -1,11 +1,12 @@
 // rc_context_*, the enumeration of components, rc_kernel_coefficients.
-#include <cmath>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
 #include "contact/step/auto_choice.h"
-#include "kernel/kernel.h"
 
 namespace {
 
@@ -83,15 +84,12 @@ rc_status rc_solver_describe(rc_context* context, int64_t i, rc_component* out) 
   return describe(
       "rc_solver_describe", [&] { return context_of(context)->solvers(); }, i, out);
 }
-int64_t rc_kernel_count(rc_context*) { return static_cast<int64_t>(kernel::all().size()); }
-rc_status rc_kernel_describe(rc_context*, int64_t i, rc_component* out) {
-  return guard("rc_kernel_describe", [&] {
-    check_size(out, "rc_component");
-    check_index(i, kernel::all().size());
-    const kernel::Kernel& each = kernel::all()[static_cast<std::size_t>(i)];
-    write(out, component(each.name, each.summary, "", "built-in"));
-    return RC_OK;
-  });
+int64_t rc_kernel_count(rc_context* context) {
+  return count_of("rc_kernel_count", [&] { return context_of(context)->kernels(); });
+}
+rc_status rc_kernel_describe(rc_context* context, int64_t i, rc_component* out) {
+  return describe(
+      "rc_kernel_describe", [&] { return context_of(context)->kernels(); }, i, out);
 }
 
 rc_status rc_pair_supported(rc_context* context, const char* solver, const char* backend, const rc_system* system,
@@ -101,7 +99,7 @@ rc_status rc_pair_supported(rc_context* context, const char* solver, const char*
     if (control != RC_CONTROL_DISPLACEMENT && control != RC_CONTROL_LOAD)
       fail(RC_ERR_ARGUMENT, "control = ", control, " is neither 1 nor 2");
     const rc_options given = options ? *options : rc_options{context_of(context), {}};
-    const System checked = checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given.text(RC_OPT_KERNEL), false);
+    const System checked = checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given, false);
     Context& registry = *context_of(context);
     const std::string reason =
         obstacle(registry.solver(solver), registry.backend(backend), checked, control, given.integer(RC_OPT_ALLOW_FALLBACK) != 0);
@@ -119,8 +117,14 @@ rc_status rc_kernel_coefficients(const char* name, double hx, double hy, int64_t
     system.hx = hx;
     system.hy = hy;
     system.modulus = 1;
-    const System checked = checked_system(system, name, false);
-    kernel::coefficients(*kernel::find(checked.kernel), hx, hy, nx, ny, out);
+    rc_options options{context_of(nullptr), {}};
+    options.set(RC_OPT_KERNEL, name);
+    const System checked = checked_system(system, options, false);
+    const SystemKernel kernel(options.context->kernel(checked.kernel), options, 1, 1);
+    // out stays as it is where a value is refused.
+    std::vector<double> values(kernel.built_in() ? 0 : static_cast<std::size_t>(nx * ny));
+    kernel.coefficients(system, nx, ny, values.empty() ? out : values.data());
+    std::copy(values.begin(), values.end(), out);
     return RC_OK;
   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <roughcontact/analysis.h>
+#include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
 #include <roughcontact/registry.h>
@@ -23,6 +24,8 @@ template <> inline constexpr std::size_t first_size<rc_level> = 88;
 template <> inline constexpr std::size_t first_size<rc_state> = 72;
 template <> inline constexpr std::size_t first_size<rc_path> = 120;
 template <> inline constexpr std::size_t first_size<rc_batch> = 200;
+template <> inline constexpr std::size_t first_size<rc_gradient> = 88;
+template <> inline constexpr std::size_t first_size<rc_tangent> = 88;
 template <> inline constexpr std::size_t first_size<rc_direct> = 248;
 template <> inline constexpr std::size_t first_size<rc_area> = 40;
 template <> inline constexpr std::size_t first_size<rc_patches> = 96;

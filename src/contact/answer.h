@@ -19,15 +19,20 @@ struct Answer {
   std::vector<double> p;                                    // on the trial set, dimensionless
   double length_unit = 1;                                   // [length]
   double pressure_unit = 1;                                 // [force/length^2]
+  double hardness = std::numeric_limits<double>::infinity();  // [force/length^2] the largest pressure
   double compression = 0;                                   // [length] approach less the lowest gap
   double limit = -std::numeric_limits<double>::infinity();  // [length] every point below this height is in the trial set
   std::optional<Deflected> checked;                         // H p where it matters, if the operator screened all points
   bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
 
+  double cap() const { return hardness / pressure_unit; }  // the largest p
+
+  // A point at the cap has the hardness itself.
   Pressures pressures() const {
     Pressures result{op->trial(), p};
-    for (double& value : result.p) value *= pressure_unit;
+    const double most = cap();
+    for (double& value : result.p) value = value < most ? value * pressure_unit : hardness;
     return result;
   }
 };

@@ -1,15 +1,37 @@
 #include "contact/contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "contact/step/derivatives.h"
 #include "contact/step/target.h"
 #include "core/error.h"
 
 namespace rc {
 
+namespace {
+
+// None where the state has none, or nothing but zeros.
+Indentation indentation_of(const rc_state& state, const System& system) {
+  if (!state.indentation) return {};
+  const std::span<const double> depth(state.indentation, static_cast<std::size_t>(system.points()));
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (!(depth[i] >= 0 && std::isfinite(depth[i])))
+      fail(RC_ERR_ARGUMENT, "rc_state.indentation[", i, "] = ", depth[i], " must be finite and >= 0");
+    if (depth[i] > 0 && !system.capped())
+      fail(RC_ERR_ARGUMENT, "rc_state.indentation[", i, "] = ", depth[i], " but the system has no hardness");
+  }
+  if (std::all_of(depth.begin(), depth.end(), [](double value) { return value == 0; })) return {};
+  return {depth, {state.undeformed_gap, depth.size()}};
+}
+
+}  // namespace
+
 Contact::Contact(const rc_system& system, const rc_options& options) : grid_(system, options, nullptr) {
+  grid_.leave_indentations();
   grid_.work().goal = goal_of(options);
 }
 
@@ -18,10 +40,10 @@ void Contact::set_options(const rc_options& options) {
   grid_.work().goal = goal_of(options);
 }
 
-bool Contact::ask_stiffness(bool wanted) {
+std::int64_t Contact::ask_stiffness(std::int64_t wanted) {
   rc_options& options = grid_.work().options;
-  const bool before = options.integer(RC_OPT_STIFFNESS) != 0;
-  options.set(RC_OPT_STIFFNESS, std::int64_t{wanted});
+  const std::int64_t before = options.integer(RC_OPT_STIFFNESS);
+  options.set(RC_OPT_STIFFNESS, wanted);
   return before;
 }
 
@@ -38,7 +60,9 @@ rc_status Contact::solve(const rc_step& step, rc_result& result) {
 
 rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   Monitor monitor = grid_.monitor();
-  const bool coarser_may_do = work().goal.error > 0 && work().system.halfspace() && !nothing_touches(step, work());
+  // With a hardness the whole grid is solved: what the accuracy goal knows of errors holds for elastic contact.
+  const bool coarser_may_do =
+      work().goal.error > 0 && work().system.halfspace() && !work().system.capped() && !nothing_touches(step, work());
   std::optional<Estimate> nearer;
   if (coarser_may_do && goal_.solve(grid_, step, monitor, result, nearer)) return result.status;
   const rc_status status = grid_.solve_begun(step, monitor, result, std::move(nearer));
@@ -50,6 +74,16 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
 }
 
 rc_status Contact::certify(const rc_step& step, rc_result& result) { return grid_.certify(step, result); }
+
+rc_status Contact::gradient(rc_gradient& gradient) {
+  const Cancellation cancellation(*this);
+  return differentiate(grid_.work(), memory(), grid_.monitor(), gradient);
+}
+
+rc_status Contact::tangent(rc_tangent& tangent) {
+  const Cancellation cancellation(*this);
+  return differentiate(grid_.work(), memory(), grid_.monitor(), tangent);
+}
 
 const std::string& Contact::explain() {
   const StepRecord& record = work().record;
@@ -71,11 +105,14 @@ void Contact::restore(const rc_state& state) {
   const auto n = static_cast<std::size_t>(system.points());
   if (!state.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_state.undeformed_gap is null");
   if (!state.p && state.p_before) fail(RC_ERR_ARGUMENT, "rc_state.p is null but rc_state.p_before is not");
-  StepSurface surface({system.given.nx, system.given.ny, {state.undeformed_gap, n}, {state.mask, state.mask ? n : 0}, false},
-                      work().team());
+  const std::span<const double> gap(state.undeformed_gap, n);
+  const std::span<const std::uint8_t> mask(state.mask, state.mask ? n : 0);
+  Indentation indentation = indentation_of(state, system);
+  const std::vector<double> indented = indentation.indented();
+  StepSurface surface({system.given.nx, system.given.ny, indentation.none() ? gap : indented, mask, false}, work().team());
   Memory memory = memory_of(state, surface, system.points());
   goal_.forget();
-  grid_.restore(std::move(memory), std::move(surface));
+  grid_.restore(std::move(memory), std::move(surface), std::move(indentation));
 }
 
 }  // namespace rc

@@ -1,10 +1,12 @@
 // What a handle holds: the contact on the given grid, the accuracy goal with its coarser grids, and whether a thread is using it.
 #pragma once
 
+#include <roughcontact/derivatives.h>
 #include <roughcontact/history.h>
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -26,12 +28,17 @@ class Contact {
   rc_status solve(const rc_step& step, rc_result& result);
   rc_status certify(const rc_step& step, rc_result& result);
 
+  // Derivatives of the last step. Throw Error(ARGUMENT) where it did not return RC_OK.
+  rc_status gradient(rc_gradient& gradient);
+  rc_status tangent(rc_tangent& tangent);
+
   // Why "auto" chose what it did in the last step on the given grid; "" where no step has needed a solver.
   const std::string& explain();
 
   void reset();
   // Afterwards the next answer has the bits of a new contact's. Facts that are the same for all contacts of the system stay.
   void forget();
+  void write_indentation(std::span<double> to) const { grid_.write_indentation(to); }
   // Restores the state after the steps described, which this contact or another has solved. Throws Error(ARGUMENT).
   void restore(const rc_state& state);
 
@@ -51,8 +58,8 @@ class Contact {
   // One step of a history, within a Cancellation.
   void begin(const rc_step& step);
   rc_status solve_begun(const rc_step& step, rc_result& result);
-  // Sets whether results carry the stiffness. Returns whether they did before.
-  bool ask_stiffness(bool wanted);
+  // Sets option stiffness. Returns what it was.
+  std::int64_t ask_stiffness(std::int64_t wanted);
 
   // True for the one thread that may use the contact now.
   bool try_enter() {

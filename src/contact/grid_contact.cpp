@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "contact/step/certified_result.h"
 #include "contact/step/solve_step.h"
@@ -20,17 +21,35 @@ std::int32_t pass_on(const rc_progress* progress, void* monitor) {
   return monitor_of(monitor).ask() != RC_OK || monitor_of(monitor).report(*progress) != 0;
 }
 
+// A surface, and the indentation that is in its gap.
+struct IndentedSurface {
+  StepSurface surface;
+  Indentation indentation;
+};
+
+StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const Workspace& work) {
+  const rc_system& system = work.system.given;
+  const std::vector<double> gap = indentation.indented();
+  return StepSurface({system.nx, system.ny, gap, mask, false}, work.team());
+}
+
 // The surface that this step describes; nothing where it keeps that of the step before.
-std::optional<StepSurface> given_surface(const rc_step& step, const Workspace& work) {
+std::optional<IndentedSurface> given_surface(const rc_step& step, const Workspace& work, const Indentation& indentation) {
   const auto n = static_cast<std::size_t>(work.system.points());
   if (!step.undeformed_gap && work.surface.empty())
     fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
   if (!step.undeformed_gap && !step.mask) return std::nullopt;
+  const std::span<const std::uint8_t> mask(step.mask, step.mask ? n : 0);
+  if (!indentation.none()) {
+    IndentedSurface given{{}, step.undeformed_gap ? indentation.of({step.undeformed_gap, n}) : indentation};
+    given.surface = surface_with(given.indentation, mask, work);
+    return given;
+  }
   const rc_system& system = work.system.given;
-  GivenSurface given{system.nx, system.ny, work.surface.gap(), {step.mask, step.mask ? n : 0}, false};
+  GivenSurface given{system.nx, system.ny, work.surface.gap(), mask, false};
   if (step.undeformed_gap) given.gap = {step.undeformed_gap, n};
   given.borrowed = step.undeformed_gap && step.borrow != 0;
-  return StepSurface(given, work.team());
+  return IndentedSurface{StepSurface(given, work.team()), {}};
 }
 
 }  // namespace
@@ -43,10 +62,29 @@ Monitor GridContact::monitor() const {
   return {cancelled_, progress_, work_.options.real(RC_OPT_TIME_LIMIT), work_.options.integer(RC_OPT_MAX_ITER)};
 }
 
+// Puts what the last step has left into the surface, which counts as the same.
+void GridContact::indent() {
+  if (overlap_.empty()) return;
+  Indentation next = indentation_.with(overlap_, work_.surface.gap());
+  work_.surface = surface_with(next, work_.surface.masks(), work_);
+  indentation_ = std::move(next);
+  overlap_ = {};
+}
+
+void GridContact::write_indentation(std::span<double> to) const {
+  indentation_.write(to);
+  overlap_.add_to(to);
+}
+
 void GridContact::begin(const rc_step& step) {
-  std::optional<StepSurface> given = given_surface(step, work_);
-  check_target(step, work_, given ? *given : work_.surface);
-  if (given) adopt(std::move(*given));
+  indent();
+  std::optional<IndentedSurface> given = given_surface(step, work_, indentation_);
+  check_target(step, work_, given ? given->surface : work_.surface);
+  if (given) {
+    adopt(std::move(given->surface));
+    indentation_ = std::move(given->indentation);
+  }
+  memory_.indented = !indentation_.none();
   if (work_.options.integer(RC_OPT_RESUMABLE) != 0) forget_operators();
   work_.solver_grids.begin_step();
   work_.record = {};
@@ -57,7 +95,11 @@ void GridContact::begin(const rc_step& step) {
 rc_status GridContact::solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer) {
   Finished finished = nothing_touches(step, work_) ? certified_result(work_, step, {}, monitor, result)
                                                    : solve_step(work_, memory_, step, monitor, result, std::move(nearer));
-  if (finished.status == RC_OK) remember(std::move(finished), result);
+  if (finished.status == RC_OK) {
+    remember(std::move(finished), result);
+    work_.record.certified = step.control;
+    work_.record.undecided = result.undecided;
+  }
   return result.status;
 }
 
@@ -82,6 +124,7 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
 
 void GridContact::remember(Finished&& finished, const rc_result& result) {
   memory_.record({std::move(finished.pressures), result.approach, result.load, true});
+  if (leaves_indentation_) overlap_ = std::move(finished.overlap);
 }
 
 void GridContact::adopt(StepSurface&& given) {
@@ -95,10 +138,17 @@ void GridContact::adopt(StepSurface&& given) {
 }
 
 void GridContact::reset() {
-  work_.surface.clear();
-  memory_ = {};
+  forget_surface();
   work_.solver_grids.clear();
   work_.forget_operators();
+}
+
+void GridContact::forget_surface() {
+  work_.surface.clear();
+  work_.record.certified = 0;
+  memory_ = {};
+  indentation_ = {};
+  overlap_ = {};
 }
 
 void GridContact::forget_operators() {
@@ -108,14 +158,14 @@ void GridContact::forget_operators() {
 
 void GridContact::forget() {
   forget_operators();
-  work_.surface.clear();
-  memory_ = {};
+  forget_surface();
 }
 
-void GridContact::restore(Memory&& memory, StepSurface&& surface) {
+void GridContact::restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation) {
   forget();
   adopt(std::move(surface));
   memory_ = std::move(memory);
+  indentation_ = std::move(indentation);
 }
 
 }  // namespace rc

@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "contact/answer.h"
+#include "contact/indentation.h"
 #include "contact/memory.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
@@ -24,6 +26,8 @@ class GridContact {
   const Memory& memory() const { return memory_; }
 
   void set_options(const rc_options& options) { work_.set_options(options); }
+  // From here on certified steps leave a plastic indentation; the contacts of coarser grids get theirs with the surface.
+  void leave_indentations() { leaves_indentation_ = true; }
   void on_progress(const ProgressCallback& progress) { progress_ = progress; }
   // Solves stop when a finer grid's monitor says so, which must outlive them; with `report` its caller sees their progress.
   void watched_by(const Monitor& monitor, bool report);
@@ -44,8 +48,10 @@ class GridContact {
   void forget();            // as new, but keeps what is the same for all contacts of the system
   void forget_operators();  // those of coarser grids, too
   void forget_steps() { memory_ = {}; }
-  // The state after the steps that memory describes. surface: theirs.
-  void restore(Memory&& memory, StepSurface&& surface);
+  // The state after the steps that memory describes. surface: theirs, with the indentation.
+  void restore(Memory&& memory, StepSurface&& surface, Indentation&& indentation);
+  // The plastic indentation that the next step will see [nx*ny].
+  void write_indentation(std::span<double> to) const;
 
   std::int64_t surfaces() const { return surfaces_; }  // counts its changes
 
@@ -54,8 +60,14 @@ class GridContact {
   void clear_cancellation() { cancelled_.store(false, std::memory_order_relaxed); }
 
  private:
+  void indent();
+  void forget_surface();
+
   Workspace work_;
   Memory memory_;
+  Indentation indentation_;  // in the surface
+  Overlap overlap_;          // of the last certified step; not in the surface yet
+  bool leaves_indentation_ = false;
   ProgressCallback progress_;
   std::int64_t surfaces_ = 0;
   std::atomic<bool> cancelled_{false};

@@ -56,7 +56,7 @@ double Memory::ahead(const rc_step& step) const {
   return part >= -1 && part <= 2 ? part : 0;
 }
 
-std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, double pressure_unit,
+std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
                                   const Pressures* nearer) const {
   std::vector<double> p;
   if (nearer) {
@@ -74,7 +74,7 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
     p.resize(static_cast<std::size_t>(trial.n));
     return p;
   }
-  for (double& value : p) value = std::max(0.0, value / pressure_unit);
+  for (double& value : p) value = std::min(std::max(0.0, value / pressure_unit), cap);
   return p;
 }
 

@@ -20,6 +20,7 @@ struct CertifiedStep {
 
 struct Memory {
   CertifiedStep last, before;  // the last certified step, and the one before it
+  bool indented = false;       // the surface has a plastic indentation, of these steps or earlier ones
 
   void record(CertifiedStep&& step);
   // A step has given a surface. same: it equals that of the step before.
@@ -27,8 +28,9 @@ struct Memory {
 
   // How far beyond the last step the new target lies, in units of the last step's change; 0 where no extrapolation is possible.
   double ahead(const rc_step& step) const;
-  // Dimensionless pressures to start from. nearer: null, or pressures to prefer to the step's own and the last step's.
-  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, const Pressures* nearer) const;
+  // Dimensionless pressures of at most `cap` to start from. nearer: null, or pressures to prefer to the step's own and the last step's.
+  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
+                            const Pressures* nearer) const;
   // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.
   std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;
 };

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "core/error.h"
 #include "core/grid.h"
-#include "kernel/kernel.h"
-#include "kernel/lowest_eigenvalue.h"
 
 namespace rc {
 
@@ -19,24 +18,18 @@ namespace {
 constexpr double longest_cell = 1e150;  // over its width
 constexpr double symmetric = 1e-12;     // largest |H_ij - H_ji| relative to the largest entry
 
-std::string resolved_kernel(const rc_system& system, const std::string& option) {
+const Component<rc_kernel>& resolved_kernel(const rc_system& system, const rc_options& options) {
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
-  std::string name = option == "auto" ? (periodic ? "spectral" : "love") : option;
-  const kernel::Kernel* found = kernel::find(name);
-  if (!found) {
-    std::vector<std::string> names{"auto"};
-    for (const kernel::Kernel& each : kernel::all()) names.push_back(each.name);
-    std::string list;
-    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    fail(RC_ERR_OPTION, "kernel \"", name, "\" not found", suggestion(name, names), "; available: ", list);
-  }
-  if ((found->boundary == kernel::Boundary::periodic) != periodic)
-    fail(RC_ERR_INCOMPATIBLE, "kernel \"", name, "\" is for ", periodic ? "free" : "periodic", " boundaries, the system has ",
-         periodic ? "periodic" : "free", " ones; use kernel=auto");
-  if (found->square_cells && system.hx != system.hy)
-    fail(RC_ERR_INCOMPATIBLE, "kernel \"", name, "\" needs square cells, hx = ", system.hx, " and hy = ", system.hy,
+  const std::string& option = options.text(RC_OPT_KERNEL);
+  const auto& found = options.context->kernel(option == "auto" ? (periodic ? "spectral" : "love") : option);
+  const rc_kernel& kernel = found.vtable;
+  if ((kernel.caps & (periodic ? RC_KERNEL_PERIODIC : RC_KERNEL_FREE)) == 0)
+    fail(RC_ERR_INCOMPATIBLE, "kernel \"", kernel.name, "\" is for ", periodic ? "free" : "periodic",
+         " boundaries, the system has ", periodic ? "periodic" : "free", " ones; use kernel=auto");
+  if ((kernel.caps & RC_KERNEL_SQUARE) && system.hx != system.hy)
+    fail(RC_ERR_INCOMPATIBLE, "kernel \"", kernel.name, "\" needs square cells, hx = ", system.hx, " and hy = ", system.hy,
          " differ; use love or galerkin");
-  return name;
+  return found;
 }
 
 void probe_dense(System& result) {
@@ -88,6 +81,16 @@ void probe_callback(System& result) {
   result.length_per_pressure = result.operator_scale = largest;
 }
 
+void take_promises(System& result) {
+  const rc_kernel_bounds promised = result.influence->bounds(result.unit);
+  (result.periodic() ? result.lambda_wave : result.lambda_min) = promised.lowest;
+  result.galerkin_share = promised.galerkin_share;
+  if (result.influence->built_in()) return;
+  double self = 0;
+  result.influence->coefficients(result.unit, 1, 1, &self);
+  result.least_deflection = std::min(result.least_deflection, self);
+}
+
 }  // namespace
 
 std::uint64_t System::needed_caps() const {
@@ -96,9 +99,17 @@ std::uint64_t System::needed_caps() const {
   return periodic() ? RC_CAP_PERIODIC : RC_CAP_FREE;
 }
 
-System checked_system(const rc_system& system, const std::string& kernel, bool probe) {
+double System::longest_wave() const {
+  const double lx = unit.hx * static_cast<double>(unit.nx), ly = unit.hy * static_cast<double>(unit.ny);
+  return (unit.nx == 1 ? ly : unit.ny == 1 ? lx : std::max(lx, ly)) / std::numbers::pi;
+}
+
+System checked_system(const rc_system& system, const rc_options& options, bool probe) {
   check_grid(system);
-  System result{system, system, "", 1, 1, 0, 0, true};
+  System result{.given = system, .unit = system};
+  if (!(system.hardness >= 0))
+    fail(RC_ERR_ARGUMENT, "rc_system.hardness = ", system.hardness, " must be positive, or 0 where all is elastic");
+  if (system.hardness > 0) result.hardness = system.hardness;
   switch (system.op) {
     case RC_OPERATOR_HALFSPACE: {
       if (!(std::isfinite(system.modulus) && system.modulus > 0))
@@ -108,7 +119,9 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
         fail(RC_ERR_ARGUMENT, "cells of hx = ", system.hx, " by hy = ", system.hy, " are more than ", longest_cell,
              " times as long as wide: their influence coefficients are beyond double precision");
       const double cell = std::sqrt(system.hx) * std::sqrt(system.hy);
-      result.kernel = resolved_kernel(system, kernel);
+      const auto& kernel = resolved_kernel(system, options);
+      result.kernel = kernel.vtable.name;
+      result.influence = std::make_shared<SystemKernel>(kernel, options, cell, system.modulus);
       result.unit.hx = system.hx / cell;
       result.unit.hy = system.hx == system.hy ? result.unit.hx : system.hy / cell;
       result.unit.modulus = 1;
@@ -116,12 +129,9 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       if (!std::isnormal(result.length_per_pressure))
         fail(RC_ERR_ARGUMENT, "sqrt(hx*hy)/modulus = ", cell, " / ", system.modulus,
              " is beyond double precision; choose other units");
-      result.positive = !result.periodic();
-      const kernel::Kernel& found = *kernel::find(result.kernel);
-      if (result.periodic())
-        result.lambda_wave = kernel::lowest_wave_eigenvalue(found, result.unit.hx, result.unit.hy, system.nx, system.ny);
-      else
-        result.lambda_min = kernel::lowest_eigenvalue(found, result.unit.hx, result.unit.hy);
+      result.unit.hardness = result.capped() ? system.hardness / system.modulus : 0;
+      result.positive = !result.periodic() && result.influence->has(RC_KERNEL_POSITIVE);
+      if (probe) take_promises(result);
       break;
     }
     case RC_OPERATOR_DENSE:
@@ -138,6 +148,9 @@ System checked_system(const rc_system& system, const std::string& kernel, bool p
       if (probe) probe_callback(result);
       break;
   }
+  if (result.capped() && !std::isnormal(result.hardness * result.length_per_pressure))
+    fail(RC_ERR_ARGUMENT, "rc_system.hardness = ", system.hardness, " times ", result.length_per_pressure,
+         ", what a unit pressure deflects, is beyond double precision; choose other units");
   return result;
 }
 

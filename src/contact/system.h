@@ -3,29 +3,40 @@
 
 #include <roughcontact/roughcontact.h>
 
+#include <limits>
+#include <memory>
 #include <string>
+
+#include "registry/system_kernel.h"
 
 namespace rc {
 
 struct System {
-  rc_system given;                 // as the caller described it
-  rc_system unit;                  // HALFSPACE: modulus 1 and cells of unit area; else as given
-  std::string kernel;              // resolved name, "" without a half-space
-  double length_per_pressure = 1;  // H [length per pressure] = this times the dimensionless operator
-  double operator_scale = 1;       // products of `unit` divided by this are dimensionless
+  rc_system given;                                // as the caller described it
+  rc_system unit;                                 // HALFSPACE: modulus 1 and cells of unit area; else as given
+  std::shared_ptr<const SystemKernel> influence;  // null without a half-space
+  std::string kernel;                             // resolved name, "" without a half-space
+  double length_per_pressure = 1;                 // H [length per pressure] = this times the dimensionless operator
+  double operator_scale = 1;                      // products of `unit` divided by this are dimensionless
   double lambda_min = 0;           // a lower bound of the eigenvalues of the dimensionless operator; 0: none is known
+  double galerkin_share = 0;       // free boundaries: x'Hx is at least this times that of the kernel galerkin
+  double least_deflection = 0.25;  // of a cell under unit pressure, dimensionless
   double lambda_wave = 0;          // periodic: the same without the mean's eigenvalue, which is 0
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
+  double hardness = std::numeric_limits<double>::infinity();  // [pressure] the largest; infinite: all is elastic
 
   std::int64_t points() const { return given.nx * given.ny; }
   double cell_area() const { return given.hx * given.hy; }
+  bool capped() const { return hardness < std::numeric_limits<double>::infinity(); }
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
+  // Periodic: the eigenvalue of the longest wave, which an axis of one point does not have.
+  double longest_wave() const;
   std::uint64_t needed_caps() const;
 };
 
-// Throws Error(ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, EXTERNAL, NUMERIC). `kernel`: the option's value. With `probe`, a caller's
-// matrix is read and a caller's product is tried once.
-System checked_system(const rc_system& system, const std::string& kernel, bool probe);
+// Throws Error(ARGUMENT, SHAPE, OPTION, INCOMPATIBLE, EXTERNAL, NUMERIC, PLUGIN). With `probe`, a caller's matrix is read, a
+// caller's product is tried once, and the kernel is asked for its promises.
+System checked_system(const rc_system& system, const rc_options& options, bool probe);
 
 }  // namespace rc

@@ -31,7 +31,10 @@ rc_options loosened(const rc_options& given) {
 }  // namespace
 
 Workspace::Workspace(const rc_system& given, const rc_options& given_options, const rc_team* team)
-    : system(checked_system(given, given_options.text(RC_OPT_KERNEL), true)), options(given_options), team_(team) {
+    : system(checked_system(given, given_options, true)),
+      host(*given_options.context, system.influence.get()),
+      options(given_options),
+      team_(team) {
   set_options(given_options);
   if (!team_) {
     own_team_ = std::make_unique<ThreadTeam>(options.integer(RC_OPT_THREADS));
@@ -57,8 +60,7 @@ Operator& Workspace::bound_operator(const rc_backend& backend, const TrialSet& t
   const auto begun = Clock::now();
   auto it = operators_.find(backend.name);
   if (it == operators_.end()) {
-    auto made = std::make_unique<Operator>(backend, options.context->host(), system.unit, system.kernel, options, *team_,
-                                           system.operator_scale);
+    auto made = std::make_unique<Operator>(backend, host, system.unit, system.kernel, options, *team_, system.operator_scale);
     it = operators_.emplace(backend.name, std::move(made)).first;
   }
   it->second->bind(trial);
@@ -79,7 +81,6 @@ std::int64_t Workspace::applications() const {
 rc_status Workspace::coefficients(std::int64_t mx, std::int64_t my, double* out) {
   constexpr std::int64_t most = 1 << 14;  // values that are kept
   if (mx != table_.mx || my != table_.my) {
-    const rc_host& host = options.context->host();
     const rc_status status = host.coefficients(&host, &system.unit, system.kernel.c_str(), mx, my, out);
     if (status == RC_OK && mx <= most / my) table_ = {mx, my, {out, out + mx * my}};
     return status;

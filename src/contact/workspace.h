@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/grids/solver_grids.h"
+#include "contact/proof/bounds.h"
 #include "contact/proof/spectrum.h"
 #include "contact/step/auto_choice.h"
 #include "contact/step_surface.h"
@@ -44,6 +45,9 @@ struct StepRecord {
   double setup_seconds = 0;                 // of operators
   std::int64_t applications_before = 0;     // products that the operators had made
   rc_accuracy accuracy = RC_ACCURACY_INIT;  // of its answer; model_nx = 0: it has none
+  std::int32_t certified = 0;               // its control, once its answer on this grid is certified and remembered
+  std::int64_t undecided = -1;              // of that answer
+  std::optional<ProvenSets> proven;         // of that answer, where its stiffness is to have an interval
 };
 
 // Facts for proofs, computed when a step first needs them.
@@ -76,6 +80,7 @@ class Workspace {
   rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
 
   const System system;
+  const Host host;  // with the system's kernel
   rc_options options;
   Goal goal;  // set by Contact: the contact of a coarser grid has no goal
   StepSurface surface;

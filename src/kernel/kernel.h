@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace rc::kernel {
 
@@ -25,11 +26,20 @@ const Kernel* find(std::string_view name);  // nullptr if there is none
 // Relative error <= 1e-12 at every offset up to 16384 cells.
 void coefficients(const Kernel&, double hx, double hy, std::int64_t mx, std::int64_t my, double* out);
 
+// The offsets (first_x + ix, first_y + iy), 0 <= ix < mx, 0 <= iy < my, of a table out[iy*mx + ix].
+struct Window {
+  std::int64_t first_x, first_y, mx, my;
+};
+
+// coefficients() of any window; constructing a kernel's expansion costs some microseconds.
+void window_coefficients(const Kernel&, double hx, double hy, const Window&, double* out);
+
 // Periodic kernels on an nx x ny grid: eigenvalues of the discrete operator at wave numbers kx = 0..nx/2, ky = 0..ny/2,
 // out[ky*(nx/2+1) + kx]; the mean's is 0.
 void symbol(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t ny, double* out);
 
-// Periodic kernels: the same operator in real space, out[iy*mx + ix] for offsets 0 <= ix < mx <= nx, 0 <= iy < my <= ny.
+// The operator of a symbol in real space, out[iy*mx + ix] for offsets 0 <= ix < mx <= nx, 0 <= iy < my <= ny.
+void from_symbol(std::vector<double> symbol, std::int64_t nx, std::int64_t ny, std::int64_t mx, std::int64_t my, double* out);
 void periodic_coefficients(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t ny, std::int64_t mx,
                            std::int64_t my, double* out);
 

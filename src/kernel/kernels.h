@@ -1,4 +1,4 @@
-// The kernels behind the registry in kernel.cpp: one table-filling function each.
+// The list of kernels, and one table-filling function each.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,17 @@
 
 namespace rc::kernel {
 
-// The offsets (first_x + ix, first_y + iy), 0 <= ix < mx, 0 <= iy < my, of a table out[iy*mx + ix].
-struct Window {
-  std::int64_t first_x, first_y, mx, my;
-};
-
-// coefficients() of any window; constructing a kernel's expansion costs some microseconds.
-void window_coefficients(const Kernel&, double hx, double hy, const Window&, double* out);
+// Sorted by name.
+inline constexpr std::array<Kernel, 6> kernels{{
+    {"disc", "uniform pressure on the inscribed disc, centre deflection; square cells, first order", Boundary::free, true},
+    {"eq9",
+     "punch with the self term printed in Bemporad & Paggi (2015), eq. (9), 36 % too small: only to reproduce their results",
+     Boundary::free, true},
+    {"galerkin", "uniform pressure on the cell, mean deflection of the receiving cell; second order", Boundary::free, false},
+    {"love", "uniform pressure on the cell, centre deflection (Love 1929); second order", Boundary::free, false},
+    {"punch", "rigid circular punch inscribed in the cell; square cells, first order", Boundary::free, true},
+    {"spectral", "exact for every wave that the periodic grid resolves: 2/|q|, mean 0", Boundary::periodic, false},
+}};
 
 void love(double hx, double hy, const Window&, double* out);
 void galerkin(double hx, double hy, const Window&, double* out);

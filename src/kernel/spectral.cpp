@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "kernel/kernel.h"
@@ -14,7 +15,9 @@ namespace {
 
 struct Matrix {
   Matrix(std::int64_t row_count, std::int64_t column_count)
-      : rows(row_count), columns(column_count), value(static_cast<std::size_t>(row_count * column_count)) {}
+      : Matrix(row_count, column_count, std::vector<double>(static_cast<std::size_t>(row_count * column_count))) {}
+  Matrix(std::int64_t row_count, std::int64_t column_count, std::vector<double> values)
+      : rows(row_count), columns(column_count), value(std::move(values)) {}
   double* row(std::int64_t i) { return value.data() + i * columns; }
   const double* row(std::int64_t i) const { return value.data() + i * columns; }
 
@@ -67,14 +70,13 @@ void symbol(const Kernel&, double hx, double hy, std::int64_t nx, std::int64_t n
   out[0] = 0;
 }
 
-void periodic_coefficients(const Kernel& kernel, double hx, double hy, std::int64_t nx, std::int64_t ny, std::int64_t mx,
-                           std::int64_t my, double* out) {
+void from_symbol(std::vector<double> symbol, std::int64_t nx, std::int64_t ny, std::int64_t mx, std::int64_t my, double* out) {
   // Offsets beyond half the period repeat the nearer ones.
   const std::int64_t half_x = nx / 2 + 1, half_y = ny / 2 + 1;
   const std::int64_t distinct_x = std::min(mx, half_x), distinct_y = std::min(my, half_y);
 
-  Matrix eigenvalues(half_y, half_x), to_x(half_x, distinct_x), to_y(distinct_y, half_y);
-  symbol(kernel, hx, hy, nx, ny, eigenvalues.value.data());
+  const Matrix eigenvalues{half_y, half_x, std::move(symbol)};
+  Matrix to_x(half_x, distinct_x), to_y(distinct_y, half_y);
   for (std::int64_t k = 0; k < half_x; ++k)
     for (std::int64_t i = 0; i < distinct_x; ++i) to_x.row(k)[i] = cosine(nx, i, k);
   for (std::int64_t i = 0; i < distinct_y; ++i)
@@ -83,6 +85,13 @@ void periodic_coefficients(const Kernel& kernel, double hx, double hy, std::int6
   const Matrix coefficient = to_y * (eigenvalues * to_x);
   for (std::int64_t iy = 0; iy < my; ++iy)
     for (std::int64_t ix = 0; ix < mx; ++ix) *out++ = coefficient.row(std::min(iy, ny - iy))[std::min(ix, nx - ix)];
+}
+
+void periodic_coefficients(const Kernel& kernel, double hx, double hy, std::int64_t nx, std::int64_t ny, std::int64_t mx,
+                           std::int64_t my, double* out) {
+  std::vector<double> eigenvalues(static_cast<std::size_t>((nx / 2 + 1) * (ny / 2 + 1)));
+  symbol(kernel, hx, hy, nx, ny, eigenvalues.data());
+  from_symbol(std::move(eigenvalues), nx, ny, mx, my, out);
 }
 
 }  // namespace rc::kernel

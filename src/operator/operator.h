@@ -39,8 +39,17 @@ class Operator {
   // Becomes as new, but keeps the count of products. False where the backend cannot do that: then make a new operator.
   bool forget();
 
-  // Asked before every product; a status other than 0 stops it.
-  void watch(std::function<rc_status()> ask) { ask_ = std::move(ask); }
+  // While it lives, it is asked before every product; a status other than 0 stops it.
+  class Watch {
+   public:
+    Watch(Operator& watched, std::function<rc_status()> ask) : watched_(watched) { watched.ask_ = std::move(ask); }
+    ~Watch() { watched_.ask_ = nullptr; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+   private:
+    Operator& watched_;
+  };
 
   rc_status apply(const double* x, double* y);                 // y = H[T,T] x
   rc_status apply_float(const float* x, float* y);             // likewise; only with RC_CAP_FLOAT

@@ -15,7 +15,7 @@ Context::Context(const ContextConfig& config) : config_(config), host_(*this) {
   for (const rc_plugin_query_fn query : builtin_plugins()) {
     const rc_plugin* plugin = nullptr;
     raise_if_failed(query(&host_, &plugin), "a built-in component");
-    add(*plugin, "built-in");
+    add(*plugin, std::string(built_in_origin));
   }
 }
 
@@ -41,9 +41,14 @@ template <class Vtable> Vtable zero_filled(const Vtable& vtable) {
   return copy;
 }
 
-void check_bit(const rc_backend& backend, std::uint64_t bit, bool present, const char* function) {
-  if (((backend.caps & bit) != 0) != present)
-    fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" has ", present ? "" : "no ", function, "() but its caps say otherwise");
+const char* kind_of(const rc_backend&) { return "backend"; }
+const char* kind_of(const rc_kernel&) { return "kernel"; }
+
+// A function and its bit in caps go together.
+template <class Vtable> void check_bit(const Vtable& component, std::uint64_t bit, bool present, const char* function) {
+  if (((component.caps & bit) != 0) != present)
+    fail(RC_ERR_PLUGIN, kind_of(component), " \"", component.name, "\" has ", present ? "" : "no ", function,
+         "() but its caps say otherwise");
 }
 
 void check(const rc_backend& backend) {
@@ -59,6 +64,22 @@ void check(const rc_backend& backend) {
 void check(const rc_solver& solver) {
   if (!solver.solve || (solver.controls & RC_CONTROL_DISPLACEMENT) == 0)
     fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" lacks solve or displacement control");
+}
+
+void check(const rc_kernel& kernel) {
+  check_bit(kernel, RC_KERNEL_FREE, kernel.window != nullptr, "window");
+  check_bit(kernel, RC_KERNEL_PERIODIC, kernel.symbol != nullptr, "symbol");
+  if (!kernel.window && !kernel.symbol) fail(RC_ERR_PLUGIN, "kernel \"", kernel.name, "\" lacks window and symbol");
+}
+
+// A kernel is chosen when a contact is made, and its values with it.
+OptionSpec option_of(const rc_kernel& kernel, const rc_option_spec& given) {
+  OptionSpec spec = checked_spec(given, kernel.name);
+  spec.fixed = true;
+  return spec;
+}
+template <class Vtable> OptionSpec option_of(const Vtable& component, const rc_option_spec& given) {
+  return checked_spec(given, component.name);
 }
 
 }  // namespace
@@ -77,37 +98,40 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
     fail(RC_ERR_PLUGIN, "a component is named \"", copy.name ? copy.name : "",
          "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
   if (!copy.summary || !copy.license) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" lacks a summary or a licence");
-  if (find(backends_, copy.name) || find(solvers_, copy.name))
-    fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
+  if (knows(copy.name)) fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
   check(copy);
   if (copy.n_options > 0 && !copy.options) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" has options, but the list is null");
   for (std::int64_t i = 0; i < copy.n_options; ++i) {
     if (!copy.options[i]) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\": option ", i, " is null");
-    schema_.add(checked_spec(*copy.options[i], copy.name));
+    schema_.add(option_of(copy, *copy.options[i]));
   }
   components.push_back({copy, origin, origin.starts_with('/')});
 }
 
-void Context::add(const rc_plugin& plugin, const std::string& origin) {
+void Context::add(const rc_plugin& given, const std::string& origin) {
   const std::lock_guard lock(mutex_);
-  if (plugin.struct_size < first_plugin_size || !plugin.name)
-    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", plugin.struct_size, " is smaller than ", first_plugin_size,
+  if (given.struct_size < first_plugin_size || !given.name)
+    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", given.struct_size, " is smaller than ", first_plugin_size,
          ", or it has no name");
-  if (plugin.abi_major != RC_PLUGIN_ABI_MAJOR)
-    fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, ") has plugin ABI ", plugin.abi_major, ", this library has ",
+  if (given.abi_major != RC_PLUGIN_ABI_MAJOR)
+    fail(RC_ERR_PLUGIN, "plugin \"", given.name, "\" (", origin, ") has plugin ABI ", given.abi_major, ", this library has ",
          RC_PLUGIN_ABI_MAJOR, "; rebuild it against the installed headers");
-  if ((plugin.n_backends > 0 && !plugin.backends) || (plugin.n_solvers > 0 && !plugin.solvers))
+  const rc_plugin plugin = zero_filled(given);
+  if ((plugin.n_backends > 0 && !plugin.backends) || (plugin.n_solvers > 0 && !plugin.solvers) ||
+      (plugin.n_kernels > 0 && !plugin.kernels))
     fail(RC_ERR_PLUGIN, "plugin \"", plugin.name, "\" (", origin, "): a list of components is null");
   // All or nothing.
-  const std::size_t backends = backends_.size(), solvers = solvers_.size(), options = schema_.size();
+  const std::size_t backends = backends_.size(), solvers = solvers_.size(), kernels = kernels_.size(), options = schema_.size();
   const auto undo = [&] {
     while (backends_.size() > backends) backends_.pop_back();
     while (solvers_.size() > solvers) solvers_.pop_back();
+    while (kernels_.size() > kernels) kernels_.pop_back();
     schema_.shrink(options);
   };
   try {
     for (std::int64_t i = 0; i < plugin.n_backends; ++i) add_component(backends_, plugin.backends[i], origin);
     for (std::int64_t i = 0; i < plugin.n_solvers; ++i) add_component(solvers_, plugin.solvers[i], origin);
+    for (std::int64_t i = 0; i < plugin.n_kernels; ++i) add_component(kernels_, plugin.kernels[i], origin);
   } catch (const Error& error) {
     undo();
     fail(error.code(), "plugin \"", plugin.name, "\" (", origin, "): ", error.what());
@@ -142,7 +166,7 @@ void Context::open_plugins(std::int64_t points) {
     std::string name = std::move(*place);
     closed_.erase(place);  // before the log is called, which may enumerate too
     try {
-      if (!find(backends_, name) && !find(solvers_, name)) load(name);
+      if (!knows(name)) load(name);
     } catch (const Error& error) {
       log(RC_LOG_WARNING, error.what());
     } catch (...) {
@@ -165,12 +189,12 @@ void Context::load_all() {
 }
 
 template <class Vtable>
-const Vtable& Context::get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing,
-                           const char* kind) {
+const Component<Vtable>& Context::get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing,
+                                      const char* kind) {
   const std::lock_guard lock(mutex_);
-  if (const auto* component = find(components, name)) return component->vtable;
+  if (const auto* component = find(components, name)) return *component;
   if (is_component_name(name) && load(std::string(name)))
-    if (const auto* component = find(components, name)) return component->vtable;
+    if (const auto* component = find(components, name)) return *component;
   load_all();
   std::vector<std::string> known;
   for (const auto& component : components) known.push_back(component.vtable.name);
@@ -182,8 +206,9 @@ const Vtable& Context::get(const std::deque<Component<Vtable>>& components, std:
   fail(missing, kind, " \"", name, "\" not found", suggestion(name, known), "; available: ", list);
 }
 
-const rc_backend& Context::backend(std::string_view name) { return get(backends_, name, RC_ERR_NO_BACKEND, "backend"); }
-const rc_solver& Context::solver(std::string_view name) { return get(solvers_, name, RC_ERR_NO_SOLVER, "solver"); }
+const rc_backend& Context::backend(std::string_view name) { return get(backends_, name, RC_ERR_NO_BACKEND, "backend").vtable; }
+const rc_solver& Context::solver(std::string_view name) { return get(solvers_, name, RC_ERR_NO_SOLVER, "solver").vtable; }
+const Component<rc_kernel>& Context::kernel(std::string_view name) { return get(kernels_, name, RC_ERR_OPTION, "kernel"); }
 
 namespace {
 
@@ -219,6 +244,12 @@ std::vector<const Component<rc_solver>*> Context::solvers() {
   const std::lock_guard lock(mutex_);
   load_all();
   return sorted(solvers_);
+}
+
+std::vector<const Component<rc_kernel>*> Context::kernels() {
+  const std::lock_guard lock(mutex_);
+  load_all();
+  return sorted(kernels_);
 }
 
 const OptionSpec& Context::option(std::string_view key) {

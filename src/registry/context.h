@@ -1,4 +1,5 @@
-// The registry: backends and solvers known to a context, whether linked in, registered by the host program or loaded from disk.
+// The registry: backends, solvers and kernels known to a context, whether linked in, registered by the host program or loaded
+// from disk.
 #pragma once
 
 #include <roughcontact/plugin.h>
@@ -15,17 +16,24 @@
 namespace rc {
 
 class Context;
+class SystemKernel;
 
-// The services handed to components: rc_host's functions find their context behind it.
+// The services handed to components: rc_host's functions find their context behind it, and the kernel of the system that a
+// component works for.
 struct Host : rc_host {
-  explicit Host(const Context& context);
+  explicit Host(const Context& context, const SystemKernel* kernel = nullptr);
   const Context* context;
+  const SystemKernel* kernel;
 };
+
+inline constexpr std::string_view built_in_origin = "built-in";
 
 template <class Vtable> struct Component {
   Vtable vtable;  // members that an older plugin lacks are null
   std::string origin;
   bool plugin;  // from a file
+
+  bool built_in() const { return origin == built_in_origin; }
 };
 
 struct ContextConfig {
@@ -47,13 +55,15 @@ class Context {
 
   void add(const rc_plugin& plugin, const std::string& origin);
 
-  // By exact name, loading rcb_<name>.so if needed. Throw Error(NO_BACKEND, NO_SOLVER, PLUGIN).
+  // By exact name, loading rcb_<name>.so if needed. Throw Error(NO_BACKEND, NO_SOLVER, OPTION, PLUGIN).
   const rc_backend& backend(std::string_view name);
   const rc_solver& solver(std::string_view name);
+  const Component<rc_kernel>& kernel(std::string_view name);
 
   // Everything that can be found, sorted by name; refused files are logged.
   std::vector<const Component<rc_backend>*> backends();
   std::vector<const Component<rc_solver>*> solvers();
+  std::vector<const Component<rc_kernel>*> kernels();
   // What "auto" may stand for on a grid of so many points, sorted by name: what is in plugins that it opens there, and what
   // needed no plugin; points = 0: that alone. The same whatever was opened before.
   std::vector<const Component<rc_backend>*> backends_for_auto(std::int64_t points) { return for_auto(backends_, points); }
@@ -70,10 +80,12 @@ class Context {
  private:
   template <class Vtable>
   const Component<Vtable>* find(const std::deque<Component<Vtable>>& components, std::string_view name) const;
+  bool knows(std::string_view name) const { return find(backends_, name) || find(solvers_, name) || find(kernels_, name); }
   template <class Vtable>
   void add_component(std::deque<Component<Vtable>>& components, const Vtable* vtable, const std::string& origin);
   template <class Vtable>
-  const Vtable& get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing, const char* kind);
+  const Component<Vtable>& get(const std::deque<Component<Vtable>>& components, std::string_view name, rc_status missing,
+                               const char* kind);
   template <class Vtable>
   std::vector<const Component<Vtable>*> for_auto(const std::deque<Component<Vtable>>& components, std::int64_t points);
   bool load(const std::string& name);      // true if a file of that name was loaded now or before
@@ -85,6 +97,7 @@ class Context {
   mutable std::recursive_mutex mutex_;
   std::deque<Component<rc_backend>> backends_;
   std::deque<Component<rc_solver>> solvers_;
+  std::deque<Component<rc_kernel>> kernels_;
   std::vector<std::string> loaded_;
   Schema schema_;
   std::vector<std::string> closed_;  // names of plugins that "auto" has not tried to open

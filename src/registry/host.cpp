@@ -7,10 +7,9 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "kernel/kernel.h"
-#include "kernel/kernels.h"
 #include "registry/context.h"
 #include "registry/options_handle.h"
+#include "registry/system_kernel.h"
 
 namespace rc {
 
@@ -52,15 +51,20 @@ const OptionValue& value(const rc_options* options, const char* key, int type) {
   return options->values.get(spec);
 }
 
-const kernel::Kernel& kernel_named(const char* name) {
-  const kernel::Kernel* found = kernel::find(name);
-  if (!found) fail(RC_ERR_INTERNAL, "kernel \"", name, "\" is unknown");
-  return *found;
+const SystemKernel& kernel_of(const rc_host* host, const char* name) {
+  const SystemKernel* kernel = static_cast<const Host*>(host)->kernel;
+  if (!kernel || kernel->name() != name) fail(RC_ERR_INTERNAL, "kernel \"", name, "\" is not that of the system");
+  return *kernel;
+}
+
+void divide(double* values, std::int64_t n, double modulus) {
+  if (modulus == 1) return;
+  for (std::int64_t i = 0; i < n; ++i) values[i] /= modulus;
 }
 
 }  // namespace
 
-Host::Host(const Context& owner) : rc_host{}, context(&owner) {
+Host::Host(const Context& owner, const SystemKernel* of_system) : rc_host{}, context(&owner), kernel(of_system) {
   struct_size = sizeof(rc_host);
   abi_major = RC_PLUGIN_ABI_MAJOR;
   abi_minor = RC_PLUGIN_ABI_MINOR;
@@ -82,29 +86,24 @@ Host::Host(const Context& owner) : rc_host{}, context(&owner) {
   option_text = [](const rc_host*, const rc_options* options, const char* key, const char** out) {
     return shielded([&] { *out = std::get<std::string>(value(options, key, RC_TYPE_TEXT)).c_str(); });
   };
-  coefficients = [](const rc_host*, const rc_system* system, const char* name, std::int64_t mx, std::int64_t my, double* out) {
+  coefficients = [](const rc_host* host, const rc_system* system, const char* name, std::int64_t mx, std::int64_t my,
+                    double* out) {
     return shielded([&] {
-      if (system->boundary == RC_BOUNDARY_PERIODIC)
-        kernel::periodic_coefficients(kernel_named(name), system->hx, system->hy, system->nx, system->ny, mx, my, out);
-      else
-        kernel::coefficients(kernel_named(name), system->hx, system->hy, mx, my, out);
-      if (system->modulus != 1)
-        for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= system->modulus;
+      kernel_of(host, name).coefficients(*system, mx, my, out);
+      divide(out, mx * my, system->modulus);
     });
   };
-  symbol = [](const rc_host*, const rc_system* system, const char* name, double* out) {
+  symbol = [](const rc_host* host, const rc_system* system, const char* name, double* out) {
     return shielded([&] {
-      kernel::symbol(kernel_named(name), system->hx, system->hy, system->nx, system->ny, out);
-      if (system->modulus != 1)
-        for (std::int64_t i = 0; i < (system->nx / 2 + 1) * (system->ny / 2 + 1); ++i) out[i] /= system->modulus;
+      kernel_of(host, name).symbol(*system, out);
+      divide(out, (system->nx / 2 + 1) * (system->ny / 2 + 1), system->modulus);
     });
   };
-  window = [](const rc_host*, const rc_system* system, const char* name, std::int64_t first_x, std::int64_t first_y,
+  window = [](const rc_host* host, const rc_system* system, const char* name, std::int64_t first_x, std::int64_t first_y,
               std::int64_t mx, std::int64_t my, double* out) {
     return shielded([&] {
-      kernel::window_coefficients(kernel_named(name), system->hx, system->hy, {first_x, first_y, mx, my}, out);
-      if (system->modulus != 1)
-        for (std::int64_t i = 0; i < mx * my; ++i) out[i] /= system->modulus;
+      kernel_of(host, name).window(*system, {first_x, first_y, mx, my}, out);
+      divide(out, mx * my, system->modulus);
     });
   };
 }

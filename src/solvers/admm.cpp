@@ -2,7 +2,7 @@
 // 2011, 3.4.3) and residual balancing (the rule of OSQP: Stellato et al. 2020, 5.2).
 //
 // The pressure is split in two. x solves (H + rho I) x = u + rho (z - v); in load control u + d stands for u, with d such that
-// sum x = load. z >= 0 is the projection of x + v, and v is the sum of all x - z. At the solution -rho v is the gap w.
+// sum x = load. z is the projection of x + v on 0 <= z <= cap, and v is the sum of all x - z. At the solution -rho v is the gap w.
 //
 // Changes to the printed algorithm: the sign of its step 5.1; a penalty rho on the scale of the problem; a stop by the residual
 // of z from its own product with H, because a small |x - z| alone does not mean a small residual.
@@ -32,7 +32,7 @@ class Alternation {
  public:
   Alternation(const Problem& problem, Vector& p, double& d)
       : problem_(problem), u_(problem.u()), n_(p.size()), p_(p), d_(d), hp_(n_, 0.0), x_(n_), z_(n_), v_(n_), right_(n_) {
-    for (double& value : p_) value = std::max(value, 0.0);
+    clip(problem_, p_);
     scale_to_load(problem_, p_);
   }
 
@@ -43,7 +43,10 @@ class Alternation {
     Residual residual = residual_of(problem_, p_, hp_);
     choose_penalty();
     x_ = z_ = p_;
-    for (std::size_t i = 0; i < n_; ++i) v_[i] = -std::max(0.0, hp_[i] - u_[i] - residual.approach) / rho_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double gap = hp_[i] - u_[i] - residual.approach;
+      v_[i] = -(p_[i] < problem_.cap() ? std::max(0.0, gap) : std::min(0.0, gap)) / rho_;
+    }
 
     Stall stalls(progress, patience);
     std::int64_t balance_at = first_balance;
@@ -57,7 +60,7 @@ class Alternation {
       Vector last = z_;
       for (std::size_t i = 0; i < n_; ++i) {
         const double relaxed = relaxation * x_[i] + (1 - relaxation) * z_[i];
-        z_[i] = std::max(0.0, relaxed + v_[i]);
+        z_[i] = std::min(std::max(0.0, relaxed + v_[i]), problem_.cap());
         v_[i] += relaxed - z_[i];
       }
       if (std::any_of(z_.begin(), z_.end(), [](double value) { return value > 0; }) || !problem_.load_control()) {
@@ -85,6 +88,9 @@ class Alternation {
       p_[i] *= factor;
       hp_[i] *= factor;
     }
+    if (std::none_of(p_.begin(), p_.end(), [&](double value) { return value > problem_.cap(); })) return;
+    clip(problem_, p_);
+    problem_.apply(p_, hp_);
   }
 
   // The geometric mean of the extreme eigenvalues is the best penalty for a quadratic (Ghadimi et al. 2015).
@@ -139,9 +145,9 @@ class Alternation {
   const Problem& problem_;
   const double* const u_;
   const std::size_t n_;
-  Vector& p_;  // z; in load control scaled to the load
+  Vector& p_;  // z; in load control of that load
   double& d_;
-  Vector hp_, x_, z_, v_;  // H p; the unconstrained pressure; the non-negative one; the sum of x - z
+  Vector hp_, x_, z_, v_;  // H p; the unconstrained pressure; the one between its bounds; the sum of x - z
   Vector right_, rate_;    // right hand side; (H + rho I)^-1 1
   double rho_ = 0, rate_sum_ = 0;
   bool automatic_ = true;

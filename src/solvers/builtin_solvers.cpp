@@ -21,7 +21,7 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
   });
   if (status > 0 || (status == 0 && !in_place))
     for (std::int64_t i = 0; i < problem->n; ++i)
-      p[i] = std::max(pressure[static_cast<std::size_t>(i)], 0.0);  // negative where a stop came between a step and its cut
+      p[i] = std::min(std::max(pressure[static_cast<std::size_t>(i)], 0.0), problem->cap);  // beyond where a stop came between a step and its cut
   return status;
 }
 

@@ -16,31 +16,11 @@ constexpr double progress = 0.9;         // the residual falls when it is below 
 constexpr std::int64_t patience = 1000;  // iterations without such a fall, after which the solver has stalled
 constexpr double visible = 1e-6;         // least size of a step, relative to p, whose curvature is above round-off
 
-// Moves v to the nearest point of { p >= 0 } or, in load control, of { p >= 0, sum p = load }: p = max(0, v + shift). The shift
-// is found by leaving out the components that it makes negative, again and again (Michelot 1986).
-void project(const Problem& problem, Vector& v) {
-  double shift = 0;
-  if (problem.load_control()) {
-    double count = static_cast<double>(v.size());
-    double sum = sum_of(v.size(), [&](std::size_t i) { return v[i]; });
-    while (true) {
-      shift = (problem.load() - sum) / count;
-      const auto stays = [&](std::size_t i) { return v[i] + shift > 0; };
-      const double remaining = sum_of(v.size(), [&](std::size_t i) { return stays(i) ? 1.0 : 0.0; });
-      if (remaining == count || remaining == 0) break;
-      count = remaining;
-      sum = sum_of(v.size(), [&](std::size_t i) { return stays(i) ? v[i] : 0.0; });
-    }
-  }
-  for (double& value : v) value = std::max(0.0, value + shift);
-  scale_to_load(problem, v);  // removes the round-off in the sum
-}
-
 class Descent {
  public:
   Descent(const Problem& problem, Vector& p, double& d, const GradientSettings& settings)
       : problem_(problem), settings_(settings), n_(p.size()), p_(p), d_(d), hp_(n_, 0.0), s_(n_), hs_(n_) {
-    for (double& value : p_) value = std::max(value, 0.0);
+    clip(problem_, p_);
     scale_to_load(problem_, p_);
   }
 

@@ -1,6 +1,6 @@
 // Accelerated gradient projection: Bemporad & Paggi (2015), Algorithm 4, with the adaptive restart of O'Donoghue & Candes (2015).
 //
-// Minimises 1/2 p'Hp - u'p over p >= 0 (load control: and sum p = load) by projected steps of length 1/L, L >= lambda_max(H).
+// Minimises 1/2 p'Hp - u'p over 0 <= p <= cap (load control: and sum p = load) by projected steps of length 1/L, L >= lambda_max(H).
 #pragma once
 
 #include <limits>
@@ -16,7 +16,7 @@ struct GradientSettings {
   bool polls = true;  // false where the steps are part of another solver's iteration
 };
 
-// p >= 0 at every exit. Returns RC_STOP_STALLED if the residual stops falling, or after all steps.
+// 0 <= p <= cap at every exit. Returns RC_STOP_STALLED if the residual stops falling, or after all steps.
 rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings);
 
 }  // namespace rc

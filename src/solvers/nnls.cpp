@@ -1,18 +1,22 @@
 // Non-negative least squares: Bemporad & Paggi (2015), Algorithm 3. Finite and exact: the answer solves H_CC p_C = u_C on the
-// final contact set C.
+// final contact set C. With a cap of the pressure (bounded-variable least squares: Stark & Parker 1995) the points of C carry less
+// than the cap, others the cap itself, and their deflection is taken from u.
 //
 // nnls.pivoting = block exchanges all infeasible points at once (block principal pivoting: Kostreva 1978; Judice & Pires 1994).
 // It needs a handful of solves. It may fail to make progress; then the other method goes on from its pressures.
 // nnls.pivoting = single adds the point of the largest overlap (Lawson & Hanson 1974), as published. Each solve lowers the
-// energy, so no set comes twice; but every point of the contact set costs a solve. Changes to the printed algorithm: the
+// energy, so no set comes twice; but every point of the contact set costs a solve. It takes points off the cap in the same way. Changes to the printed algorithm: the
 // tolerances are relative; all points that reach zero leave at once and are set to zero; and a point that was refused, because it
 // would pull, is not tried again before another one has been accepted.
 //
 // Iterations are counted in solves, each on one contact set.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "solvers/common/largest_eigenvalue.h"
+#include "solvers/common/residual.h"
 #include "solvers/gradient_projection.h"
 #include "solvers/solver.h"
 
@@ -23,14 +27,17 @@ namespace {
 constexpr int block_attempts = 10;           // exchanges that do not lower the number of infeasible points
 constexpr std::int64_t start_directly = 64;  // most points for which the first set is {u > 0}; with more, gradient steps find it
 constexpr std::int64_t gradient_steps = 30, warm_gradient_steps = 25;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double round_off = 1e-15;  // relative to the largest pressure: below, a pressure has vanished
+
+enum class State : char { open, free, capped };
 
 class Pivoting {
  public:
-  Pivoting(const Problem& problem, Vector& p) : problem_(problem), n_(p.size()), p_(p), w_(n_), in_contact_(n_) {
+  Pivoting(const Problem& problem, Vector& p) : problem_(problem), n_(p.size()), cap_(problem.cap()), p_(p), w_(n_), state_(n_) {
     // A twentieth of what is asked, but no less than the round-off of an exact solve.
     tolerance_ = std::clamp(0.05 * problem.tol(), 2e-14, 1e-9);
-    for (double& value : p_) value = std::max(value, 0.0);
+    clip(problem, p_);
   }
 
   rc_status by_blocks() {
@@ -38,7 +45,7 @@ class Pivoting {
     std::size_t fewest = n_ + 1;
     for (int attempts = block_attempts; attempts > 0;) {
       if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
-      std::fill(p_.begin(), p_.end(), 0.0);
+      for (std::size_t i = 0; i < n_; ++i) p_[i] = state_[i] == State::capped ? cap_ : 0;
       for (std::size_t k = 0; k < contact_.size(); ++k) p_[static_cast<std::size_t>(contact_[k])] = solution_[k];
       find_gap();
       const std::size_t infeasible = find_infeasible();
@@ -51,13 +58,13 @@ class Pivoting {
       }
       exchange();
     }
-    for (double& value : p_) value = std::max(value, 0.0);
+    clip(problem_, p_);
     return one_by_one();
   }
 
   rc_status one_by_one() {
     std::size_t entered = n_;
-    for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = p_[i] > 0;
+    for (std::size_t i = 0; i < n_; ++i) state_[i] = state_of(p_[i]);
     std::vector<char> refused(n_, 0);
     while (true) {
       if (entered < n_ || std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) {
@@ -68,18 +75,18 @@ class Pivoting {
       }
       find_gap();
       entered = n_;
-      bool overlap_refused = false;
+      bool any_refused = false;
       for (std::size_t i = 0; i < n_; ++i) {
-        if (in_contact_[i] || w_[i] >= -tolerance_) continue;
+        if (state_[i] == State::free || violation(i) <= tolerance_) continue;
         if (refused[i]) {
-          overlap_refused = true;
-        } else if (entered == n_ || w_[i] < w_[entered]) {
+          any_refused = true;
+        } else if (entered == n_ || violation(i) > violation(entered)) {
           entered = i;
         }
       }
-      if (entered == n_) return overlap_refused ? RC_STOP_STALLED : RC_OK;
-      worst_ = -w_[entered];
-      in_contact_[entered] = 1;
+      if (entered == n_) return any_refused ? RC_STOP_STALLED : RC_OK;
+      worst_ = violation(entered);
+      state_[entered] = State::free;
     }
   }
 
@@ -96,11 +103,17 @@ class Pivoting {
       double unused = 0;
       if (settings.lipschitz > 0) gradient_projection(problem_, p_, unused, settings);
     }
-    for (std::size_t i = 0; i < n_; ++i) in_contact_[i] = cold && problem_.size() <= start_directly ? u[i] > 0 : p_[i] > 0;
+    const bool directly = cold && problem_.size() <= start_directly;
+    for (std::size_t i = 0; i < n_; ++i)
+      state_[i] = !directly ? state_of(p_[i]) : u[i] > 0 ? State::free : State::open;
   }
 
-  // Moves p towards the solution on the contact set. Points whose pressure vanishes on the way leave the set, and the rest is
-  // solved again, until no point pulls. `entered` is the point just added, or n.
+  State state_of(double p) const { return p >= cap_ ? State::capped : p > 0 ? State::free : State::open; }
+  // Of a point at a bound: its overlap or, at the cap, its gap.
+  double violation(std::size_t i) const { return state_[i] == State::capped ? w_[i] : -w_[i]; }
+
+  // Moves p towards the solution on the contact set. Points whose pressure vanishes or meets the cap on the way leave the set, and
+  // the rest is solved again, until no point is beyond its bounds. `entered` is the point just added, or n.
   rc_status settle(std::size_t entered, bool& accepted) {
     for (bool first = true;; first = false) {
       if (const rc_status status = solve_on_contact_set(); status != RC_OK) return status;
@@ -108,13 +121,14 @@ class Pivoting {
       double length = 1;
       for (std::size_t k = 0; k < contact_.size(); ++k) {
         const auto i = static_cast<std::size_t>(contact_[k]);
-        if (solution_[k] > 0) continue;
-        if (first && i == entered) {  // round-off: by its gap it must push, by the solution it pulls
-          in_contact_[i] = 0;
+        if (is_between(solution_[k])) continue;
+        const double to_go = solution_[k] > 0 ? cap_ - p_[i] : p_[i], change = std::abs(solution_[k] - p_[i]);
+        if (first && i == entered && to_go == 0) {  // round-off: by its gap it must leave its bound, by the solution it goes beyond
+          state_[i] = state_of(p_[i]);
           accepted = false;
           return RC_OK;
         }
-        length = std::min(length, p_[i] > solution_[k] ? p_[i] / (p_[i] - solution_[k]) : 0.0);
+        length = std::min(length, change > 0 ? to_go / change : 0.0);
       }
       bool left = false;
       double largest = 0;
@@ -122,14 +136,31 @@ class Pivoting {
       for (std::size_t k = 0; k < contact_.size(); ++k) {
         const auto i = static_cast<std::size_t>(contact_[k]);
         p_[i] += length * (solution_[k] - p_[i]);
-        if (length == 1 && solution_[k] > 0) p_[i] = solution_[k];
-        if (solution_[k] > 0 || p_[i] > round_off * largest) continue;
-        p_[i] = 0;
-        in_contact_[i] = 0;
+        if (length == 1 && is_between(solution_[k])) p_[i] = solution_[k];
+        const bool up = solution_[k] > 0;
+        if (is_between(solution_[k]) || (up ? cap_ - p_[i] > round_off * cap_ : p_[i] > round_off * largest)) continue;
+        p_[i] = up ? cap_ : 0;
+        state_[i] = up ? State::capped : State::open;
         left = true;
       }
       if (!left) return RC_OK;
     }
+  }
+
+  bool is_between(double p) const { return p > 0 && p < cap_; }
+
+  // u less the deflection by the points at the cap.
+  void find_right() {
+    right_.clear();
+    const double* u = problem_.u();
+    const bool any = std::any_of(state_.begin(), state_.end(), [](State state) { return state == State::capped; });
+    if (any && !contact_.empty()) {
+      Vector at_cap(n_, 0.0);
+      for (std::size_t i = 0; i < n_; ++i)
+        if (state_[i] == State::capped) at_cap[i] = cap_;
+      problem_.apply(at_cap, w_);
+    }
+    for (const std::int64_t i : contact_) right_.push_back(any ? u[i] - w_[static_cast<std::size_t>(i)] : u[i]);
   }
 
   rc_status solve_on_contact_set() {
@@ -137,22 +168,21 @@ class Pivoting {
     while (true) {
       contact_.clear();
       for (std::size_t i = 0; i < n_; ++i)
-        if (in_contact_[i]) contact_.push_back(static_cast<std::int64_t>(i));
-      right_.clear();
+        if (state_[i] == State::free) contact_.push_back(static_cast<std::int64_t>(i));
+      find_right();
       solution_.clear();
-      for (const std::int64_t i : contact_) {
-        right_.push_back(u[i]);
-        solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start of an iterative solve
-      }
-      const rc_status status = problem_.try_subset(contact_, right_, solution_);
+      for (const std::int64_t i : contact_) solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start of an iterative solve
+      const rc_status status = contact_.empty() && cap_ < infinite ? RC_OK : problem_.try_subset(contact_, right_, solution_);
       if (status == RC_OK) return RC_OK;
       // A periodic operator gives 0 for uniform pressure, so full contact has no solution in displacement control: the point with
-      // the largest gap must stay out. Where it keeps coming back, the operator is indefinite.
+      // the largest gap must stay out or, above the mean plane, the one with the largest overlap at the cap. Where it keeps coming
+      // back, the operator is indefinite.
       const bool singular = status == RC_ERR_NUMERIC || status == RC_STOP_STALLED;
       if (!singular || contact_.size() != n_ || n_ < 2 || ++full_sets_ > block_attempts) return status;
-      const auto farthest = static_cast<std::size_t>(std::min_element(u, u + n_) - u);
-      in_contact_[farthest] = 0;
-      p_[farthest] = 0;
+      const bool above = cap_ < infinite && std::accumulate(u, u + n_, 0.0) > 0;
+      const auto farthest = static_cast<std::size_t>((above ? std::max_element(u, u + n_) : std::min_element(u, u + n_)) - u);
+      state_[farthest] = above ? State::capped : State::open;
+      p_[farthest] = above ? cap_ : 0;
     }
   }
 
@@ -161,7 +191,11 @@ class Pivoting {
     for (std::size_t i = 0; i < n_; ++i) w_[i] -= problem_.u()[i];
   }
 
-  bool is_infeasible(std::size_t i) const { return in_contact_[i] ? p_[i] < -tolerance_ * largest_ : w_[i] < -tolerance_; }
+  // How far a free pressure is beyond its bounds.
+  double excess(std::size_t i) const { return std::max(-p_[i], p_[i] - cap_); }
+  bool is_infeasible(std::size_t i) const {
+    return state_[i] == State::free ? excess(i) > tolerance_ * largest_ : violation(i) > tolerance_;
+  }
 
   std::size_t find_infeasible() {
     largest_ = 0;
@@ -171,22 +205,23 @@ class Pivoting {
     for (std::size_t i = 0; i < n_; ++i) {
       if (!is_infeasible(i)) continue;
       ++count;
-      worst_ = std::max(worst_, in_contact_[i] ? -p_[i] / (largest_ > 0 ? largest_ : 1) : -w_[i]);
+      worst_ = std::max(worst_, state_[i] == State::free ? excess(i) / (largest_ > 0 ? largest_ : 1) : violation(i));
     }
     return count;
   }
 
   void exchange() {
     for (std::size_t i = 0; i < n_; ++i)
-      if (is_infeasible(i)) in_contact_[i] = !in_contact_[i];
+      if (is_infeasible(i)) state_[i] = state_[i] != State::free ? State::free : p_[i] > 0 ? State::capped : State::open;
   }
 
   const Problem& problem_;
   const std::size_t n_;
+  const double cap_;  // of the pressures
   Vector& p_;
   Vector w_;  // H p - u
-  std::vector<char> in_contact_;
-  Positions contact_;
+  std::vector<State> state_;
+  Positions contact_;  // the free points
   Vector right_, solution_;
   double tolerance_ = 0, largest_ = 0, worst_ = 1;
   std::int64_t solves_ = 0;

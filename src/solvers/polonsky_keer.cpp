@@ -1,7 +1,8 @@
 // Constrained conjugate gradients: Polonsky & Keer (1999), the corrected form of Bemporad & Paggi (2015), Algorithm 2.
 //
 // Changes to the printed algorithm: directions are restricted to the contact set and conjugate on it; every point (not only those
-// of the contact set) is clipped and checked for overlap; and the stop test is the KKT residual.
+// of the contact set) is clipped and checked for overlap; and the stop test is the KKT residual. Pressures with a cap are clipped
+// there as well, rest while the bodies overlap, and are released where a gap opens.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,13 +20,14 @@ constexpr int refresh_every = 25;    // updates of H p between products that rem
 constexpr double progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
 constexpr int patience = 300;        // iterations without such a fall, after which the solver has stalled
 constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
+constexpr double same_load = 1e-15;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Iteration {
  public:
   Iteration(const Problem& problem, Vector& p, double& d)
-      : problem_(problem), u_(problem.u()), n_(p.size()), p_(p), d_(d), hp_(n_), t_(n_, 0.0), q_(n_) {
-    for (double& value : p_) value = std::max(value, 0.0);
+      : problem_(problem), u_(problem.u()), n_(p.size()), cap_(problem.cap()), p_(p), d_(d), hp_(n_), t_(n_, 0.0), q_(n_) {
+    clip(problem_, p_);
   }
 
   rc_status run() {
@@ -34,6 +36,7 @@ class Iteration {
   }
 
  private:
+  bool is_free(std::size_t i) const { return p_[i] > 0 && p_[i] < cap_; }
   double gap(std::size_t i) const { return hp_[i] - u_[i] - approach_; }
 
   void refresh() {
@@ -61,6 +64,9 @@ class Iteration {
     const double curvature = dot(p_, hp_);
     if (!(curvature > 0)) not_definite(curvature);
     rescale(dot_u(p_) / curvature);
+    if (std::none_of(p_.begin(), p_.end(), [&](double value) { return value > cap_; })) return;
+    clip(problem_, p_);
+    refresh();
   }
 
   double dot(const Vector& a, const Vector& b) const {
@@ -80,9 +86,11 @@ class Iteration {
   // Load control: scales the pressures to the prescribed load.
   void balance() {
     if (!problem_.load_control()) return;
-    const double sum = sum_of(n_, [&](std::size_t i) { return p_[i]; });
-    if (sum > 0) return rescale(problem_.load() / sum);
-    p_[static_cast<std::size_t>(std::max_element(u_, u_ + n_) - u_)] = problem_.load();
+    const double sum = sum_of(n_, [&](std::size_t i) { return p_[i]; }), largest = *std::max_element(p_.begin(), p_.end());
+    if (sum > 0 && largest < cap_ && largest * (problem_.load() / sum) <= cap_) return rescale(problem_.load() / sum);
+    if (sum > 0 && std::abs(sum - problem_.load()) <= same_load * problem_.load()) return;
+    if (!(sum > 0)) p_[static_cast<std::size_t>(std::max_element(u_, u_ + n_) - u_)] = problem_.load();
+    scale_to_load(problem_, p_);
     refresh();
   }
 
@@ -97,17 +105,17 @@ class Iteration {
     return present.worst;
   }
 
-  // Load control: the mean of a vector over the contact set; a change of the approach absorbs it. Displacement control: 0.
+  // Load control: the mean of a vector over the free points; a change of the approach absorbs it. Displacement control: 0.
   double datum(const Vector& v, double count) const {
-    return problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? v[i] : 0.0; }) / count : 0.0;
+    return problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return is_free(i) ? v[i] : 0.0; }) / count : 0.0;
   }
 
-  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the contact set, at least 0. While the set stays the
+  // Makes the new direction conjugate to t: beta = -(g, H t) / (t, H t) on the free points, at least 0. While the set stays the
   // same this equals the paper's ratio of squared norms. After a change of the set it still holds for the part of t that remains.
   double conjugacy(double count) const {
     const double mean = datum(q_, count);
-    const double overlap = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? gap(i) * (q_[i] - mean) : 0.0; });
-    const double curvature = sum_of(n_, [&](std::size_t i) { return p_[i] > 0 ? t_[i] * (q_[i] - mean) : 0.0; });
+    const double overlap = sum_of(n_, [&](std::size_t i) { return is_free(i) ? gap(i) * (q_[i] - mean) : 0.0; });
+    const double curvature = sum_of(n_, [&](std::size_t i) { return is_free(i) ? t_[i] * (q_[i] - mean) : 0.0; });
     return curvature > 0 ? std::max(0.0, -overlap / curvature) : 0;
   }
 
@@ -115,21 +123,21 @@ class Iteration {
   double direction() {
     double count = 0, largest = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      if (p_[i] <= 0) continue;
+      if (!is_free(i)) continue;
       count += 1;
       largest = std::max(largest, std::abs(gap(i)));
     }
     if (largest == 0) return 0;
     const double beta = conjugate_ ? conjugacy(count) : 0;
-    for (std::size_t i = 0; i < n_; ++i) t_[i] = p_[i] > 0 ? gap(i) + beta * t_[i] : 0;
+    for (std::size_t i = 0; i < n_; ++i) t_[i] = is_free(i) ? gap(i) + beta * t_[i] : 0;
     if (problem_.load_control()) {
       // A direction with sum 0 keeps the load.
       const double mean = datum(t_, count);
       for (std::size_t i = 0; i < n_; ++i)
-        if (p_[i] > 0) t_[i] -= mean;
+        if (is_free(i)) t_[i] -= mean;
     }
     problem_.apply(t_, q_);
-    const double slope = sum_of(n_, [&](std::size_t i) { return t_[i] * (p_[i] > 0 ? gap(i) : 0.0); });
+    const double slope = sum_of(n_, [&](std::size_t i) { return t_[i] * (is_free(i) ? gap(i) : 0.0); });
     const double curvature = dot(q_, t_);
     if (std::isnan(curvature)) not_definite(curvature);
     const double size = dot(t_, t_);
@@ -139,27 +147,31 @@ class Iteration {
     return first_bound();
   }
 
-  // The step length along a direction without curvature, the mean of a periodic operator: until the first pressure vanishes.
+  // The step length along a direction without curvature, the mean of a periodic operator: until the first pressure vanishes
+  // or meets the cap.
   double first_bound() const {
     double length = infinite;
     for (std::size_t i = 0; i < n_; ++i)
-      if (p_[i] > 0 && t_[i] > 0) length = std::min(length, p_[i] / t_[i]);
+      if (is_free(i) && t_[i] != 0) length = std::min(length, t_[i] > 0 ? p_[i] / t_[i] : (p_[i] - cap_) / t_[i]);
     return length < infinite ? length : 0;
   }
 
-  // Moves along t, clips at zero, admits points that overlap. True if the contact set changed: H p must then be computed anew.
+  // Moves along t, clips at the bounds, admits points that overlap and releases those with a gap from the cap. True if the contact set changed: H p must then be computed anew.
   bool step(double length) {
     if (length > 0) last_length_ = length;
     bool bounded = false;
     conjugate_ = length > 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      const bool contact = p_[i] > 0;
-      if (contact) p_[i] -= length * t_[i];
-      if (contact && p_[i] > 0) continue;
-      bounded = bounded || contact;
-      p_[i] = 0;
-      if (gap(i) < 0) {
-        p_[i] = -last_length_ * gap(i);
+      const bool moved = is_free(i);
+      if (moved) p_[i] -= length * t_[i];
+      if (moved && is_free(i)) continue;
+      bounded = bounded || moved;
+      const bool at_cap = p_[i] > 0;
+      p_[i] = at_cap ? cap_ : 0;
+      if (at_cap ? gap(i) > 0 : gap(i) < 0) {
+        // Half the cap at most: with more, points could go from bound to bound for ever.
+        const double change = std::min(last_length_ * std::abs(gap(i)), 0.5 * cap_);
+        p_[i] = at_cap ? cap_ - change : change;
         bounded = true;
       }
     }
@@ -191,6 +203,7 @@ class Iteration {
   const Problem& problem_;
   const double* const u_;
   const std::size_t n_;
+  const double cap_;        // 0 <= p <= cap
   Vector& p_;               // pressure
   double& d_;               // load control: the approach, an answer
   Vector hp_, t_, q_;       // H p, direction, H t

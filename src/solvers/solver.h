@@ -27,6 +27,7 @@ class Problem {
   bool load_control() const { return problem_.control == RC_CONTROL_LOAD; }
   const double* u() const { return problem_.u; }  // null: (approach - gap) / length_unit()
   double load() const { return problem_.load; }
+  double cap() const { return problem_.cap; }  // 0 <= p <= cap; may be infinite
   double tol() const { return problem_.tol; }
   // The least scale of residuals: in full periodic contact the compenetration, the usual scale, may vanish under any load.
   double least_scale() const {

@@ -1,5 +1,6 @@
 /* The numbers of <roughcontact/roughcontact.h> and the headers beside it, see golden.h. */
 #include <roughcontact/analysis.h>
+#include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
 #include <roughcontact/registry.h>
@@ -51,7 +52,7 @@ VALUE(RC_TYPE_TEXT, 3);
 
 VALUE(RC_ABI, 0);
 
-SIZE(rc_system, 88);
+SIZE(rc_system, 96);
 AT(rc_system, struct_size, 0);
 AT(rc_system, op, 8);
 AT(rc_system, boundary, 12);
@@ -64,6 +65,7 @@ AT(rc_system, dense, 56);
 AT(rc_system, dense_ld, 64);
 AT(rc_system, apply, 72);
 AT(rc_system, user, 80);
+AT(rc_system, hardness, 88);
 
 SIZE(rc_step, 56);
 AT(rc_step, struct_size, 0);
@@ -76,7 +78,7 @@ AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
 
-SIZE(rc_result, 512);
+SIZE(rc_result, 552);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -114,6 +116,11 @@ AT(rc_result, proven_open, 480);
 AT(rc_result, undecided, 488);
 AT(rc_result, levels, 496);
 AT(rc_result, tolerance, 504);
+AT(rc_result, stiffness_lower, 512);
+AT(rc_result, stiffness_upper, 520);
+AT(rc_result, capped, 528);
+AT(rc_result, plastic_volume, 536);
+AT(rc_result, proven_capped, 544);
 
 SIZE(rc_accuracy, 48);
 AT(rc_accuracy, struct_size, 0);
@@ -137,7 +144,7 @@ AT(rc_level, load, 64);
 AT(rc_level, candidates, 72);
 AT(rc_level, contacts, 80);
 
-SIZE(rc_state, 72);
+SIZE(rc_state, 80);
 AT(rc_state, struct_size, 0);
 AT(rc_state, undeformed_gap, 8);
 AT(rc_state, mask, 16);
@@ -147,6 +154,7 @@ AT(rc_state, load, 40);
 AT(rc_state, p_before, 48);
 AT(rc_state, approach_before, 56);
 AT(rc_state, load_before, 64);
+AT(rc_state, indentation, 72);
 
 SIZE(rc_path, 120);
 AT(rc_path, struct_size, 0);
@@ -193,6 +201,32 @@ AT(rc_batch, user, 168);
 AT(rc_batch, written, 176);
 AT(rc_batch, certified, 184);
 AT(rc_batch, first, 192);
+
+SIZE(rc_gradient, 88);
+AT(rc_gradient, struct_size, 0);
+AT(rc_gradient, dJ_dp, 8);
+AT(rc_gradient, dJ_dgap, 16);
+AT(rc_gradient, dJ_dload, 24);
+AT(rc_gradient, dJ_dapproach, 32);
+AT(rc_gradient, dJ_dundeformed_gap, 40);
+AT(rc_gradient, dJ_dtarget, 48);
+AT(rc_gradient, dJ_dmodulus, 56);
+AT(rc_gradient, error, 64);
+AT(rc_gradient, undecided, 72);
+AT(rc_gradient, products, 80);
+
+SIZE(rc_tangent, 88);
+AT(rc_tangent, struct_size, 0);
+AT(rc_tangent, dundeformed_gap, 8);
+AT(rc_tangent, dtarget, 16);
+AT(rc_tangent, dmodulus, 24);
+AT(rc_tangent, dp, 32);
+AT(rc_tangent, dgap, 40);
+AT(rc_tangent, dload, 48);
+AT(rc_tangent, dapproach, 56);
+AT(rc_tangent, error, 64);
+AT(rc_tangent, undecided, 72);
+AT(rc_tangent, products, 80);
 
 SIZE(rc_direct, 248);
 AT(rc_direct, struct_size, 0);

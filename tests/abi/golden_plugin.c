@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 5);
+VALUE(RC_PLUGIN_ABI_MINOR, 6);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -17,9 +17,16 @@ VALUE(RC_CAP_NORM, 128);
 VALUE(RC_CAP_FLOAT, 256);
 VALUE(RC_CAP_SCREEN, 512);
 VALUE(RC_CAP_APPROXIMATE, 1024);
+VALUE(RC_CAP_FAR_FIELD, 2048);
+VALUE(RC_KERNEL_FREE, 1);
+VALUE(RC_KERNEL_PERIODIC, 2);
+VALUE(RC_KERNEL_SQUARE, 4);
+VALUE(RC_KERNEL_POSITIVE, 8);
+VALUE(RC_KERNEL_FAR_FIELD, 16);
 
 VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
 VALUE(RC_WANTS_BOX, INT64_C(8589934592));
+VALUE(RC_TAKES_CAP, INT64_C(34359738368));
 
 SIZE(rc_host, 96);
 AT(rc_host, struct_size, 0);
@@ -139,7 +146,7 @@ AT(rc_coarse, keep, 76);
 AT(rc_coarse, load, 80);
 AT(rc_coarse, tol, 88);
 
-SIZE(rc_problem, 176);
+SIZE(rc_problem, 184);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -164,6 +171,7 @@ AT(rc_problem, apply_float, 144);
 AT(rc_problem, team, 152);
 AT(rc_problem, length, 160);
 AT(rc_problem, pressure, 168);
+AT(rc_problem, cap, 176);
 
 SIZE(rc_solver, 80);
 AT(rc_solver, struct_size, 0);
@@ -178,7 +186,33 @@ AT(rc_solver, options, 56);
 AT(rc_solver, solve, 64);
 AT(rc_solver, score, 72);
 
-SIZE(rc_plugin, 64);
+SIZE(rc_kernel_spec, 48);
+AT(rc_kernel_spec, struct_size, 0);
+AT(rc_kernel_spec, kernel, 8);
+AT(rc_kernel_spec, system, 16);
+AT(rc_kernel_spec, options, 24);
+AT(rc_kernel_spec, length, 32);
+AT(rc_kernel_spec, modulus, 40);
+
+SIZE(rc_kernel_bounds, 24);
+AT(rc_kernel_bounds, struct_size, 0);
+AT(rc_kernel_bounds, lowest, 8);
+AT(rc_kernel_bounds, galerkin_share, 16);
+
+SIZE(rc_kernel, 88);
+AT(rc_kernel, struct_size, 0);
+AT(rc_kernel, name, 8);
+AT(rc_kernel, summary, 16);
+AT(rc_kernel, license, 24);
+AT(rc_kernel, caps, 32);
+AT(rc_kernel, n_options, 40);
+AT(rc_kernel, options, 48);
+AT(rc_kernel, window, 56);
+AT(rc_kernel, symbol, 64);
+AT(rc_kernel, bounds, 72);
+AT(rc_kernel, user, 80);
+
+SIZE(rc_plugin, 80);
 AT(rc_plugin, struct_size, 0);
 AT(rc_plugin, abi_major, 8);
 AT(rc_plugin, abi_minor, 12);
@@ -188,3 +222,5 @@ AT(rc_plugin, n_backends, 32);
 AT(rc_plugin, n_solvers, 40);
 AT(rc_plugin, backends, 48);
 AT(rc_plugin, solvers, 56);
+AT(rc_plugin, n_kernels, 64);
+AT(rc_plugin, kernels, 72);

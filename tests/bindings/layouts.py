@@ -11,10 +11,11 @@ import subprocess
 import sys
 import tempfile
 
-HEADERS = ("history", "direct", "analysis", "registry", "surface")
+HEADERS = ("history", "derivatives", "direct", "analysis", "registry", "surface", "formats")
 PROGRAM = """program layouts
   use roughcontact
   use roughcontact_surface
+  use roughcontact_formats
   implicit none
   logical :: failed = .false.
 {calls}
@@ -39,7 +40,7 @@ end program
 
 def main() -> int:
     source, compiler, libraries, modules = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], sys.argv[4:]
-    golden = "".join((source / "tests" / "abi" / f"golden_{name}.c").read_text() for name in ("contact", "surface"))
+    golden = "".join((source / "tests" / "abi" / f"golden_{name}.c").read_text() for name in ("contact", "surface", "formats"))
     headers = "".join(file.read_text() for file in (source / "include" / "roughcontact").glob("*.h"))
     calls, bodies, structs = [], [], 0
     begun = ["#include <string.h>", *(f"#include <roughcontact/{name}.h>" for name in HEADERS)]
@@ -86,6 +87,7 @@ def main() -> int:
                 f"-L{libraries}",
                 f"-Wl,-rpath,{libraries}",
                 "-lroughcontact-surface",
+                "-lroughcontact-formats",
                 "-lroughcontact",
             ],
             check=True,

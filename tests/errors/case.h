@@ -45,5 +45,6 @@ Section restores();
 Section batches();
 Section direct_routines();
 Section analyses();
+Section derivatives();
 
 }  // namespace errors

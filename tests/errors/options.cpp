@@ -248,7 +248,7 @@ Section names() {
            }},
           {"unknown kernel",
            RC_ERR_OPTION,
-           {"rc_contact_create: kernel \"lov\" not found; did you mean \"love\"?; available: auto, disc, eq9,"},
+           {"rc_contact_create: kernel \"lov\" not found; did you mean \"love\"?; available: disc, eq9,"},
            named("kernel", "lov")},
           {"unknown kernel, its coefficients",
            RC_ERR_OPTION,

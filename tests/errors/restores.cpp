@@ -91,6 +91,32 @@ Section restores() {
              stand.state.p_before = stand.state.p;
              stand.state.load_before = INFINITY;
            })},
+          {"state with an indentation that is negative",
+           refused,
+           {"rc_contact_restore: rc_state.indentation[1] = -1 must be finite and >= 0"},
+           restored([](Stand& stand) {
+             stand.scene.system.hardness = 1;
+             stand.p[1] = -1;
+             stand.state.indentation = std::exchange(stand.state.p, nullptr);
+           })},
+          {"state with an indentation without a hardness",
+           refused,
+           {"rc_contact_restore: rc_state.indentation[1] = 1 but the system has no hardness"},
+           restored([](Stand& stand) {
+             stand.p[1] = 1;
+             stand.state.indentation = std::exchange(stand.state.p, nullptr);
+           })},
+          {"`rc_contact_indentation`: contact is null",
+           refused,
+           {"rc_contact_indentation: contact is null"},
+           [] {
+             double one = 0;
+             return rc_contact_indentation(nullptr, &one);
+           }},
+          {"`rc_contact_indentation`: indentation is null",
+           refused,
+           {"rc_contact_indentation: indentation is null"},
+           [] { return rc_contact_indentation(made(Scene()).get(), nullptr); }},
       }};
 }
 

@@ -30,6 +30,20 @@ auto periodic_approach(double target) {
   };
 }
 
+// Of hardness 2 on 16 points.
+auto hard(double target, std::initializer_list<std::pair<const char*, const char*>> settings = {},
+          std::int32_t control = RC_CONTROL_LOAD) {
+  return [=, kept = std::vector(settings)] {
+    Scene scene;
+    scene.system.hardness = 2;
+    scene.step.control = control;
+    scene.step.target = target;
+    const OptionsHandle options = options_with({});
+    for (const auto& [key, value] : kept) assert_int_equal(rc_options_parse(options.get(), key, value), RC_OK);
+    return solve(scene, options.get());
+  };
+}
+
 Outcome no_contact(Scene& scene) {
   const Outcome outcome = solve(scene);
   assert_true(std::all_of(answer().p().begin(), answer().p().end(), [](double p) { return p == 0; }));
@@ -151,6 +165,29 @@ Section steps() {
            infeasible,
            {"load = 1 but every point is excluded by the mask"},
            [] { return all_masked(RC_CONTROL_LOAD, 1); }},
+          {"load above hardness times area",
+           infeasible,
+           {"load = 33 is more than hardness times the area of the 16 points that may carry pressure, 32; prescribe less load, or "
+            "allow more points"},
+           hard(33)},
+          {"load of hardness times area", RC_OK, {}, hard(32)},
+          {"hardness and the solver greedy",
+           RC_ERR_INCOMPATIBLE,
+           {"solver \"greedy\" knows no largest pressure, but the system has the hardness 2"},
+           hard(1, {{"solver", "greedy"}, {"backend", "dense"}})},
+          {"hardness and the warm-up greedy",
+           RC_ERR_INCOMPATIBLE,
+           {"warmup: solver \"greedy\" knows no largest pressure, but the system has the hardness 2"},
+           hard(1, {{"solver", "nnls"}, {"backend", "dense"}, {"warmup", "greedy"}}, RC_CONTROL_DISPLACEMENT)},
+          {"periodic approach beyond the mean plane with a hardness",
+           RC_OK,
+           {},
+           [] {
+             Scene scene = periodic_scene();
+             scene.system.hardness = 2;
+             scene.step.target = 2;
+             return solve(scene);
+           }},
           {"periodic approach at the mean plane",
            infeasible,
            {"approach = 0.9375 reaches the mean plane of the gap, 0.9375: with periodic boundaries the load is not "

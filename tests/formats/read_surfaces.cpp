@@ -1,30 +1,41 @@
-// read_surfaces [--heights FILE] [--unit U] [--format NAME] [--remove FORM] [--fill] SURFACE...: reads surface files as the
-// command does and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS" or "error MESSAGE". --heights writes those of
-// the last as raw doubles. A crash ends it, so that many damaged files can be tried in one process.
+// read_surfaces [--heights FILE] [--unit U] [--format NAME] [--remove FORM] [--fill] SURFACE...: reads surface files by the
+// library, from their path and from memory, and prints one line for each, "ok FORMAT NX NY HX HY MISSING RMS ASSUMED" or "error
+// MESSAGE". --heights writes those of the last as raw doubles. A crash ends it, so that many damaged files can be tried in one
+// process.
+#include <roughcontact/formats.h>
+
 #include <cmath>
 #include <cstdio>
-#include <optional>
-#include <stdexcept>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
-
-#include "error.h"
-#include "formats/form.h"
-#include "formats/missing.h"
-#include "formats/surface.h"
-#include "units.h"
+#include <string_view>
 
 namespace {
 
 struct Settings {
-  double unit = 1;
-  std::optional<std::string> format, heights;
-  cli::Form form = cli::Form::none;
+  rc_surface_read_spec spec = RC_SURFACE_READ_SPEC_INIT;
+  const char* heights = nullptr;
+  std::int32_t form = 0;
   bool fill = false;
 };
 
-double rms(const cli::Surface& surface) {
+[[noreturn]] void stop(const char* what) {
+  std::fprintf(stderr, "%s: %s\n", what, rc_surface_read_last_error());
+  std::exit(1);
+}
+
+// Whatever is not the file's fault, lack of memory too, ends the program: a file's size must justify what is allocated for it.
+void require_ok(rc_status status) {
+  if (status != RC_OK) stop("failed");
+}
+
+double rms(const rc_surface_file& file) {
   double sum = 0, squares = 0, count = 0, first = NAN;
-  for (const double z : surface.heights) {
+  for (std::int64_t i = 0; i < file.nx * file.ny; ++i) {
+    const double z = file.heights[i];
     if (std::isnan(z)) continue;
     if (std::isnan(first)) first = z;
     sum += z - first;
@@ -34,49 +45,76 @@ double rms(const cli::Surface& surface) {
   return std::sqrt(squares / count - sum / count * (sum / count));
 }
 
-void try_file(const std::string& path, const Settings& settings) {
-  try {
-    cli::Surface surface = cli::read_surface(path, settings.unit, settings.format);
-    if (static_cast<std::size_t>(surface.nx * surface.ny) != surface.heights.size()) throw std::logic_error("wrong size");
-    const auto missing = cli::count_missing(surface);
-    cli::remove_form(settings.form, surface);
-    if (settings.fill) {
-      surface.hx = surface.hx.value_or(1);
-      surface.hy = surface.hy.value_or(1);
-      cli::fill_missing(surface);
-    }
-    std::printf("ok %s %lld %lld %.17g %.17g %lld %.17g %s\n", surface.format.c_str(), static_cast<long long>(surface.nx),
-                static_cast<long long>(surface.ny), surface.hx.value_or(NAN), surface.hy.value_or(NAN),
-                static_cast<long long>(missing), rms(surface), surface.note.c_str());
-    if (!settings.heights) return;
-    std::FILE* const file = std::fopen(settings.heights->c_str(), "wb");
-    if (!file) throw std::logic_error("cannot write " + *settings.heights);
-    std::fwrite(surface.heights.data(), sizeof(double), surface.heights.size(), file);
-    std::fclose(file);
-  } catch (const cli::Error& error) {
-    std::printf("error %s\n", error.what());
+std::size_t bytes_of(const rc_surface_file& file) { return static_cast<std::size_t>(file.nx * file.ny) * sizeof(double); }
+
+std::string last_message() {
+  const std::string_view message = rc_surface_read_last_error();
+  return std::string(message.substr(message.find(": ") + 2));
+}
+
+// From memory the same comes out as from the path.
+void require_same(const char* path, const Settings& settings, rc_status status, const rc_surface_file& file) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return;
+  const std::string contents{std::istreambuf_iterator<char>(stream), {}}, message = status == RC_OK ? "" : last_message();
+  rc_surface_file other = RC_SURFACE_FILE_INIT;
+  if (rc_surface_read_memory(contents.data(), contents.size(), path, &settings.spec, &other) != status) stop("another status");
+  if (status != RC_OK && last_message() != message) stop("another message");
+  if (status == RC_OK) {
+    const bool same = other.nx == file.nx && other.ny == file.ny && other.hx == file.hx && other.hy == file.hy &&
+                      other.missing == file.missing && std::strcmp(other.format, file.format) == 0 &&
+                      std::strcmp(other.assumed, file.assumed) == 0 &&
+                      std::memcmp(other.heights, file.heights, bytes_of(file)) == 0;
+    if (!same) stop("another surface");
   }
+  rc_surface_file_free(&other);
+}
+
+void try_file(const char* path, const Settings& settings) {
+  rc_surface_file file = RC_SURFACE_FILE_INIT;
+  const rc_status status = rc_surface_read(path, &settings.spec, &file);
+  if (status != RC_OK && status != RC_ERR_ARGUMENT) require_ok(status);
+  if (status != RC_OK) std::printf("error %s\n", last_message().c_str());
+  require_same(path, settings, status, file);
+  if (status != RC_OK) return;
+  if (settings.form > 0) require_ok(rc_surface_remove_form(file.nx, file.ny, settings.form, file.heights));
+  if (settings.fill)
+    require_ok(rc_surface_fill(file.nx, file.ny, file.hx > 0 ? file.hx : 1, file.hy > 0 ? file.hy : 1, file.heights));
+  const auto pitch = [](double h) { return h > 0 ? h : NAN; };
+  std::printf("ok %s %lld %lld %.17g %.17g %lld %.17g %s%s\n", file.format, static_cast<long long>(file.nx),
+              static_cast<long long>(file.ny), pitch(file.hx), pitch(file.hy), static_cast<long long>(file.missing), rms(file),
+              file.assumed, file.periodic != 0 ? " periodic" : "");
+  if (settings.heights) {
+    std::FILE* const out = std::fopen(settings.heights, "wb");
+    if (!out || std::fwrite(file.heights, 1, bytes_of(file), out) != bytes_of(file) || std::fclose(out) != 0)
+      stop(settings.heights);
+  }
+  rc_surface_file_free(&file);
+}
+
+std::int32_t form_named(std::string_view name) {
+  if (name == "none") return 0;
+  return name == "mean" ? RC_SURFACE_FORM_MEAN : name == "plane" ? RC_SURFACE_FORM_PLANE : RC_SURFACE_FORM_QUADRIC;
 }
 
 }  // namespace
 
-// Whatever is not an Error, bad_alloc too, ends the program: a file's size must justify what is allocated for it.
 int main(int argc, char** argv) {
   Settings settings;
   for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
+    const std::string_view word = argv[i];
     if (word == "--unit") {
-      settings.unit = cli::metres_per(argv[++i]).value();
+      settings.spec.unit = argv[++i];
     } else if (word == "--format") {
-      settings.format = argv[++i];
+      settings.spec.format = argv[++i];
     } else if (word == "--heights") {
       settings.heights = argv[++i];
     } else if (word == "--remove") {
-      settings.form = cli::parse_form(argv[++i]);
+      settings.form = form_named(argv[++i]);
     } else if (word == "--fill") {
       settings.fill = true;
     } else {
-      try_file(word, settings);
+      try_file(argv[i], settings);
     }
   }
 }

@@ -70,7 +70,7 @@ class Grids(ReaderTest):
     def test_columns_that_would_be_read_as_a_matrix(self):
         z = bumps(20, 30)
         rows, chance = columns(z), np.random.default_rng(6)
-        says = "three columns that look like x, y, z: give --format xyz, or --format text for a map of 3 x "
+        says = "three columns that look like x, y, z: give the format xyz, or text for a map of 3 x "
         for name, separator in (("a.txt", " "), ("a.csv", ","), ("a.dat", ";"), ("a.asc", "\t")):
             self.assert_refused(name, text(chance.permutation(rows), separator), says + "600")
         self.assert_refused("a.txt", text(chance.permutation(rows)[:500]), says + "500")  # some nodes without a point

@@ -23,7 +23,7 @@ compile "$source/tests/fortran/checks.f90"
 for program in "$source"/examples/*.f90 "$source"/examples/*.f "$source"/tests/fortran/test_*.f90; do
   "$flang" -c "$program" -o program.o
   "$flang" "${link[@]}" -o program program.o "${objects[@]}" -L"$libdir" "-Wl,-rpath,$libdir" \
-    -lroughcontact-surface -lroughcontact
+    -lroughcontact-surface -lroughcontact-formats -lroughcontact
   ./program >log 2>&1 || { cat log; fail "$program"; }
   echo "$(basename "$program"): $(tail -1 log)"
 done

@@ -32,10 +32,52 @@ program test_contacts
   call many_steps()
   call paths()
   call restored()
+  call hard()
   call batches()
+  call derivatives()
   call finish()
 
 contains
+
+  ! The gradient of the load by gap and target against a difference, and against the tangent; the conductance.
+  subroutine derivatives()
+    type(rcf_contact) :: contact
+    type(rc_result) :: low, high
+    type(rc_gradient) :: gradient
+    type(rc_tangent) :: tangent
+    type(c_ptr) :: options
+    real(c_double) :: by_gap(nx, ny), dp(nx, ny), conductance, lower, upper
+    real(c_double), parameter :: step = 1e-6_c_double
+    call rcf_options_create(options)
+    call rcf_options_set_real(options, 'tol', 1e-12_c_double)
+    call rcf_options_set_int(options, 'stiffness', 2)
+    call rcf_contact_create(contact, system, options)
+    call rcf_contact_gradient(contact, by_gap, stat=stat, errmsg=message)
+    call check('no gradient before a step', stat == RC_ERR_ARGUMENT .and. index(message, 'did not return RC_OK') > 0)
+    call rcf_contact_solve(contact, displacement=0.4_c_double - step, undeformed_gap=gap, result=low)
+    call rcf_contact_solve(contact, displacement=0.4_c_double + step, result=high)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, p=p)
+    call rcf_contact_gradient(contact, by_gap, gradient=gradient)
+    call check('dload/dd', abs(gradient%dJ_dtarget - (high%load - low%load) / (2 * step)) < 1e-5 * gradient%dJ_dtarget)
+    call check('a gap grows as the approach falls', abs(sum(by_gap) + gradient%dJ_dtarget) < 1e-8 * gradient%dJ_dtarget)
+    call rcf_contact_tangent(contact, dundeformed_gap=z, dtarget=0.3_c_double, dmodulus=0.1_c_double, dp=dp, tangent=tangent)
+    call check('forward and reverse mode agree', abs(tangent%dload - sum(by_gap * z) - 0.3_c_double * gradient%dJ_dtarget - &
+      0.1_c_double * gradient%dJ_dmodulus) < 1e-8 * gradient%dJ_dtarget)
+    call check('the change of the load is that of the pressures', &
+      abs(tangent%dload - system%hx * system%hy * sum(dp)) < 1e-10 * abs(tangent%dload))
+    call check('no change without pressure', all(p > 0 .or. dp == 0))
+    call rcf_contact_gradient(contact, by_gap(1:2, :), stat=stat, errmsg=message)
+    call check('shape of the gradient', stat == RC_ERR_SHAPE .and. index(message, 'dJ_dundeformed_gap') > 0)
+    call rcf_contact_tangent(contact, dp=dp(1:2, :), stat=stat, errmsg=message)
+    call check('shape of the tangent', stat == RC_ERR_SHAPE .and. index(message, 'dp') > 0)
+    call rcf_conductance(system, high, 1.0_c_double, 3.0_c_double, conductance, lower, upper)
+    call check('the conductance is in its interval', lower <= conductance * 1.000001_c_double .and. &
+      conductance <= upper * 1.000001_c_double .and. abs(conductance - high%stiffness / 6) < 1e-12 * conductance)
+    call rcf_conductance(system, high, -1.0_c_double, 3.0_c_double, conductance, stat=stat)
+    call check('a negative resistivity', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_destroy(contact)
+    call rcf_options_destroy(options)
+  end subroutine
 
   subroutine one_shot()
     type(rc_result) :: ours, theirs
@@ -192,6 +234,38 @@ contains
       end do
       call rcf_contact_destroy(contact)
     end do
+    call rcf_options_destroy(options)
+  end subroutine
+
+  ! Pressures of at most the hardness; the indentation that they leave goes on in a new contact.
+  subroutine hard()
+    type(rcf_contact) :: contact
+    type(rc_system) :: soft
+    type(c_ptr) :: options
+    type(rc_result) :: first, second, again
+    real(c_double) :: p_first(nx, ny), p_second(nx, ny)
+    real(c_double), allocatable :: left(:, :), restored_left(:, :)
+    soft = system
+    call rcf_solve(system, gap, displacement=0.4_c_double, p=p)
+    soft%hardness = 0.5 * maxval(p)
+    call rcf_options_create(options)
+    call rcf_options_set_int(options, RC_OPT_RESUMABLE, 1)
+    call rcf_contact_create(contact, soft, options)
+    call rcf_contact_solve(contact, displacement=0.4_c_double, undeformed_gap=gap, p=p_first, result=first)
+    call check('at the hardness', maxval(p_first) == soft%hardness .and. first%capped == count(p_first == soft%hardness))
+    call rcf_contact_indentation(contact, left)
+    call check('indentation', abs(sum(left) * system%hx * system%hy / first%plastic_volume - 1) < 1e-10)
+    call rcf_contact_solve(contact, displacement=0.3_c_double, p=p_second, result=second)
+    call check('unloading is elastic', second%capped == 0 .and. first%load > second%load)
+    call rcf_contact_destroy(contact)
+    call rcf_contact_create(contact, soft, options)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, indentation=left)
+    call rcf_contact_indentation(contact, restored_left)
+    call rcf_contact_solve(contact, displacement=0.3_c_double, p=p, result=again)
+    call check('restored', all(restored_left == left) .and. all(p == p_second) .and. again%load == second%load)
+    call rcf_contact_restore(contact, gap, p_first, first%approach, first%load, indentation=-left - 1, stat=stat)
+    call check('a negative indentation', stat == RC_ERR_ARGUMENT)
+    call rcf_contact_destroy(contact)
     call rcf_options_destroy(options)
   end subroutine
 

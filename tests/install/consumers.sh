@@ -22,11 +22,23 @@ expect() {
   [[ $line == *RC_ERR_NO_BACKEND* ]] || fail "$name: unknown backend gave: $line"
 }
 
+# expect_read NAME PROGRAM...: the program reads a small map and says what it took for granted.
+expect_read() {
+  local name=$1 line
+  shift
+  printf '0 1 2\n3 nan 5\n' >"$scratch/map.txt"
+  line=$(clean "$@" "$scratch/map.txt" 1e-6) || fail "$name does not read"
+  [[ $line == "3 x 2 points, text, pitch 1e-06 m, 1e-06 m, 1 missing; lengths without a unit are in m"* ]] || fail "$name: $line"
+  line=$(clean "$@" "$scratch/none" 1e-6 2>&1) && fail "$name reads a file that is not there"
+  [[ $line == *"none: No such file"* ]] || fail "$name: $line"
+  echo "read $name: ok"
+}
+
 build_and_run() {  # build_and_run PREFIX KIND...
   local prefix=$1 kind flags libs modules rpath run
   shift
   find_pc "$prefix"
-  pkg --validate roughcontact roughcontact-fortran roughcontact-surface
+  pkg --validate roughcontact roughcontact-fortran roughcontact-surface roughcontact-formats
   [[ $(pkg --variable=libdir roughcontact) -ef $pc/.. ]] || fail "libdir is not where the library is"
   rpath=-Wl,-rpath,$(pkg --variable=libdir roughcontact)
   out=$(mktemp -d "$scratch/out.XXXX")
@@ -59,6 +71,22 @@ build_and_run() {  # build_and_run PREFIX KIND...
     line=$(clean "${run[@]}" "$out/rough") || fail "surfaces $kind"
     [[ $line == *"proven to lie in"*" 0 undecided"* ]] || fail "surfaces $kind: $line"
     echo "surfaces $kind: $(tail -1 <<<"$line")"
+    if [ "$kind" = shared ]; then
+      read -ra libs <<<"$(pkg --libs roughcontact-formats) $rpath"
+    else
+      read -ra libs <<<"$(pkg --variable=static_libs roughcontact-formats)"
+    fi
+    clean "$cc" -std=c99 -Wall -Wextra -pedantic -Werror "${flags[@]}" "$source/examples/read_surface.c" -o "$out/read" "${libs[@]}"
+    expect_read "C $kind" "$out/read"
+    if [ -n "$fc" ]; then
+      read -ra modules <<<"$(pkg --variable=fortran_source roughcontact-fortran) $(pkg --variable=formats_source roughcontact-fortran)"
+      if [ "$kind" = static ]; then libs+=("$(pkg --variable=libdir roughcontact)/libroughcontact.a"); else libs+=(-lroughcontact); fi
+      read -ra more <<<"$(pkg --variable=private_libs roughcontact)"
+      clean "$fc" -J "$out" "${modules[@]}" "$source/tests/install/read_surface.f90" -o "$out/readf" "${libs[@]}" "${more[@]}"
+      expect_read "Fortran $kind" "$out/readf"
+    fi
+    # Only a program that reads files links what that needs.
+    ! readelf -d "$out/c" | grep -qE 'NEEDED.*lib(zip|pugixml)' || fail "$kind: the solver's consumer links libzip"
     [ "$kind" = shared ] || ! readelf -d "$out/c" | grep -q 'NEEDED.*roughcontact' || fail "the static consumer needs the shared library"
   done
 
@@ -68,6 +96,8 @@ build_and_run() {  # build_and_run PREFIX KIND...
   clean cmake --build "$out/cmake" >"$out/log" 2>&1 || { cat "$out/log"; fail "the CMake consumer does not build"; }
   expect "CMake shared" "$out/cmake/shared"
   clean "$out/cmake/rough" >/dev/null || fail "CMake surfaces"
+  expect_read "CMake" "$out/cmake/read"
+  expect_read "CMake static" "$out/cmake/read_static"
   [ -z "$fc" ] || expect "CMake Fortran" "$out/cmake/fortran"
   expect "CMake static" env RC_PLUGIN_PATH="$(pkg --variable=plugindir roughcontact)" "$out/cmake/static"
 }

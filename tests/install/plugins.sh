@@ -33,7 +33,8 @@ build_with() {  # build_with make|cmake KIND: example KIND, installed into the p
 
 beside_a_plugin_nothing_is_found() {  # beside_a_plugin_nothing_is_found FOLDER KIND
   local name=pairs status=0
-  [ "$2" = backend ] || name=spg
+  [ "$2" != solver ] || name=spg
+  [ "$2" != kernel ] || name=layer
   [ -f "$1/rcb_$name.so" ] || fail "make built no rcb_$name.so"
   cd "$1"
   ! listed "${2}s" $name || fail "a plugin in the current directory is used"
@@ -49,14 +50,17 @@ clean "$prefix/bin/roughcontact" generate spectral --output "$scratch/larger.npy
 for tool in make cmake; do
   build_with $tool backend >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the backend"; }
   build_with $tool solver >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the solver"; }
+  build_with $tool kernel >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "$tool: the kernel"; }
   plugins=$(pkg --variable=plugindir roughcontact)
-  for name in pairs spg; do
+  for name in pairs spg layer; do
     ! readelf -d "$plugins/rcb_$name.so" | grep -q 'NEEDED.*roughcontact' || fail "rcb_$name.so links the library"
-    exports=$(nm -D --defined-only "$plugins/rcb_$name.so" | awk '{ print $3 }')
+    exports=$(nm -D --defined-only "$plugins/rcb_$name.so" | awk '$2 !~ /[WVu]/ { print $3 }')
     [ "$exports" = rc_plugin_query ] || fail "rcb_$name.so exports $exports"
   done
   listed backends pairs | grep -q "rcb_pairs.so" || fail "$tool: the backend is not listed"
   listed solvers spg | grep -q "rcb_spg.so" || fail "$tool: the solver is not listed"
+  listed kernels layer | grep -q "rcb_layer.so" || fail "$tool: the kernel is not listed"
+  listed options layer.thickness >/dev/null || fail "$tool: the kernel's options are not listed"
   expected=$(solve haar-cg/dense --backend dense --solver haar-cg)
   for options in "haar-cg/pairs --backend pairs --solver haar-cg" \
     "haar-cg/pairs --backend pairs --solver haar-cg --threads 2 --set pairs.parallel_from=1" \
@@ -66,6 +70,8 @@ for tool in make cmake; do
     [ "$load" = "$expected" ] || fail "$tool: ${words[0]} finds load $load, dense $expected"
     echo "$tool: ${words[0]}: load $load"
   done
+  soft=$(solve haar-cg/dense --backend dense --solver haar-cg --kernel layer --set layer.thickness=2 --set layer.modulus=0.5)
+  awk -v soft="$soft" -v hard="$expected" 'BEGIN { exit !(0.4 * hard < soft && soft < hard) }' || fail "$tool: a soft layer carries $soft"
   # To a rough answer it is the one that takes least time.
   row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --displacement 12 --tol 0.1 --explain 2>"$scratch/why" | tail -1)
   [[ $row == *" spg/"*RC_OK* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
@@ -74,7 +80,7 @@ for tool in make cmake; do
   prefix=$scratch/moved-$tool
   find_pc "$prefix"
   solve spg/pairs --backend pairs --solver spg >/dev/null
-  rm "$(pkg --variable=plugindir roughcontact)"/rcb_{pairs,spg}.so
+  rm "$(pkg --variable=plugindir roughcontact)"/rcb_{pairs,spg,layer}.so
   ! listed backends pairs || fail "a plugin that is gone is listed"
 done
 echo "plugins are found where they belong"

@@ -38,7 +38,11 @@ struct Small {
 
   Small(std::int64_t nx, std::int64_t ny);
   std::size_t points() const { return gap.size(); }
-  rc::System system() const { return rc::checked_system(given, kernel, true); }
+  rc::System system() const {
+    rc_options options{rc::Context::standard(), {}};
+    options.set(RC_OPT_KERNEL, kernel);
+    return rc::checked_system(given, options, true);
+  }
   rc::StepSurface surface() const {
     static const rc::ThreadTeam team(1);
     return rc::StepSurface({given.nx, given.ny, gap, mask, true}, team);

@@ -53,6 +53,10 @@ by_name.stiffness = true; by_name.nnls_pivoting = "single"; by_name.max_iter = 5
 check ("names", strcmp ({info.solver, info.backend, info.kernel}, {"nnls", "dense", "galerkin"}));
 check ("options", info.stiffness > 0 && info.tolerance == 1e-10);
 
+soft = opts; soft.hardness = 0.5 * max (rc_solve (z, opts)(:));
+[p, info] = rc_solve (z, soft);
+check ("hardness", max (p(:)) == soft.hardness && info.capped == nnz (p == soft.hardness) && info.plastic_volume > 0);
+
 masked = opts;
 masked.mask = z < 1.9;
 holes = z; holes(! masked.mask) = NaN;
@@ -102,6 +106,24 @@ e = refused (z, 1);
 check (e.message, any (strfind (e.message, "opts must be a struct")));
 e = refused (z, setfield (opts, "solver", "magic"));
 check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_NO_SOLVER"));
+
+% The gradient of the load is its slope, and that of a sum of pressures times hx hy is the same.
+steep = opts; steep.tol = 1e-12; steep.gradient = true;
+[~, info] = rc_solve (z, steep);
+step = 1e-6; above = steep; above.displacement += step;
+[~, high] = rc_solve (z, above);
+slope = (high.load - info.load) / step;
+check ("slope of the load", abs (info.gradient.target - slope) < 1e-4 * slope);
+check ("a gap grows as the approach falls", abs (sum (info.gradient.undeformed_gap(:)) + info.gradient.target) < 1e-8 * slope);
+own = steep; own.dJ_dp = steep.hx * steep.hy * ones (size (z));
+[~, same] = rc_solve (z, own);
+check ("J of the pressures", norm (same.gradient.undeformed_gap - info.gradient.undeformed_gap, "fro") < 1e-8 * slope);
+[~, info] = rc_solve (z, opts);
+check ("no gradient where none is asked for", isempty (info.gradient));
+e = refused (z, setfield (own, "dJ_dgap", 1));
+check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_SHAPE") && any (strfind (e.message, "opts.dJ_dgap")));
+e = refused (z, setfield (own, "dJ_dp", NaN (size (z))));
+check (e.message, any (strfind (e.message, "dJ_dp")));
 
 % An answer that is not certified is given, with a warning that can be switched off by its name.
 warning ("off", "roughcontact:RC_STOP_MAX_ITER");

@@ -98,7 +98,7 @@ Field product(const Field& matrix, const Field& x) {
 
 Certificate certificate(const Problem& problem, const Field& matrix, const Field& p, double approach) {
   Certificate c{0, 0, 0, 0, 0, 0, 0, product(matrix, p)};
-  const double largest_p = largest(p), scale = std::max(0.0, approach - problem.lowest_gap());
+  const double largest_p = largest(p), hardness = problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL, scale = std::max(0.0, approach - problem.lowest_gap());
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double hp = c.gap[i];
     c.gap[i] += problem.gap[i] - approach;
@@ -106,9 +106,10 @@ Certificate certificate(const Problem& problem, const Field& matrix, const Field
     c.load += p[i] * problem.cell_area();
     c.energy += (0.5 * hp - (approach - problem.gap[i])) * p[i] * problem.cell_area();
     c.contacts += p[i] > 0;
-    c.primal = std::max(c.primal, over(-std::min(0.0, p[i]), largest_p));
-    c.dual = std::max(c.dual, over(-std::min(0.0, c.gap[i]), scale));
-    c.complementarity = std::max(c.complementarity, std::min(over(p[i], largest_p), over(std::abs(c.gap[i]), scale)));
+    c.primal = std::max({c.primal, over(-std::min(0.0, p[i]), largest_p), (p[i] - hardness) / hardness});
+    const double room = c.gap[i] < 0 && hardness < HUGE_VAL ? std::max(0.0, (hardness - p[i]) / hardness) : HUGE_VAL;
+    c.dual = std::max(c.dual, std::min(room, over(-std::min(0.0, c.gap[i]), scale)));
+    c.complementarity = std::max(c.complementarity, std::min({over(p[i], largest_p), room, over(std::abs(c.gap[i]), scale)}));
   }
   if (problem.control == RC_CONTROL_LOAD) c.control = over(std::abs(c.load - problem.target), problem.target);
   return c;

@@ -58,6 +58,6 @@ class Registry {
 void assert_message_has(const std::string& part);
 void assert_has(const std::string& text, const std::string& part);
 
-extern const std::vector<CMUnitTest> good_tests, refused_tests, place_tests, registration_tests, choice_tests;
+extern const std::vector<CMUnitTest> good_tests, refused_tests, place_tests, registration_tests, choice_tests, kernel_tests;
 
 }  // namespace plugins

@@ -47,6 +47,25 @@ class Resume(CommandTest):
                     self.press(",".join(targets[:steps]), cut, "--quiet", "--resume", *arguments, control=control)
                 assert_same_results(self, cut, whole)
 
+    def test_a_plastic_history_goes_on(self):
+        yielding = ["--hardness", "2e7", "--solver", "polonsky-keer", "--quiet"]
+        for control, targets in (("--displacement", ["1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "1e6", "9e5", "1e4", "2e6"])):
+            whole, cut = (self.folder / (control + which) for which in ("-whole", "-cut"))
+            self.press(",".join(targets), whole, *yielding, control=control)
+            for steps in range(1, len(targets) + 1):
+                self.press(",".join(targets[:steps]), cut, "--resume", *yielding, control=control)
+            assert_same_results(self, cut, whole)
+            summary = told(whole)
+            self.assertEqual(summary["input"]["hardness"], 2e7)
+            last, step = np.load(whole / "indentation-5.npy"), summary["steps"][-1]
+            self.assertGreater(step["capped"], 0)
+            self.assertEqual(step["capped"], int((np.load(whole / "pressure-5.npy") == 2e7).sum()))
+            added = (last - np.load(whole / "indentation-4.npy")).sum() * 1e-12
+            self.assertAlmostEqual(step["plastic_volume"] / added, 1, places=9)
+            self.assertTrue((np.load(whole / "indentation-4.npy") == np.load(whole / "indentation-2.npy")).all())
+        self.press("1e-7", "out", *yielding)
+        self.assert_refused(*PRESS, "--displacement", "1e-7", "--quiet", says="is of a run with hardness 20000000.0, this one has nothing")
+
     def test_uncertified_steps_count_as_finished(self):
         few = ["--set", "max_iter=2", "--solver", "polonsky-keer", "--quiet"]
         self.press("1e-7,2e-7,1e-9", "whole", *few, code=2)

@@ -23,8 +23,9 @@ template <class R> class PlainMachine {
   using Multiply = std::function<void(const std::vector<double>& x, std::vector<double>& y)>;  // y = H x
 
   // p: the pressures to start from. The trees cut the grid at different places.
-  PlainMachine(std::vector<double> u, std::vector<double> p, Multiply multiply, PlainTree first, PlainTree second)
+  PlainMachine(std::vector<double> u, std::vector<double> p, double cap, Multiply multiply, PlainTree first, PlainTree second)
       : n_(u.size()),
+        cap_(cap),
         u_(std::move(u)),
         p_(std::move(p)),
         wide_(n_),
@@ -81,7 +82,7 @@ template <class R> class PlainMachine {
   HaarStart begin() {
     HaarStart start{-std::numeric_limits<double>::infinity(), false};
     for (std::size_t i = 0; i < n_; ++i) {
-      p_[i] = std::max(p_[i], 0.0);
+      p_[i] = p_[i] >= nearly * cap_ ? cap_ : std::max(p_[i], 0.0);
       t_[i] = 0;
       active_[i] = 1;
       start.highest = std::max(start.highest, u_[i]);
@@ -90,8 +91,8 @@ template <class R> class PlainMachine {
     return start;
   }
 
-  void multiply(double factor) {
-    for (double& value : p_) value *= factor;
+  void multiply(double factor, bool free) {
+    for (double& value : p_) value = !free ? value * factor : value < cap_ ? std::min(value * factor, cap_) : cap_;
   }
 
   double turn(double beta) {
@@ -104,10 +105,10 @@ template <class R> class PlainMachine {
     for (std::size_t i = 0; i < n_; ++i) {
       const double next = p_[i] - length * static_cast<double>(t_[i]);
       w_[i] -= static_cast<Real>(length) * q_[i];
-      p_[i] = cut ? std::max(next, 0.0) : next;
+      p_[i] = cut ? std::clamp(next, 0.0, cap_) : next;
       if (!cut) continue;
       z_[i] = static_cast<Real>(p_[i] - next);
-      any = any || next < 0;
+      any = any || z_[i] != 0;
     }
     return any;
   }
@@ -124,31 +125,45 @@ template <class R> class PlainMachine {
   bool choose_set(double threshold) {
     bool changed = false;
     for (std::size_t i = 0; i < n_; ++i) {
-      const std::uint8_t in = p_[i] > 0 || w_[i] < static_cast<Real>(-threshold) ? 1 : 0;
+      const Real limit = static_cast<Real>(threshold);
+      const std::uint8_t in = p_[i] >= cap_ ? w_[i] > limit : p_[i] > 0 || w_[i] < -limit;
       changed = changed || in != active_[i];
       active_[i] = in;
     }
     return changed;
   }
 
+  double nearest(bool unpressed) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n_; ++i)
+      if (unpressed ? p_[i] <= 0 : p_[i] >= cap_) least = std::min(least, std::abs(static_cast<double>(w_[i])));
+    return least;
+  }
+
  private:
+  static constexpr double nearly = 1 - 1e-9;
+
   HaarMeasure measure() const {
     HaarMeasure sum;
     for (std::size_t i = 0; i < n_; ++i) {
       const auto w = static_cast<double>(w_[i]);
-      sum.largest = std::max(sum.largest, p_[i] > 0 && w > 0 ? w : -w);
+      const bool capped = p_[i] >= cap_;
+      sum.largest = std::max(sum.largest, capped || (p_[i] > 0 && w > 0) ? w : -w);
       sum.load += p_[i];
       sum.merit += 0.5 * p_[i] * (w - u_[i]);
       sum.moment += p_[i] * w;
+      sum.free_load += capped ? 0 : p_[i];
+      sum.free_moment += capped ? 0 : p_[i] * w;
     }
     return sum;
   }
 
   const std::size_t n_;
+  const double cap_;  // the largest pressure
   const std::vector<double> u_;
   std::vector<double> p_, wide_;
   std::vector<Real> w_, t_, q_, z_, y_;
-  std::vector<std::uint8_t> active_;  // 1: in the contact set
+  std::vector<std::uint8_t> active_;  // 1: in the free set
   const Multiply multiply_;
   PlainTree trees_[2];
 };

@@ -24,7 +24,8 @@ using Field = std::vector<double>;
 static_assert(rc::Machine<rc::PlainMachine<float>> && rc::Machine<rc::PlainMachine<double>>);
 static_assert(rc::Machine<rc::ThreadMachine<float>> && rc::Machine<rc::ThreadMachine<double>>);
 
-constexpr double tol = 1e-9;
+constexpr double tol = 1e-9, mean_pressure = 0.2, infinite = std::numeric_limits<double>::infinity();
+constexpr unsigned random_contacts = 2000;
 constexpr std::size_t compared_steps = 6;  // later the differences in rounding have grown
 
 // A half-space's product, written out: every entry of H by the offset of its cells.
@@ -51,7 +52,8 @@ struct Contact {
   std::int64_t nx, ny;
   double hx, hy;
   bool periodic, by_load;
-  double depth;  // of the highest point, relative to the roughness
+  double depth;           // of the highest point, relative to the roughness
+  double cap = infinite;  // of the pressure
 };
 
 Field rough(const Contact& c) {
@@ -86,62 +88,102 @@ template <class M> Solution solved(M& machine, rc::HaarTask task) {
   return {outcome.ending, outcome.approach, last, residuals, {}};
 }
 
+// A contact, and its solutions on the machines.
+class Solved {
+ public:
+  Solved(const Contact& c, Field u) : c_(c), u_(std::move(u)) {
+    product_.nx = c.nx;
+    product_.ny = c.ny;
+    product_.k.resize(u_.size());
+    if (c.periodic)
+      rc::kernel::periodic_coefficients(*rc::kernel::find("spectral"), c.hx, c.hy, c.nx, c.ny, c.nx, c.ny, product_.k.data());
+    else
+      rc::kernel::coefficients(*rc::kernel::find("love"), c.hx, c.hy, c.nx, c.ny, product_.k.data());
+    grid_.nx = c.nx;
+    grid_.ny = c.ny;
+    grid_.hx = c.hx;
+    grid_.hy = c.hy;
+    grid_.boundary = c.periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
+    inputs_ = rc::tree_inputs(grid_, c.nx * c.ny, [&](std::int64_t mx, std::int64_t my, Field& out) {
+      out.resize(static_cast<std::size_t>(mx * my));
+      for (std::int64_t i = 0; i < mx * my; ++i)
+        out[static_cast<std::size_t>(i)] = product_.k[static_cast<std::size_t>(i / mx * c.nx + i % mx)];
+    });
+    task_ = {.by_load = c.by_load,
+             .load = mean_pressure * static_cast<double>(u_.size()),
+             .cap = c.cap,
+             .tol = tol,
+             .least_scale = c.periodic && c.by_load ? 0.25 * mean_pressure : 0,
+             .periodic_mean = inputs_.mean,
+             .elongated = inputs_.elongated};
+  }
+
+  template <class Real> Solution on_plain(const Field& start) const {
+    rc::PlainMachine<Real> machine(
+        u_, start, c_.cap, [&](const Field& x, Field& y) { product_.multiply(x.data(), y.data()); },
+        rc::PlainTree(inputs_.cells.mx, inputs_.cells.my, inputs_.table, false),
+        rc::PlainTree(inputs_.cells.mx, inputs_.cells.my, inputs_.table, true));
+    Solution found = solved(machine, task_);
+    found.p = machine.pressures();
+    return found;
+  }
+
+  template <class Real> Solution on_threads(const Field& start) const {
+    const rc::ThreadTeam team(2);
+    Product product = product_;
+    product.n = static_cast<std::int64_t>(u_.size());
+    product.u = u_.data();
+    product.grid = &grid_;
+    product.length = product.pressure = 1;
+    product.cap = c_.cap;
+    product.team = &team;
+    product.apply = [](const rc_problem* problem, const double* x, double* y) -> rc_status {
+      static_cast<const Product*>(problem)->multiply(x, y);
+      return RC_OK;
+    };
+    product.apply_float = [](const rc_problem* problem, const float* x, float* y) -> rc_status {
+      const Field wide(x, x + problem->n);
+      Field result(wide.size());
+      static_cast<const Product*>(problem)->multiply(wide.data(), result.data());
+      std::copy(result.begin(), result.end(), y);
+      return RC_OK;
+    };
+    const rc_host host{};
+    const rc_options options{};
+    const rc::Problem problem(host, product, options);
+    Field p = start;
+    rc::ThreadMachine<Real> machine(problem, p, rc::HaarTreePair(inputs_.cells, inputs_.table));
+    Solution found = solved(machine, task_);
+    found.p = std::move(p);
+    return found;
+  }
+
+  // The largest violation of the conditions, by a product in double precision, relative to the largest compenetration.
+  double violation(const Solution& found) const {
+    Field w(u_.size());
+    product_.multiply(found.p.data(), w.data());
+    double worst = 0;
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const double gap = w[i] - u_[i] - found.approach, p = found.p[i];
+      worst = std::max(worst, p <= 0 ? -gap : p >= c_.cap ? gap : std::abs(gap));
+      if (!(p >= 0 && p <= c_.cap)) return infinite;
+    }
+    return worst / (c_.by_load ? std::max(found.approach, task_.least_scale) : 1);
+  }
+
+ private:
+  const Contact& c_;
+  const Field u_;
+  Product product_{};
+  rc_grid grid_{};
+  rc::TreeInputs inputs_;
+  rc::HaarTask task_;
+};
+
 template <class Real> void compare(const Contact& c, const Field& start) {
-  const Field u = rough(c);
-  const std::int64_t n = c.nx * c.ny;
-  Product product{};
-  product.nx = c.nx;
-  product.ny = c.ny;
-  product.k.resize(u.size());
-  const rc::kernel::Kernel& love = *rc::kernel::find("love");
-  if (c.periodic)
-    rc::kernel::periodic_coefficients(*rc::kernel::find("spectral"), c.hx, c.hy, c.nx, c.ny, c.nx, c.ny, product.k.data());
-  else
-    rc::kernel::coefficients(love, c.hx, c.hy, c.nx, c.ny, product.k.data());
-  rc_grid grid{};
-  grid.nx = c.nx;
-  grid.ny = c.ny;
-  grid.hx = c.hx;
-  grid.hy = c.hy;
-  grid.boundary = c.periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
-  const rc::TreeInputs inputs = rc::tree_inputs(grid, n, [&](std::int64_t, std::int64_t, Field& out) { out = product.k; });
-  const rc::HaarTask task{.by_load = c.by_load,
-                          .load = 0.2 * static_cast<double>(n),
-                          .tol = tol,
-                          .periodic_mean = inputs.mean,
-                          .elongated = inputs.elongated};
-
-  rc::PlainMachine<Real> plain(
-      u, start, [&](const Field& x, Field& y) { product.multiply(x.data(), y.data()); },
-      rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, false),
-      rc::PlainTree(inputs.cells.mx, inputs.cells.my, inputs.table, true));
-  Solution by_plain = solved(plain, task);
-  by_plain.p = plain.pressures();
-
-  const rc::ThreadTeam team(2);
-  const rc_host host{};
-  product.n = n;
-  product.u = u.data();
-  product.grid = &grid;
-  product.length = product.pressure = 1;
-  product.team = &team;
-  product.apply = [](const rc_problem* problem, const double* x, double* y) -> rc_status {
-    static_cast<const Product*>(problem)->multiply(x, y);
-    return RC_OK;
-  };
-  product.apply_float = [](const rc_problem* problem, const float* x, float* y) -> rc_status {
-    const Field wide(x, x + problem->n);
-    Field result(wide.size());
-    static_cast<const Product*>(problem)->multiply(wide.data(), result.data());
-    std::copy(result.begin(), result.end(), y);
-    return RC_OK;
-  };
-  const rc_options options{};
-  const rc::Problem problem(host, product, options);
-  Field p = start;
-  rc::ThreadMachine<Real> threads(problem, p, rc::HaarTreePair(inputs.cells, inputs.table));
-  const Solution by_threads = solved(threads, task);
-
+  const Solved contact(c, rough(c));
+  const Solution by_plain = contact.on_plain<Real>(start), by_threads = contact.on_threads<Real>(start);
+  const Field& p = by_threads.p;
   double difference = 0, most = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     difference = std::max(difference, std::abs(p[i] - by_plain.p[i]));
@@ -164,6 +206,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   assert_true(difference <= 100 * tol * most);
   assert_true(std::abs(by_threads.approach - by_plain.approach) <= 100 * tol);
   assert_true(apart <= 3e-3);
+  assert_true(contact.violation(by_plain) <= 2 * tol);
   assert_int_equal(by_threads.steps, by_plain.steps);
 }
 
@@ -174,7 +217,15 @@ constexpr Contact contacts[] = {{"square, by approach", 24, 24, 1, 1, false, fal
                                 {"one row", 1, 60, 1, 1, false, false, 1},
                                 {"long cells", 20, 25, 1, 4, false, false, 1},
                                 {"periodic, by approach", 20, 24, 1, 1, true, false, 0.9},
-                                {"periodic, by load", 20, 24, 1, 1, true, true, 1}};
+                                {"periodic, by load", 20, 24, 1, 1, true, true, 1},
+                                {"capped, by approach", 24, 24, 1, 1, false, false, 1.2, 0.1},
+                                {"capped, by load", 24, 24, 1, 1, false, true, 1.2, 0.3},
+                                {"capped, nearly all points", 31, 18, 1, 1, false, true, 1, 1.01 * mean_pressure},
+                                {"capped, one row", 1, 60, 1, 1, false, false, 1, 0.3},
+                                {"capped, long cells", 20, 25, 1, 4, false, false, 1, 0.1},
+                                {"capped, periodic, by approach", 20, 24, 1, 1, true, false, 0.9, 0.1},
+                                {"capped, above the mean plane", 20, 24, 1, 1, true, false, 1.4, 0.6},
+                                {"capped, periodic, by load", 20, 24, 1, 1, true, true, 1, 0.4}};
 
 void machines_agree(void**) {
   for (const Contact& contact : contacts) {
@@ -193,11 +244,40 @@ void machines_agree_from_any_start(void**) {
   }
 }
 
+// Small contacts of every kind, with caps from a thousandth of what the load or the depth asks for to more than it needs, and
+// loads up to nearly the cap on every point: all are solved.
+void random_caps_are_kept(void**) {
+  int capped = 0;
+  for (unsigned seed = 1; seed <= random_contacts; ++seed) {
+    std::mt19937 random(seed);
+    const auto real = [&] { return 0x1p-32 * static_cast<double>(random()); };
+    const auto side = [&] { return static_cast<std::int64_t>(1 + random() % 12); };
+    Contact c{"random", side(), side(), 1, 1, random() % 3 == 0, random() % 2 == 0, 1};
+    if (c.periodic) c.nx = c.ny = c.nx + 2;
+    if (random() % 3 == 0) c.hx = std::pow(10, real());
+    c.depth = std::pow(10, 1.5 * real() - 1);
+    c.cap = c.by_load ? mean_pressure * (1 + std::pow(10, 6 * real() - 5)) : std::pow(10, 3.5 * real() - 3);
+    Field u = rough(c);
+    const double noise = real();
+    double highest = -infinite;
+    for (double& value : u) highest = std::max(highest, value += noise * real());
+    for (double& value : u) value += (c.by_load ? 0 : 1) - highest;
+    const Solved contact(c, u);
+    const Solution found = contact.on_threads<float>(Field(u.size(), 0.0));
+    capped += static_cast<int>(std::count(found.p.begin(), found.p.end(), c.cap));
+    const double violation = contact.violation(found);
+    if (found.ending != HaarEnding::solved || !(violation <= 2 * tol))
+      fail_msg("contact %u: not solved, or off by %.1e", seed, violation);
+  }
+  std::printf("%u contacts, %d points at the cap\n", random_contacts, capped);
+  assert_true(capped > 0);
+}
+
 // A product that is not finite ends the iteration at that step.
 void a_product_that_is_not_finite_is_noticed(void**) {
   const rc::CouplingTable table{8, 8, Field(64, 1.0), 1, 1};
   rc::PlainMachine<double> machine(
-      Field(64, 1.0), Field(64, 0.0), [](const Field&, Field& y) { y.assign(y.size(), std::nan("")); },
+      Field(64, 1.0), Field(64, 0.0), infinite, [](const Field&, Field& y) { y.assign(y.size(), std::nan("")); },
       rc::PlainTree(8, 8, table, false), rc::PlainTree(8, 8, table, true));
   const Solution found = solved(machine, {.tol = tol});
   assert_true(found.ending == HaarEnding::not_finite);
@@ -208,6 +288,6 @@ void a_product_that_is_not_finite_is_noticed(void**) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(machines_agree), cmocka_unit_test(machines_agree_from_any_start),
-                              cmocka_unit_test(a_product_that_is_not_finite_is_noticed)};
+                              cmocka_unit_test(random_caps_are_kept), cmocka_unit_test(a_product_that_is_not_finite_is_noticed)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

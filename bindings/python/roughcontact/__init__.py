@@ -30,12 +30,15 @@ from ._errors import (
     RoughContactError as RoughContactError,
     ShapeError as ShapeError,
 )
+from ._files import Format as Format, formats as formats, read as read
+from ._height_map import Surface as Surface
 from ._library import library_file as library_file
-from ._maps import Surface as Surface
 from ._status import Status as Status
-from .analysis import Area as Area, Histogram as Histogram, Patches as Patches
+from .analysis import Area as Area, Conductance as Conductance, Histogram as Histogram, Patches as Patches
+from ._answers import load as load
 from ._batch import batch as batch
 from .contact import Contact as Contact
+from ._derivatives import Gradient as Gradient, Tangent as Tangent
 from ._handle import Progress as Progress
 from .context import (
     Component as Component,
@@ -58,6 +61,7 @@ from .result import (
     Result as Result,
 )
 from ._solve import path as path, solve as solve
+from ._steps import Step as Step
 from .system import HalfSpace as HalfSpace, Matrix as Matrix, Product as Product, System as System, supported as supported
 
 __version__ = "0.1.0"

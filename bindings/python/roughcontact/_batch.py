@@ -1,5 +1,6 @@
 """Many contacts in one call."""
 
+from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
@@ -10,7 +11,10 @@ from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given
 from ._calls import Callbacks, interruptible
 from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
-from ._maps import as_surface, gap_below
+from ._files import is_file
+from ._height_map import gap_below
+from ._keywords import Constant, load_of, modulus_of, options_of
+from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn
 from .contact import control_and_target
@@ -24,6 +28,7 @@ def batch(
     *,
     displacement: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
+    pressure: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -36,15 +41,19 @@ def batch(
     system: Optional[System] = None,
     pitch: Optional[Pitch] = None,
     modulus: Optional[float] = None,
+    E: Optional[Constant] = None,
+    nu: Optional[Constant] = None,
     boundary: Optional[str] = None,
+    hardness: Optional[float] = None,
     options: Options = None,
     context: Optional[Context] = None,
+    **keywords: Any,
 ) -> BatchResult:
     """Solves the histories of many contacts on one grid, each as by `path`: the same bits, whatever the number of threads.
 
     heights or undeformed_gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights
         each surface's highest point touches at approach 0 [length]
-    displacement or load: [contacts, steps], or one history [steps] for all of them, or one number [length] or [force]
+    displacement, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
     keep_pressure: whether to keep the pressures of every contact's last step
@@ -55,8 +64,9 @@ def batch(
     options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
     the others: as in `solve`
     """
-    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary)
-    control, values = control_and_target(displacement, load)
+    modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
+    system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, hardness)
+    control, values = control_and_target(displacement, load_of(load, pressure, displacement, system))
     targets = as_doubles(values, "load" if displacement is None else "displacement")
     targets = np.atleast_1d(targets)
     if targets.ndim > 2:
@@ -92,11 +102,12 @@ def batch(
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
 
     stop: List[bool] = []
-    grid = Grid(system.shape, system.pitch, system.periodic, masks if masks is not None and masks.ndim == axes else None)
+    shared = masks if masks is not None and masks.ndim == axes else None
+    grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
 
     def after(contact: int, step: int, answer: Any, _: Any) -> object:
         if each is not None and not stop:
-            own = grid if masks is None or masks.ndim == axes else Grid(grid.shape, grid.pitch, grid.periodic, masks[contact])
+            own = grid if masks is None or shared is not None else replace(grid, mask=masks[contact])
             return each(contact, step, result_with_copies(answer.contents, own))
         return bool(stop)
 
@@ -135,6 +146,7 @@ def _surfaces(
     pitch: Optional[Pitch],
     modulus: Optional[float],
     boundary: Optional[str],
+    hardness: Optional[float],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
     if (heights is None) == (undeformed_gap is None):
@@ -154,9 +166,8 @@ def _surfaces(
     elif heights is not None:
         alone = not isinstance(heights, (np.ndarray, list, tuple))
         leading = 0 if alone or (np.ndim(heights) == 2 if system is None else np.ndim(heights) == len(system.shape)) else 1
-        surface = as_surface(
-            heights, pitch if pitch is not None or system is None else 1.0, mask=mask, missing=missing, leading=leading
-        )
+        otherwise = None if system is None else 1.0  # the pitch is the system's
+        surface = as_surface(heights, pitch, mask=mask, missing=missing, leading=leading, otherwise=otherwise)
         gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
         pitch, periodic = surface.pitch, surface.periodic
     else:
@@ -165,7 +176,11 @@ def _surfaces(
         if modulus is None or pitch is None:
             raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")
         system = HalfSpace(
-            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary or ("periodic" if periodic else None)
+            gaps.shape[-2:],
+            pitch=pitch,
+            modulus=modulus,
+            boundary=boundary or ("periodic" if periodic else None),
+            hardness=hardness,
         )
     axes = len(system.shape)
     for name, array in (("heights or undeformed_gap", gaps), ("mask", masks)):
@@ -175,4 +190,4 @@ def _surfaces(
 
 
 def _is_sequence_of_surfaces(thing: Any) -> bool:
-    return isinstance(thing, (list, tuple)) and len(thing) > 0 and hasattr(thing[0], "heights")
+    return isinstance(thing, (list, tuple)) and len(thing) > 0 and (hasattr(thing[0], "heights") or is_file(thing[0]))

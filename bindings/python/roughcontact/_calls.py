@@ -5,7 +5,7 @@ import threading
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from ._errors import BusyError, error_for
-from ._library import contact_library, surface_library
+from ._library import contact_library, formats_library, surface_library
 from ._use import Use
 
 
@@ -19,6 +19,12 @@ def check_surface(status: int) -> None:
     """The same for libroughcontact-surface."""
     if status < 0:
         raise error_for(status, surface_library().rc_surface_last_error().decode(errors="replace"))
+
+
+def check_formats(status: int) -> None:
+    """The same for libroughcontact-formats."""
+    if status < 0:
+        raise error_for(status, formats_library().rc_surface_read_last_error().decode(errors="replace"))
 
 
 class Callbacks:

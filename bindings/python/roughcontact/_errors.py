@@ -83,7 +83,7 @@ class NotCertifiedError(RoughContactError):
 
 
 class LibraryNotFoundError(RoughContactError, ImportError):
-    """libroughcontact or libroughcontact-surface cannot be loaded."""
+    """A library that is needed cannot be loaded."""
 
 
 class Interrupted(KeyboardInterrupt):

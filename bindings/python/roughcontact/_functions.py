@@ -41,9 +41,12 @@ class ContactFunctions(Protocol):
     rc_contact_explain: Callable[[handle, texts], rc_status]
     rc_contact_reset: Callable[[handle], rc_status]
     rc_contact_solve_path: Callable[[handle, rc_path], rc_status]
+    rc_contact_indentation: Callable[[handle, doubles], rc_status]
     rc_contact_restore: Callable[[handle, rc_state], rc_status]
     rc_batch_solve: Callable[[rc_system, handle, rc_batch], rc_status]
     rc_contact_level: Callable[[handle, int64_t, rc_level], rc_status]
+    rc_contact_gradient: Callable[[handle, rc_gradient], rc_status]
+    rc_contact_tangent: Callable[[handle, rc_tangent], rc_status]
     rc_greedy: rc_greedy_like
     rc_polonsky_keer: rc_greedy_like
     rc_nnls: rc_greedy_like
@@ -55,6 +58,7 @@ class ContactFunctions(Protocol):
     rc_area_measure: Callable[[rc_system, doubles, bytes_, rc_area], rc_status]
     rc_patches_find: Callable[[rc_system, doubles, bytes_, rc_patches], rc_status]
     rc_histogram_fill: Callable[[rc_system, doubles, bytes_, rc_histogram], rc_status]
+    rc_conductance: Callable[[rc_system, rc_result, double, double, doubles, doubles, doubles], rc_status]
     rc_context_create: Callable[[rc_context_config, handles], rc_status]
     rc_context_destroy: Callable[[handle], None]
     rc_backend_count: Callable[[handle], int64_t]
@@ -81,3 +85,16 @@ class SurfaceFunctions(Protocol):
     rc_surface_fit: Callable[[rc_surface_map, rc_surface_power_law], rc_status]
     rc_surface_cmr_advice: Callable[[rc_surface_map, int32_t, double, rc_surface_cmr], rc_status]
     rc_surface_downsample: Callable[[int64_t, int64_t, doubles, bytes_, int32_t, doubles, bytes_], rc_status]
+
+
+class FormatsFunctions(Protocol):
+    """libroughcontact-formats"""
+
+    rc_surface_read_last_error: Callable[[], text]
+    rc_surface_read: Callable[[text, rc_surface_read_spec, rc_surface_file], rc_status]
+    rc_surface_read_memory: Callable[[handle, size_t, text, rc_surface_read_spec, rc_surface_file], rc_status]
+    rc_surface_file_free: Callable[[rc_surface_file], None]
+    rc_surface_format_count: Callable[[], int64_t]
+    rc_surface_format_describe: Callable[[int64_t, rc_surface_format], rc_status]
+    rc_surface_remove_form: Callable[[int64_t, int64_t, int32_t, doubles], rc_status]
+    rc_surface_fill: Callable[[int64_t, int64_t, double, double, doubles], rc_status]

@@ -10,6 +10,7 @@ from ._arrays import Doubles, Mask, as_int
 from ._c import members_for
 from ._calls import Callbacks, check, interruptible
 from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, error_for
+from ._keywords import options_of
 from ._library import contact_library
 from ._status import Status
 from ._structs import rc_progress_fn
@@ -44,7 +45,9 @@ class Handle(OwnsHandle):
         progress: Optional[Callable[[Progress], object]] = None,
         every: int = 1,
         context: Optional[Context] = None,
+        **keywords: Any,
     ) -> None:
+        options = options_of(type(self), options, keywords, context)
         library = contact_library()
         interval = as_int(every, "every")
         self.system = system
@@ -90,8 +93,9 @@ class Handle(OwnsHandle):
             yield self._handle
 
     def grid(self) -> Grid:
-        """Shape, pitch and mask of the surface that was pressed last."""
-        return Grid(self.system.shape, self.system.pitch, self.system.periodic, self._mask)
+        """Shape, pitch, mask and modulus of what was pressed last."""
+        system = self.system
+        return Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus)
 
     @contextmanager
     def _pressing(self, undeformed_gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:

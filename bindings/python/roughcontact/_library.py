@@ -1,12 +1,12 @@
-"""Finds and loads libroughcontact and libroughcontact-surface.
+"""Finds and loads libroughcontact, libroughcontact-surface and libroughcontact-formats.
 
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
   2. the one inside this package, where it was installed from a wheel
   3. the one of the same prefix: PREFIX/lib/python3/dist-packages/roughcontact belongs to PREFIX/lib
   4. the system's, by its SONAME, as the dynamic loader finds it
-libroughcontact-surface is looked for beside libroughcontact, then by its SONAME, when a function of it is first called:
-programs that only solve contacts do not load the GNU Scientific Library.
+The other two are looked for beside libroughcontact, then by their SONAME, when a function of them is first called: programs that
+only solve contacts load neither the GNU Scientific Library nor what files are read with.
 """
 
 import ctypes
@@ -18,11 +18,10 @@ from typing import Any, Dict, List, Tuple, cast
 from ._c import prototypes
 from ._constants import RC_ABI
 from ._errors import LibraryNotFoundError
-from ._functions import ContactFunctions, SurfaceFunctions
+from ._functions import ContactFunctions, FormatsFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
 SONAME = f"libroughcontact.so.{RC_ABI}"
-SURFACE_SONAME = f"libroughcontact-surface.so.{RC_ABI}"
 
 _lock = threading.RLock()  # a signal handler may ask while its own thread loads
 _loaded: Dict[str, Any] = {}
@@ -102,11 +101,22 @@ def library_file() -> str:
     return str(_loaded["file"])
 
 
-def surface_library() -> SurfaceFunctions:
-    """libroughcontact-surface with the prototypes of all its functions."""
-    beside = os.path.join(os.path.dirname(library_file()), SURFACE_SONAME)
+def _beside(name: str, functions: type) -> Any:
+    """libroughcontact-NAME with the prototypes of all its functions."""
+    soname = f"libroughcontact-{name}.so.{RC_ABI}"
+    beside = os.path.join(os.path.dirname(library_file()), soname)
     with _lock:
-        if "surface" not in _loaded:
+        if name not in _loaded:
             candidates = [(beside, "beside libroughcontact")] if os.path.exists(beside) else []
-            _loaded["surface"], _ = _open(candidates + [(SURFACE_SONAME, "the system")], SurfaceFunctions)
-        return cast(SurfaceFunctions, _loaded["surface"])
+            _loaded[name], _ = _open(candidates + [(soname, "the system")], functions)
+        return _loaded[name]
+
+
+def surface_library() -> SurfaceFunctions:
+    """libroughcontact-surface."""
+    return cast(SurfaceFunctions, _beside("surface", SurfaceFunctions))
+
+
+def formats_library() -> FormatsFunctions:
+    """libroughcontact-formats."""
+    return cast(FormatsFunctions, _beside("formats", FormatsFunctions))

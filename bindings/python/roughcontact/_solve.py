@@ -8,6 +8,7 @@ from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask
 from ._errors import ArgumentError
 from ._handle import Progress
 from ._history import path_on
+from ._keywords import Constant, load_of, modulus_of, options_of, refuse_one_row
 from ._maps import as_surface
 from .contact import Contact, control_and_target, gap_and_mask
 from .context import Context, Options
@@ -25,12 +26,13 @@ def system_for(
     modulus: Optional[float],
     boundary: Optional[str],
     unit: Optional[str],
+    hardness: Optional[float],
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, undeformed_gap, mask) from what one-shot functions are given."""
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     if system is not None:
-        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit}
+        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
         twice = [name for name, value in given.items() if value is not None]
         if twice:
             raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
@@ -38,16 +40,17 @@ def system_for(
         assert found is not None
         return system, found, mask_array
     if modulus is None:
-        raise ArgumentError("modulus is missing: the contact modulus E*, or system=")
+        raise ArgumentError("modulus is missing: the contact modulus E*, or E and nu, or system=")
+    refuse_one_row(heights if undeformed_gap is None else undeformed_gap, "heights or undeformed_gap", pitch)
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
         boundary = boundary or ("periodic" if surface.periodic else None)
-        half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary)
+        half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
         return half_space, surface.undeformed_gap(), surface.mask
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
     array = as_doubles(undeformed_gap, "undeformed_gap")  # type: ignore[arg-type]
-    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary)
+    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
 
@@ -56,6 +59,7 @@ def solve(
     *,
     displacement: Optional[float] = None,
     load: Optional[float] = None,
+    pressure: Optional[float] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -66,29 +70,39 @@ def solve(
     system: Optional[System] = None,
     pitch: Optional[Pitch] = None,
     modulus: Optional[float] = None,
+    E: Optional[Constant] = None,
+    nu: Optional[Constant] = None,
     boundary: Optional[str] = None,
     unit: Optional[str] = None,
+    hardness: Optional[float] = None,
     options: Options = None,
     progress: Optional[Callable[[Progress], object]] = None,
     every: int = 1,
     context: Optional[Context] = None,
+    **keywords: Any,
 ) -> Result:
     """Presses a surface into an elastic half-space.
 
-    heights: a `Surface`, a topography of SurfaceTopography, or an array [ny, nx]; the highest point touches at approach 0
-        [length]
+    heights: a `Surface`, a file (see `read`), a topography of SurfaceTopography, or an array [ny, nx]; the highest point
+        touches at approach 0 [length]
     undeformed_gap: the undeformed gap instead of heights [length]
-    displacement: approach of the bodies [length], or load: normal force [force]
+    displacement: approach of the bodies [length], or load: normal force [force], or pressure: load over the area of the grid
     pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface brings its
         own
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
+    E, nu: in the place of modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two
+        each
     boundary: "free" or "periodic"; None: as the surface says, free for arrays
     unit: the lengths of a surface that knows its unit are converted to this one first ("m")
-    system: in the place of pitch, modulus, boundary and unit: a `HalfSpace`, `Matrix` or `Product`
+    hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
+    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
     options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
+    keywords: the same by their names, with _ for the dots: tol=1e-6, solver="nnls", fft_precision="single"
     progress, every, context: as in `Contact`; the others: as in `Contact.solve`
     """
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
+    modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
+    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
             displacement=displacement,
@@ -108,6 +122,7 @@ def path(
     *,
     displacement: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
+    pressure: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
     mask: Optional[ArrayLike] = None,
     missing: str = "reject",
@@ -119,12 +134,16 @@ def path(
     system: Optional[System] = None,
     pitch: Optional[Pitch] = None,
     modulus: Optional[float] = None,
+    E: Optional[Constant] = None,
+    nu: Optional[Constant] = None,
     boundary: Optional[str] = None,
     unit: Optional[str] = None,
+    hardness: Optional[float] = None,
     options: Options = None,
     progress: Optional[Callable[[Progress], object]] = None,
     every: int = 1,
     context: Optional[Context] = None,
+    **keywords: Any,
 ) -> PathResult:
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
@@ -137,7 +156,9 @@ def path(
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
     the others: as in `solve`
     """
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit)
+    modulus, options = modulus_of(modulus, E, nu), options_of(path, options, keywords, context)
+    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
         return path_on(contact, control, targets, undeformed_gap, mask, warm_start, stiffness, keep_pressure, each, check)

@@ -12,7 +12,7 @@ rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 @struct
 class rc_system(Sized):
     members = """size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx ny;
-    double hx hy modulus; doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user"""
+    double hx hy modulus; doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user; double hardness"""
 
 
 @struct
@@ -28,7 +28,8 @@ class rc_result(Sized):
     double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
     double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper;
-    int64_t proven_contacts proven_open undecided levels; double tolerance"""
+    int64_t proven_contacts proven_open undecided levels; double tolerance stiffness_lower stiffness_upper;
+    int64_t capped; double plastic_volume; int64_t proven_capped"""
 
 
 @struct
@@ -57,7 +58,7 @@ class rc_path(Sized):
 @struct
 class rc_state(Sized):
     members = """size_t struct_size; doubles undeformed_gap; bytes_ mask; doubles p; double approach load; doubles p_before;
-    double approach_before load_before"""
+    double approach_before load_before; doubles indentation"""
 
 
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
@@ -75,6 +76,18 @@ class rc_batch(Sized):
 class rc_level(Sized):
     members = """size_t struct_size; doubles p; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t nx ny;
     double hx hy approach load; int64_t candidates contacts"""
+
+
+@struct
+class rc_gradient(Sized):
+    members = """size_t struct_size; doubles dJ_dp dJ_dgap; double dJ_dload dJ_dapproach; doubles dJ_dundeformed_gap;
+    double dJ_dtarget dJ_dmodulus error; int64_t undecided products"""
+
+
+@struct
+class rc_tangent(Sized):
+    members = """size_t struct_size; doubles dundeformed_gap; double dtarget dmodulus; doubles dp dgap;
+    double dload dapproach error; int64_t undecided products"""
 
 
 @struct
@@ -160,3 +173,19 @@ class rc_surface_power_law(Sized):
 class rc_surface_cmr(Sized):
     members = """size_t struct_size; int32_t trustworthy levels safe_levels reserved;
     double unresolved limit unresolved_overall peak_loss approach coarsest_pitch; char*400 reason"""
+
+
+@struct
+class rc_surface_read_spec(Sized):
+    members = "size_t struct_size; text format unit; double hx hy"
+
+
+@struct
+class rc_surface_file(Sized):
+    members = """size_t struct_size; int64_t nx ny; double hx hy; doubles heights; int64_t missing; int32_t periodic reserved;
+    char*32 format; char*400 assumed; handle storage"""
+
+
+@struct
+class rc_surface_format(Sized):
+    members = "size_t struct_size; text name summary suffixes says; int32_t by_contents reserved"

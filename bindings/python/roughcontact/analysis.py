@@ -4,18 +4,20 @@ as methods.
 A point is in contact where its pressure is positive. periodic joins opposite sides of the grid.
 """
 
+import ctypes
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _constants
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, given, pointer
 from ._c import members_for
 from ._calls import check
-from ._errors import ShapeError
+from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
-from ._structs import rc_area, rc_histogram, rc_patches
+from ._structs import rc_area, rc_histogram, rc_patches, rc_result
 from .system import grid_struct
 
 
@@ -68,9 +70,16 @@ class Histogram:
     max_pressure: float
 
 
-def _grid(
-    pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[ArrayLike]
-) -> Tuple[Any, Doubles, Optional[Mask]]:
+@dataclass(frozen=True)
+class Conductance:
+    """Of a contact; the exact one lies between lower and upper, NaN unless option stiffness is 2."""
+
+    value: float
+    lower: float
+    upper: float
+
+
+def _grid(pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[ArrayLike]) -> Tuple[Any, Doubles, Optional[Mask]]:
     array = as_doubles(pressure, "pressure")
     if array.ndim not in (1, 2):
         raise ShapeError(f"pressure has {array.ndim} axes: [ny, nx] is needed")
@@ -125,3 +134,20 @@ def histogram(
     check(contact_library().rc_histogram_fill(system, pointer(p), pointer(m), struct))
     own = {"edges": struct.width * np.arange(bins + 1), "counts": counts, "density": density}
     return Histogram(**{**members_for(Histogram, struct), **own})
+
+
+def conductance(result: Any, rho1: float, rho2: float) -> Conductance:
+    """Electrical or thermal conductance of a contact of half-spaces, 2 / (E* (rho1 + rho2)) dW/dd (Barber 2003).
+
+    result: a `Result` with option stiffness 1 or 2; rho1, rho2: resistivities of the bodies, or reciprocals of their thermal
+        conductivities
+    """
+    if result.grid.modulus is None:
+        raise ArgumentError("the result is not of a HalfSpace, whose modulus the conductance needs")
+    system = grid_struct(result.grid.shape, result.grid.pitch, result.grid.periodic)
+    system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, result.grid.modulus
+    names = ("stiffness", "stiffness_lower", "stiffness_upper")
+    struct = given(rc_result(), **{name: getattr(result, name) for name in names})
+    found = [ctypes.c_double() for _ in names]
+    check(contact_library().rc_conductance(system, struct, float(rho1), float(rho2), *found))
+    return Conductance(*(each.value for each in found))

@@ -10,10 +10,12 @@ from . import _constants
 from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
+from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import path_on
 from ._library import contact_library
 from ._maps import as_surface
+from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
 from .result import Level, PathResult, Result, level_from, result_from
@@ -36,7 +38,7 @@ def gap_and_mask(
     if heights is None:
         array = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", shape)
         return array, as_mask(mask, "mask", shape)
-    surface = as_surface(heights, 1.0, mask=mask, missing=missing)  # the pitch is the system's
+    surface = as_surface(heights, mask=mask, missing=missing, otherwise=1.0)  # the pitch is the system's
     if surface.shape != shape:
         raise ShapeError(f"heights have shape {surface.shape}, the grid {shape}")
     return surface.undeformed_gap(), surface.mask
@@ -46,7 +48,7 @@ class Contact(Handle):
     """A contact kept over a loading sequence: operators, factors and the last pressures stay from step to step.
 
     system: `HalfSpace`, `Matrix` or `Product`
-    options: see `roughcontact.options()`; those that are fixed cannot be changed later
+    options: see `roughcontact.options()`; those that are fixed cannot be changed later. keywords: as in `solve`
     progress: called with a `Progress` at least every `every` iterations, on the thread that solves, which is not the main one.
         True ends the step with Status.STOP_CANCELLED; an exception ends it and is raised by the call
     context: a registry of its own
@@ -78,7 +80,7 @@ class Contact(Handle):
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step
         displacement: approach of the bodies [length], or load: normal force [force]
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
-        missing: what masked or NaN heights are: "reject" or "exclude"
+        missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
         warm_start: whether to begin with the last certified pressures; None: as the library
         borrow: gap and mask are not copied by the library; the contact keeps them, and they are to stay as they are
@@ -146,6 +148,36 @@ class Contact(Handle):
         assert answer is not None
         return answer
 
+    def gradient(
+        self, pressure: Optional[ArrayLike] = None, gap: Optional[ArrayLike] = None, *, load: float = 0.0, approach: float = 0.0
+    ) -> Gradient:
+        """Derivatives of a number J by all data of the last step, which must be certified, from how J changes with its answer.
+
+        pressure, gap: dJ/dp and dJ/dg for pressures and deformed gap, of the system's shape; None: 0
+        load, approach: dJ/dload and dJ/dapproach
+
+        Without any, J is the load of a step with given displacement, and the approach of one with given load.
+        """
+        struct, out, inputs = gradient_request(self.system.shape, pressure, gap, load, approach)
+        self._differentiate(contact_library().rc_contact_gradient, struct, out, inputs)
+        return gradient_from(struct, out)
+
+    def tangent(self, undeformed_gap: Optional[ArrayLike] = None, *, target: float = 0.0, modulus: float = 0.0) -> Tangent:
+        """How the answer of the last step, which must be certified, changes with its data.
+
+        undeformed_gap: change of the undeformed gap, of the system's shape [length]; None: 0
+        target: change of displacement [length] or load [force]; modulus: of E* [force/length^2]
+        """
+        struct, out, inputs = tangent_request(self.system.shape, undeformed_gap, target, modulus)
+        self._differentiate(contact_library().rc_contact_tangent, struct, out, inputs)
+        return tangent_from(struct, out)
+
+    def _differentiate(self, function: Any, struct: Any, *keep: Any) -> None:
+        """A stop raises, but for round-off that keeps a larger residual: the answer's `error` tells of it."""
+        with self._holding():
+            status, message, interrupt = self._run(lambda: int(function(self._handle, struct)), (struct, keep))
+            self._conclude(status, message, interrupt, None, status != Status.STOP_STALLED)
+
     def path(
         self,
         heights: Any = None,
@@ -192,6 +224,16 @@ class Contact(Handle):
             check(library.rc_contact_points(handle, n.value, pointer(index), pointer(pressure), n))
         return index, pressure
 
+    def indentation(self) -> Doubles:
+        """The plastic indentation that the steps so far have left where the pressure was the system's hardness [length].
+
+        The next step adds it to its undeformed gap, also to one that is given anew; `reset` forgets it.
+        """
+        left = np.zeros(self.system.shape)
+        with self._holding() as handle:
+            check(contact_library().rc_contact_indentation(handle, pointer(left)))
+        return left
+
     def explain(self) -> str:
         """Why "auto" chose what it did in the last step on the given grid: a line for each solver and backend."""
         text = ctypes.c_char_p()
@@ -207,7 +249,7 @@ class Contact(Handle):
         self._options = together
 
     def reset(self) -> None:
-        """Forgets the surface, the last pressures and factors."""
+        """Forgets the surface, its plastic indentation, the last pressures and factors."""
         with self._holding() as handle:
             check(contact_library().rc_contact_reset(handle))
             self._borrowed, self._mask = [], None
@@ -218,6 +260,7 @@ class Contact(Handle):
         *,
         last: Tuple[ArrayLike, float, float],
         before: Optional[Tuple[ArrayLike, float, float]] = None,
+        indentation: Optional[ArrayLike] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -227,6 +270,7 @@ class Contact(Handle):
         heights, undeformed_gap, mask, missing: its surface, as in `solve`
         last: its pressures, approach and load, as its result has them
         before: likewise of the step before it, on the same surface; None: there was none
+        indentation: what `indentation` gave after its last step [length]; None: none
 
         With options={"resumable": 1} in both contacts the next steps give the same bits as in the other, without it to
         round-off.
@@ -238,6 +282,8 @@ class Contact(Handle):
         if before is not None:
             earlier = as_doubles(before[0], "before[0]", self.system.shape)
             given(state, p_before=earlier, approach_before=float(before[1]), load_before=float(before[2]))
+        if indentation is not None:
+            given(state, indentation=as_doubles(indentation, "indentation", self.system.shape))
         with self._holding() as handle:
             check(contact_library().rc_contact_restore(handle, state))
             self._borrowed, self._mask = [], mask_array

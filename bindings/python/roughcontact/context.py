@@ -13,6 +13,7 @@ from ._arrays import Doubles, Pitch, as_pitch, as_shape, as_text, columns_and_ro
 from ._c import members_for
 from ._calls import check
 from ._errors import OptionError, error_for
+from ._kernel import Symbol, register
 from ._library import contact_library
 from ._status import Status
 from ._structs import rc_component, rc_context_config, rc_log_fn, rc_option_spec
@@ -78,6 +79,15 @@ class Context(OwnsHandle):
         check(library.rc_context_create(config, handle))
         self.handle = handle
         weakref.finalize(self, library.rc_context_destroy, handle).atexit = False
+
+    def add_kernel(self, name: str, symbol: Symbol, summary: str = "a Python function") -> None:
+        """Adds a kernel for periodic boundaries: options={"kernel": name} then presses what it describes.
+
+        symbol: called with wave numbers qx, qy >= 0, arrays of one shape [1/length], when a contact is made and on its threads;
+            returns E* times what a wave of unit pressure deflects [length], 2 / hypot(qx, qy) on a half-space. The mean's, at
+            qx = qy = 0, is not looked at. What it raises comes back as the message of an ExternalError
+        """
+        register(self.handle, name, symbol, summary)
 
 
 def _guarded_log(log: Callable[[str, str], object]) -> Callable[[int, bytes, Any], None]:

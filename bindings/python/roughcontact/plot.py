@@ -1,5 +1,8 @@
 """Pictures with matplotlib, which is imported when one is made. Every function returns the axes it drew on.
 
+Maps have x to the right and y down, from the first row of the array on, as the command's pictures have. Where nothing touches
+they are dark: contact of a few points is seen.
+
 si: whether lengths are in m, forces in N and pressures in Pa, as the axes then say with a prefix ("20 um"); else they have
     plain numbers.
 """
@@ -9,11 +12,16 @@ from typing import Any, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._arrays import Pitch
-from ._maps import Surface, as_surface
+from ._height_map import Surface
+from ._maps import as_surface
+from ._pictures import COLOURS, GROUND
+from ._status import Status
 from .analysis import Histogram, Patches
 from .result import Grid, PathResult, Result
 from .surface import PowerLaw, Spectrum
 
+DARK = "#{:02x}{:02x}{:02x}".format(*GROUND)
+__all__ = ["heights", "pressure", "patches", "history", "histogram", "spectrum"]
 UNITS = {"approach": "m", "load": "N", "contact_area": "m\u00b2", "stiffness": "N/m"}
 
 
@@ -35,41 +43,73 @@ def _with_prefix(axis: Any, unit: Optional[str]) -> None:
 
 
 def _extent(shape: Tuple[int, ...], pitch: Tuple[float, float]) -> Sequence[float]:
-    return 0, shape[-1] * pitch[0], 0, shape[0] * pitch[1]
+    return 0, shape[-1] * pitch[0], shape[0] * pitch[1], 0
 
 
 def _map(
     values: Any, grid: Union[Grid, Surface], ax: Any, label: str, length: Optional[str], unit: Optional[str], **how: Any
 ) -> Any:
-    ax = _axes(ax)
-    image = ax.imshow(values, origin="lower", extent=_extent(values.shape, grid.pitch), **{"interpolation": "nearest", **how})
+    ax, values = _axes(ax), np.atleast_2d(values)
+    image = ax.imshow(values, origin="upper", extent=_extent(values.shape, grid.pitch), **{"interpolation": "nearest", **how})
     if label:
         _with_prefix(ax.figure.colorbar(image, ax=ax, label=label).ax.yaxis, unit)
-    _with_prefix(ax.xaxis, length)
-    _with_prefix(ax.yaxis, length)
+    for axis, name in ((ax.xaxis, "x"), (ax.yaxis, "y")):
+        _with_prefix(axis, length)
+        axis.set_label_text(name)
     return ax
 
 
+def _colours() -> Any:
+    """From low to high pressure, all seen on the ground."""
+    from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import-not-found,unused-ignore]
+
+    return LinearSegmentedColormap.from_list("pressure", COLOURS / 255)
+
+
+def _status(answer: Union[Result, PathResult]) -> str:
+    return "certified" if answer.status == Status.OK else answer.status.name
+
+
+def _outcome(result: Result, si: bool) -> str:
+    """Load, share of the points in contact, and whether that is certified."""
+    from matplotlib.ticker import EngFormatter  # type: ignore[import-not-found,unused-ignore]
+
+    load = EngFormatter("N", places=3)(result.load) if si else f"{result.load:.4g}"
+    return f"load {load}, {_status(result)}\n{result.contacts / max(result.points, 1):.2%} of the points in contact"
+
+
 def heights(surface: Any, *, pitch: Optional[Pitch] = None, ax: Any = None, si: bool = True, **how: Any) -> Any:
-    """A map of heights; missing points are white. A surface's own unit comes before si. how: for imshow."""
+    """A map of heights; missing points are dark. A surface's own unit comes before si. how: for imshow."""
     found = as_surface(surface, pitch, missing="exclude")
     shown = found.heights if found.mask is None else np.ma.array(found.heights, mask=found.mask == 0)
     plain = found.unit not in (None, "m")
     unit = "m" if si and not plain else None
-    return _map(shown, found, ax, f"height ({found.unit})" if plain else "height", unit, unit, **how)
+    ax = _map(shown, found, ax, f"height ({found.unit})" if plain else "height", unit, unit, **how)
+    ax.set_facecolor(DARK)
+    if plain:
+        ax.set_xlabel(f"x ({found.unit})")
+        ax.set_ylabel(f"y ({found.unit})")
+    return ax
 
 
 def pressure(result: Result, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
-    """A map of pressures; white where there is no contact. how: for imshow."""
+    """A map of pressures, with the load and the status above it. how: for imshow."""
     p = result._needed()
-    return _map(np.ma.array(p, mask=~(p > 0)), result.grid, ax, "pressure", "m" if si else None, "Pa" if si else None, **how)
+    shown = np.ma.array(p, mask=~(p > 0))
+    ax = _map(shown, result.grid, ax, "pressure", "m" if si else None, "Pa" if si else None, **{"cmap": _colours(), **how})
+    ax.set_facecolor(DARK)
+    ax.set_title(_outcome(result, si), fontsize="small")
+    return ax
 
 
 def patches(result: Result, found: Optional[Patches] = None, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
     """A map of the contact in 20 colours, by the patches' numbers. how: for imshow."""
     label = (result.patches() if found is None else found).label
     shown = np.ma.array(label % 20, mask=label < 0)
-    return _map(shown, result.grid, ax, "", "m" if si else None, None, **{"cmap": "tab20", **how})
+    ax = _map(shown, result.grid, ax, "", "m" if si else None, None, **{"cmap": "tab20", **how})
+    ax.set_facecolor(DARK)
+    ax.set_title(f"{label.max(initial=-1) + 1} patches, {_outcome(result, si)}", fontsize="small")
+    return ax
 
 
 def history(path: PathResult, *, ax: Any = None, x: str = "approach", y: str = "load", si: bool = True, **how: Any) -> Any:
@@ -77,8 +117,10 @@ def history(path: PathResult, *, ax: Any = None, x: str = "approach", y: str = "
     ax = _axes(ax)
     ax.plot(getattr(path, x), getattr(path, y), **{"marker": "o", "markersize": 3, **how})
     for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
-        axis.set_label_text(name.replace("_", " "))
-        _with_prefix(axis, UNITS.get(name) if si else None)
+        unit = UNITS.get(name) if si else None
+        _with_prefix(axis, unit)
+        axis.set_label_text(name.replace("_", " ") + (f" ({unit})" if unit and unit.endswith("\u00b2") else ""))
+    ax.set_title(f"{path.completed} of {len(path.targets)} steps, {_status(path)}", fontsize="small")
     return ax
 
 
@@ -104,3 +146,7 @@ def spectrum(found: Spectrum, law: Optional[PowerLaw] = None, *, ax: Any = None,
     ax.set_xlabel("wave number" + (" (1/m)" if si else ""))
     ax.set_ylabel("PSD" + (" (m$^4$)" if si else ""))
     return ax
+
+
+def __dir__() -> Sequence[str]:
+    return __all__

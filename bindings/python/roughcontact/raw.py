@@ -10,5 +10,5 @@ a pointer to one. Shapes, units and who keeps what: see the headers.
 """
 
 from ._constants import *  # noqa: F401,F403
-from ._library import contact_library, library_file, surface_library  # noqa: F401
+from ._library import contact_library, formats_library, library_file, surface_library  # noqa: F401
 from ._structs import *  # noqa: F401,F403

@@ -7,26 +7,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import analysis
+from ._answers import Answer, Stored
 from ._arrays import Doubles, Mask, Shape
 from ._c import members_for
 from ._errors import as_status
 from ._library import contact_library
+from ._pictures import curve, pressure_image
 from ._status import Status
+from ._steps import Steps
 from ._structs import rc_accuracy, rc_level, rc_result
 
 
 @dataclass(frozen=True)
-class Grid:
-    """Where an answer lives: shape, (hx, hy) [length], whether it repeats, and the points left out."""
+class Grid(Stored):
+    """Where an answer lives: shape, (hx, hy) [length], whether it repeats, the points left out, and the half-space's E*."""
 
     shape: Shape
     pitch: Tuple[float, float]
     periodic: bool = False
     mask: Optional[Mask] = None
+    modulus: Optional[float] = None
 
 
 @dataclass(frozen=True)
-class Accuracy:
+class Accuracy(Stored):
     """Which grid an answer is of, and how far off it may be.
 
     model_nx, model_ny: points of the grid that was solved
@@ -43,7 +47,7 @@ class Accuracy:
 
 
 @dataclass(frozen=True, eq=False)
-class Result:
+class Result(Answer):
     """Answer of one step. All numbers are those of rc_result in <roughcontact/roughcontact.h>.
 
     pressure: of the grid's shape [force/length^2]; None if not wanted
@@ -77,7 +81,7 @@ class Result:
     contact_area: float
     #: the functional that is minimised [force length]
     energy: float
-    #: dW/dd [force/length]; NaN unless option stiffness is 1
+    #: dW/dd [force/length]; NaN where option stiffness is 0
     stiffness: float
     kkt_primal: float
     kkt_dual: float
@@ -108,6 +112,15 @@ class Result:
     levels: int
     #: what the residuals were held to
     tolerance: float
+    #: the exact dW/dd at this approach lies between [force/length]; NaN unless option stiffness is 2
+    stiffness_lower: float
+    stiffness_upper: float
+    #: points that carry the system's hardness; 0 without one
+    capped: int
+    #: of the overlap of these points in this step [length^3]
+    plastic_volume: float
+    #: points proven to carry the hardness; -1 where no proof is known
+    proven_capped: int
     #: which grid it is of, and estimated errors; None in `batch`
     accuracy: Optional[Accuracy]
 
@@ -133,6 +146,13 @@ class Result:
         """Distribution of the pressures."""
         return analysis.histogram(self._needed(), bins, upper, **self._grid())
 
+    def conductance(self, rho1: float, rho2: float) -> analysis.Conductance:
+        """Electrical or thermal conductance of the contact; needs option stiffness 1 or 2.
+
+        rho1, rho2: resistivities of the bodies, or reciprocals of their thermal conductivities
+        """
+        return analysis.conductance(self, rho1, rho2)
+
     def _grid(self) -> Dict[str, Any]:
         return {"pitch": self.grid.pitch, "periodic": self.grid.periodic, "mask": self.grid.mask}
 
@@ -140,6 +160,21 @@ class Result:
         if self.pressure is None:
             raise ValueError("the result has no pressures; solve with want_pressure=True")
         return self.pressure
+
+    def _rows(self) -> Dict[str, str]:
+        return {
+            "status": self.status.name,
+            "load": f"{self.load:.6g} ({self.load_lower:.6g} to {self.load_upper:.6g})",
+            "approach": f"{self.approach:.6g}",
+            "contact": f"{self.contacts} of {self.points} points, {self.contacts / self.points:.2%}",
+            "largest pressure": "" if self.pressure is None else f"{np.max(self.pressure, initial=0):.6g}",
+            "mean pressure": f"{self.mean_pressure:.6g}",
+            "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
+            **({"note": self.note} if self.note else {}),
+        }
+
+    def _picture(self) -> Optional[str]:
+        return None if self.pressure is None else pressure_image(self.pressure)
 
     def __repr__(self) -> str:
         return (
@@ -189,7 +224,7 @@ def level_from(struct: rc_level, pressure: Doubles) -> Level:
 
 
 @dataclass(frozen=True, eq=False)
-class PathResult:
+class PathResult(Steps, Answer):
     """Answers of a loading history. Arrays have one value for each completed step.
 
     load [force], approach [length], contact_area [length^2], certificate: largest residual, applications: products with H
@@ -215,12 +250,28 @@ class PathResult:
         """Steps that were completed."""
         return len(self.load)
 
+    steps = ("step",)
+
+    def _counts(self) -> Tuple[int, ...]:
+        return (self.completed,)
+
+    def _rows(self) -> Dict[str, str]:
+        ends = {"load": self.load, "approach": self.approach, "contact area": self.contact_area}
+        return {
+            "status": self.status.name,
+            "steps": f"{self.completed} of {len(self.targets)}",
+            **{name: f"{values.min():.6g} to {values.max():.6g}" for name, values in ends.items() if len(values)},
+        }
+
+    def _picture(self) -> Optional[str]:
+        return curve(self.approach, self.load)
+
     def __repr__(self) -> str:
         return f"PathResult({self.status.name}, {self.completed} of {len(self.targets)} steps)"
 
 
 @dataclass(frozen=True, eq=False)
-class BatchResult:
+class BatchResult(Answer):
     """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
 
     statuses: of every step, see `Status`
@@ -245,6 +296,17 @@ class BatchResult:
     certified: int
     first: int
     grid: Grid
+
+    steps = ("contact", "step")
+
+    def _counts(self) -> Tuple[int, ...]:
+        return self.load.shape
+
+    def _rows(self) -> Dict[str, str]:
+        return {"status": self.status.name, "contacts": f"{self.certified} of {len(self.load)} certified"}
+
+    def _picture(self) -> Optional[str]:
+        return None
 
     def __repr__(self) -> str:
         return f"BatchResult({self.status.name}, {self.certified} of {len(self.load)} contacts certified)"

@@ -20,7 +20,8 @@ from ._c import members_for
 from ._calls import check_surface
 from ._errors import ArgumentError, ShapeError
 from ._library import surface_library
-from ._maps import Surface, as_surface
+from ._height_map import Surface
+from ._maps import as_surface
 from ._structs import (
     rc_surface_cmr,
     rc_surface_map,
@@ -32,6 +33,15 @@ from ._structs import (
 )
 
 Grid = Union[int, Sequence[int]]
+__all__ = [
+    *("rmd", "spectral", "paraboloid", "sphere", "waves", "pyramids", "noise"),
+    *("analyze", "psd", "power_law", "cmr_advice", "downsample"),
+    *("Statistics", "Spectrum", "PowerLaw", "CmrAdvice"),
+]
+
+
+def __dir__() -> Sequence[str]:
+    return __all__
 
 
 def _pitch(pitch: Optional[Pitch]) -> Tuple[float, float]:
@@ -97,8 +107,22 @@ def spectral(
         spec.rms_height = 0.0
     given(spec, q_high=q_high, rms_height=rms_height, rms_slope=rms_slope, fixed_amplitudes=as_switch(fixed_amplitudes))
     heights = np.empty(_not_negative(sides))
+    _refuse_wavelengths(spec, q_low=q_low, q_rolloff=q_rolloff)
     check_surface(surface_library().rc_surface_spectral(spec, pointer(heights)))
     return Surface(heights, (hx, hy), periodic=True)
+
+
+def _refuse_wavelengths(spec: rc_surface_spectral_spec, **given: Optional[float]) -> None:
+    """Wave numbers below that of the longest wave on the grid would change nothing; as a rule they are wavelengths."""
+    longest = max(spec.nx * spec.hx, spec.ny * spec.hy)
+    if not (np.isfinite(longest) and longest > 0):
+        return  # the library says what is wrong with the grid
+    for name, q in given.items():
+        if q is not None and 0 < q < 2 * np.pi / longest * (1 - 1e-9):
+            raise ArgumentError(
+                f"{name} = {q:g} is below {2 * np.pi / longest:g}, the wave number of the longest wave on this grid, and would "
+                "change nothing; wave numbers are 2 pi / wavelength"
+            )
 
 
 def _not_negative(sides: Tuple[int, ...]) -> Tuple[int, ...]:

@@ -20,11 +20,18 @@ BOUNDARIES = {"free": _constants.RC_BOUNDARY_FREE, "periodic": _constants.RC_BOU
 
 
 class System(ABC):
-    """`HalfSpace`, `Matrix` or `Product`. shape: of gaps and pressures. pitch: (hx, hy), hx along the last axis [length]."""
+    """`HalfSpace`, `Matrix` or `Product`.
+
+    shape: of gaps and pressures
+    pitch: (hx, hy), hx along the last axis [length]
+    hardness: the largest pressure [force/length^2]; None: none, all is elastic
+    """
 
     shape: Shape
     pitch: Tuple[float, float]
     periodic = False
+    hardness: Optional[float] = None
+    modulus: Optional[float] = None  # of a `HalfSpace`
 
     @abstractmethod
     def fill(self, system: rc_system) -> Callbacks:
@@ -32,6 +39,7 @@ class System(ABC):
 
     def struct(self) -> Tuple[rc_system, Callbacks]:
         system = grid_struct(self.shape, self.pitch, self.periodic)
+        system.hardness = 0 if self.hardness is None else self.hardness
         return system, self.fill(system)
 
 
@@ -43,6 +51,10 @@ def grid_struct(shape: Shape, pitch: Tuple[float, float], periodic: bool) -> rc_
     return system
 
 
+def as_hardness(hardness: Optional[float]) -> Optional[float]:
+    return None if hardness is None else float(hardness)
+
+
 class HalfSpace(System):
     """An elastic half-space.
 
@@ -50,26 +62,40 @@ class HalfSpace(System):
     pitch: cell size, one number or (hx, hy) with hx along the last axis [length]
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     boundary: "free" or "periodic"; None: the library's
+    hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a plastic
+        indentation that stays for the steps that follow, see `Contact.indentation`
     """
 
     def __init__(
-        self, shape: Union[int, Sequence[int]], *, pitch: Pitch, modulus: float, boundary: Optional[str] = None
+        self,
+        shape: Union[int, Sequence[int]],
+        *,
+        pitch: Pitch,
+        modulus: float,
+        boundary: Optional[str] = None,
+        hardness: Optional[float] = None,
     ) -> None:
         if boundary is None:
             boundary = next(name for name, number in BOUNDARIES.items() if number == rc_system().boundary)
         if boundary not in BOUNDARIES:
             raise ArgumentError(f"boundary is {boundary!r}: 'free' or 'periodic'")
         self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(modulus)
-        self.boundary, self.periodic = boundary, boundary == "periodic"
+        self.boundary, self.periodic, self.hardness = boundary, boundary == "periodic", as_hardness(hardness)
 
     @classmethod
     def under(
-        cls, surface: Any, *, modulus: float, pitch: Optional[Pitch] = None, boundary: Optional[str] = None
+        cls,
+        surface: Any,
+        *,
+        modulus: float,
+        pitch: Optional[Pitch] = None,
+        boundary: Optional[str] = None,
+        hardness: Optional[float] = None,
     ) -> "HalfSpace":
         """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
         found = as_surface(surface, pitch, missing="exclude")
         boundary = boundary or ("periodic" if found.periodic else None)
-        return cls(found.shape, pitch=found.pitch, modulus=modulus, boundary=boundary)
+        return cls(found.shape, pitch=found.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
 
     def fill(self, system: rc_system) -> Callbacks:
         system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, self.modulus
@@ -82,10 +108,18 @@ class Matrix(System):
     H: [n, n]; not copied where it is an array of doubles whose rows or columns are contiguous, and then to stay as it is
     shape: of gaps and pressures, n points altogether; None: (n,)
     pitch: one number or (hx, hy): hx hy is the area of a cell
+    hardness: as in `HalfSpace`
     """
 
-    def __init__(self, H: ArrayLike, *, pitch: Pitch, shape: Optional[Union[int, Sequence[int]]] = None) -> None:
-        self.H = square(H)
+    def __init__(
+        self,
+        H: ArrayLike,
+        *,
+        pitch: Pitch,
+        shape: Optional[Union[int, Sequence[int]]] = None,
+        hardness: Optional[float] = None,
+    ) -> None:
+        self.H, self.hardness = square(H), as_hardness(hardness)
         n = self.H.shape[0]
         self.shape, self.pitch = (n,) if shape is None else as_shape(shape), as_pitch(pitch)
         if int(np.prod(self.shape)) != n:
@@ -122,10 +156,18 @@ class Product(System):
     apply: called with an array of `shape` that is to be read only [force/length^2], returns one of that shape [length]. It is
         called on the thread that solves, which is not the main one; by `batch` on several threads at the same time. An
         exception ends the solve and is raised by it.
-    shape, pitch: as in `Matrix`
+    shape, pitch, hardness: as in `Matrix`
     """
 
-    def __init__(self, apply: Callable[[Doubles], ArrayLike], shape: Union[int, Sequence[int]], *, pitch: Pitch) -> None:
+    def __init__(
+        self,
+        apply: Callable[[Doubles], ArrayLike],
+        shape: Union[int, Sequence[int]],
+        *,
+        pitch: Pitch,
+        hardness: Optional[float] = None,
+    ) -> None:
+        self.hardness = as_hardness(hardness)
         self.apply, self.shape, self.pitch = apply, as_shape(shape), as_pitch(pitch)
 
     def _call(self, x: Any, y: Any, n: int, _: Any) -> int:

@@ -98,7 +98,9 @@ def test_topographies(rough):
     assert result.pressure.shape == (48, 64) and result.grid.pitch == (1.0, 1.0) and result.grid.periodic
     stretched = Topography(rough.heights, (48.0, 128.0))
     assert rc.HalfSpace.under(stretched, modulus=1.0).pitch == (2.0, 1.0)  # the last axis is 64 points on a length of 128
-    assert rc.solve(stretched, modulus=1e3, load=0.1, pitch=3.0).grid.pitch == (3.0, 3.0)
+    assert rc.solve(stretched, modulus=1e3, load=0.1, pitch=(2.0, 1.0)).grid.pitch == (2.0, 1.0)
+    refused(rc.ArgumentError, "has its own", rc.solve, stretched, modulus=1e3, load=0.1, pitch=3.0)
+    assert rc.solve(Topography(rough.heights, None), modulus=1e3, load=0.1, pitch=3.0).grid.pitch == (3.0, 3.0)
 
 
 def test_units_of_topographies(rough):
@@ -129,7 +131,7 @@ def test_missing_points(rough, absent):
     by_hand = rc.solve(undeformed_gap=present - rough.heights, mask=~holes, **how)
     assert np.array_equal(result.pressure, by_hand.pressure) and result.pressure[holes].max() == 0
     assert np.array_equal(rc.solve(heights, **how, mask=~holes).pressure, by_hand.pressure)  # said by hand, nothing is missing
-    refused(rc.ArgumentError, "'reject' or 'exclude'", rc.solve, heights, **how, missing="ignore")
+    refused(rc.ArgumentError, "'reject', 'exclude' or 'fill'", rc.solve, heights, **how, missing="ignore")
 
 
 def test_masked_gap_is_refused(sphere_gap):

@@ -12,10 +12,10 @@ import roughcontact as rc
 DOCUMENT = pathlib.Path(__file__).resolve().parents[3] / "docs" / "python.md"
 
 
-def blocks():
-    if not DOCUMENT.exists():
-        pytest.skip("docs/python.md is not beside the tests")
-    return re.findall(r"^```python\n(.*?)^```", DOCUMENT.read_text(), re.M | re.S)
+def blocks(document=DOCUMENT):
+    if not document.exists():
+        pytest.skip(f"docs/{document.name} is not beside the tests")
+    return re.findall(r"^```python\n(.*?)^```", document.read_text(), re.M | re.S)
 
 
 def test_first_example_runs_in_an_empty_folder(tmp_path):
@@ -33,6 +33,34 @@ def test_other_examples_run_one_after_another(tmp_path, monkeypatch):
         if "matplotlib" in block:
             pytest.importorskip("matplotlib").use("agg")
         exec(compile(block, str(DOCUMENT), "exec"), names)
+
+
+def test_examples_of_derivatives_run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in blocks(DOCUMENT.with_name("derivatives.md")):
+        if "roughcontact.jax" in block:
+            try:
+                import jax
+            except ImportError:
+                continue
+            names["jax"] = jax
+        exec(compile(block, "derivatives.md", "exec"), names)
+    reverse, forward = map(float, capsys.readouterr().out.splitlines()[1].split())
+    assert reverse == pytest.approx(forward, rel=1e-3)
+
+
+def test_a_texture_is_fitted_and_heights_are_carried_to_the_load():
+    pytest.importorskip("scipy")
+    example = DOCUMENT.parents[1] / "examples" / "fit_texture.py"
+    ran = subprocess.run([sys.executable, str(example), "--points", "32", "--iterations", "15"], capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    misfit, *uncertain = ran.stdout.splitlines()
+    first, best = (float(number) for number in re.findall(r"([\d.]+) %", misfit))
+    assert best < 0.15 * first
+    for line in uncertain:
+        linear, sampled = (float(number) for number in re.findall(r"([\d.]+) N(?=,|$)", line)[1:])
+        assert linear == pytest.approx(sampled, rel=0.25)
 
 
 def test_everything_public_is_documented():

@@ -1,7 +1,6 @@
 """Who owns what: handles are not copied, arrays outlive calls, and what is asked of a contact is not forgotten."""
 
 import copy
-import pathlib
 import pickle
 
 import numpy as np
@@ -62,12 +61,6 @@ def test_a_batch_of_none_that_is_refused_raises():
         rc.batch(undeformed_gap=np.zeros((0, 4, 4)), **how, options={"threads": -5}, check=False)
     with pytest.raises(rc.ArgumentError):
         rc.batch(undeformed_gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=-1.0, check=False)
-
-
-@pytest.mark.parametrize("name", ["surface.txt", pathlib.Path("surface.txt")])
-def test_file_names_are_no_heights(name):
-    with pytest.raises(rc.ArgumentError, match="heights is a file name; files are read by the command"):
-        rc.solve(name, pitch=1.0, modulus=1.0, load=1.0)
 
 
 def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monkeypatch):

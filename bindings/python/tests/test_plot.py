@@ -29,6 +29,14 @@ def test_every_picture(rough, tmp_path):
     figure.canvas.draw()
     assert "µm" in drawn[0].get_xticklabels()[1].get_text() and "m" not in drawn[1].get_xticklabels()[1].get_text()
     assert np.array_equal(drawn[3].lines[0].get_xdata(), history.approach)
+    for ax in drawn[:3]:
+        assert (ax.get_xlabel(), ax.get_ylabel()) == ("x", "y") and ax.yaxis_inverted() and ax.images[0].origin == "upper"
+    assert (
+        "µN" in drawn[2].get_title()
+        and "certified\n0.46% of the points in contact" in drawn[1].get_title()
+        and "patches" in drawn[2].get_title()
+    )
+    assert drawn[1].get_facecolor()[:3] == matplotlib.colors.to_rgb(rc.plot.DARK) and "2 of 2 steps" in drawn[3].get_title()
     pyplot.close(figure)
 
 

@@ -158,12 +158,14 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     }
     answer.length_unit = depth;
     answer.pressure_unit = depth / system.length_per_pressure;
+    answer.hardness = system.hardness;
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    answer.p = memory.start(step, trial, answer.pressure_unit, &estimate.pressures);
+    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), &estimate.pressures);
     const double datum = by_load ? lowest : step.target;
     const std::vector<double> u = compenetrations(answer, datum, work);
     double d = by_load ? 1 : 0;
     const double wanted = by_load ? load / answer.pressure_unit : 0;
+    if (!(static_cast<double>(trial.n) * answer.cap() > wanted)) return std::nullopt;
     answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), datum, answer.p, d);
     answer.compression = by_load ? d * depth : compression_of(step, work);
     if (!std::isfinite(answer.compression)) return std::nullopt;

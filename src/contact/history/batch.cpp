@@ -300,7 +300,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   rc_options each = options;
   each.set(RC_OPT_THREADS, std::int64_t{1});
   each.set(RC_OPT_TIME_LIMIT, 0.0);
-  if (batch.stiffness) each.set(RC_OPT_STIFFNESS, std::int64_t{1});
+  if (batch.stiffness && options.integer(RC_OPT_STIFFNESS) == 0) each.set(RC_OPT_STIFFNESS, std::int64_t{1});
   if (!batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{0});  // no output shows them
 
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };

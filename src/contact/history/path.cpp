@@ -51,14 +51,16 @@ std::string where(const rc_path& path, std::int64_t i) { return join("step ", i,
 // While it lives, every step computes the stiffness, whatever the option says.
 class StiffnessAsked {
  public:
-  explicit StiffnessAsked(Contact& contact) : contact_(contact), before_(contact.ask_stiffness(true)) {}
+  explicit StiffnessAsked(Contact& contact) : contact_(contact), before_(contact.ask_stiffness(1)) {
+    if (before_ > 1) contact.ask_stiffness(before_);
+  }
   ~StiffnessAsked() { contact_.ask_stiffness(before_); }
   StiffnessAsked(const StiffnessAsked&) = delete;
   StiffnessAsked& operator=(const StiffnessAsked&) = delete;
 
  private:
   Contact& contact_;
-  const bool before_;
+  const std::int64_t before_;
 };
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace rc {
 
@@ -33,8 +32,8 @@ struct Distance {
   }
 };
 
-// In units of length_ and of the dimensionless operator: p = max(given p, 0), u = d - h, w = H p - u. docs/certificate.md has the
-// derivation.
+// In units of length_ and of the dimensionless operator: p = the given p between 0 and the hardness, u = d - h, w = H p - u.
+// docs/certificate.md has the derivation.
 class Proof {
  public:
   Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer)
@@ -51,21 +50,21 @@ class Proof {
     residual();
   }
 
-  Bounds bounds() {
+  Bounds bounds(ProvenSets* sets) {
     Bounds result;
     if (!std::isfinite(delta_square_ + doubt_)) return result;
-    Extent support = not_proven_open();  // no proof yet
+    Extent support = undecided_pressures();  // no proof yet
     SumBound sum_bound = system_.periodic() ? better(sum_bound_below_mean(), sum_bound_of(support)) : sum_bound_of(support);
     for (int round = 0; round < most_rounds; ++round) {
       distance_.tighten(distance(sum_bound, support, beta_, 0));
       distance_.tighten(distance_without_stray(sum_bound, support));
       const double before = points_of(support);
-      support = not_proven_open();
+      support = undecided_pressures();
       sum_bound = sum_bound_of(support);
       distance_.sum = std::min(distance_.sum, sum_bound.by_distance * distance_.norm);
       if (points_of(support) > 0.9 * before) break;
     }
-    count(result);
+    count(result, sets);
     convert(support, result);
     return result;
   }
@@ -79,7 +78,9 @@ class Proof {
   // Quantities at point i of the list.
   double height(std::size_t i) const { return surface_.height(answer_.point(i)); }
   bool included(std::size_t i) const { return surface_.included(answer_.point(i)); }
-  double p(std::size_t i) const { return std::max(0.0, given_[i] * system_.length_per_pressure / length_); }
+  double given(std::size_t i) const { return given_[i] * system_.length_per_pressure / length_; }
+  double cap() const { return system_.hardness * system_.length_per_pressure / length_; }
+  double p(std::size_t i) const { return std::min(std::max(0.0, given(i)), cap()); }
   double u(std::size_t i) const { return (compression_ - height(i)) / length_; }
   double w(std::size_t i) const { return distance_to_surface(i) / length_; }
   double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
@@ -87,7 +88,8 @@ class Proof {
   bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ > height(i)); }
 
   // Sizes, and doubt_, a bound of the error of every w_i: round-off of the product, round-off of the approach as it is returned,
-  // and the product of the negative pressures that were cut off (no entry of H is larger than its largest diagonal entry).
+  // and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than its largest
+  // diagonal entry).
   void measure() {
     double largest_product = 0, largest_w = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
@@ -105,29 +107,29 @@ class Proof {
     long double sum = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (given_[i] == 0) continue;
-      negative_ += std::max(0.0, -given_[i] * system_.length_per_pressure / length_);
+      negative_ += std::max({0.0, -given(i), given(i) - cap()});
       p_square += square(p(i));
       sum += p(i);
     }
     sum_ = static_cast<double>(sum);
     const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
     double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
-    if (system_.periodic()) {  // load control shifts the datum of H by this much while it solves
-      const rc_system& unit = system_.unit;
-      const double longest = std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny));
-      size += longest / std::numbers::pi * sum_ / n();
-    }
+    if (system_.periodic()) size += system_.longest_wave() * sum_ / n();  // load control shifts the datum of H by this much
     doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
   }
 
-  // x'w <= beta + delta'x: a point with w > 0 adds at most w p, so one with w >= 0 and p = 0 adds nothing.
+  // x'w <= beta + delta'x: a point with w > 0 adds at most w p, so one with w >= 0 and p = 0 adds nothing; likewise one with
+  // w < 0 at most -w (cap - p).
   void residual() {
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
-      const double wi = w(i), pi = p(i);
+      const double wi = w(i), pi = p(i), room = cap() - pi;
       if (!may_carry(i) || (wi > 0 && 2 * spectrum_.lowest * pi < wi)) {  // then w p < w^2 / (2 lowest)
         beta_ += (std::max(0.0, wi) + doubt_) * pi;
         stray_ += pi;
+      } else if (wi < 0 && 2 * spectrum_.lowest * room < -wi) {
+        beta_ += (doubt_ - wi) * room;
+        stray_ += room;
       } else {
         delta_sum_ += wi;
         delta_square_ += square(wi);
@@ -139,8 +141,9 @@ class Proof {
   // Points with a larger gap are open, since |(Hx)_i| <= |x|_H sqrt(H_ii).
   double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
 
-  // Points that were given a pressure, or may carry one and are not proven open. Outside this set x is 0.
-  Extent not_proven_open() const {
+  // Points that were given a pressure, or may carry one and are not proven open, without those that were given the hardness and
+  // are proven to have it. Outside this set x is 0.
+  Extent undecided_pressures() const {
     const double reach = open_beyond();
     const std::int64_t nx = system_.unit.nx;
     Extent support;
@@ -152,16 +155,19 @@ class Proof {
     }
     if (!all_listed()) {
       for (std::size_t i = 0; i < given_.size(); ++i)
-        if (not_open(i, reach)) add(support, i);
+        if (undecided(i, reach)) add(support, i);
       return support;
     }
     std::size_t i = 0;
     for (std::int64_t y = 0; y < system_.unit.ny; ++y)
       for (std::int64_t x = 0; x < nx; ++x, ++i)
-        if (not_open(i, reach)) support.add(x, y);
+        if (undecided(i, reach)) support.add(x, y);
     return support;
   }
-  bool not_open(std::size_t i, double reach) const { return given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach); }
+  bool undecided(std::size_t i, double reach) const {
+    if (given_[i] >= system_.hardness && distance_to_surface(i) < -reach) return false;
+    return given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach);
+  }
   void add(Extent& support, std::size_t i) const {
     const auto point = static_cast<std::int64_t>(answer_.point(i));
     support.add(point % system_.unit.nx, point / system_.unit.nx);
@@ -188,12 +194,15 @@ class Proof {
     return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
   }
 
-  // Periodic, no mask, d below the mean plane: with e = u + eps of mean 0 and H q = e,  eps sum(x) = x'H(q - p) + x'w.
+  // Periodic, no mask, d off the mean plane (above it the pressures need a cap): with e = u + eps of mean 0 and H q = e,  eps
+  // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
     long double u_sum = 0;  // [length]
     for (const double h : surface_.gap()) u_sum += compression_ - (h - surface_.lowest());
-    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())), eps = (mean_gap - rounding_) / length_;
+    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())),
+                 off = system_.capped() ? std::abs(mean_gap) : mean_gap;
+    const double eps = (off - rounding_) / length_;
     if (!(eps > 0)) return {};
     double e_square = 0, ep = 0, php = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
@@ -238,31 +247,52 @@ class Proof {
     return result;
   }
 
-  void count(Bounds& result) const {
+  void count(Bounds& result, ProvenSets* sets) const {
     const double mean = system_.periodic() ? distance_.sum / n() : 0;
     const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
     const double reach = open_beyond();
-    std::int64_t contacts = 0, may = 0, undecided = 0;
+    std::int64_t contacts = 0, capped = 0, may = 0, undecided = 0;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       may += may_carry(i);
       if (!may_carry(i) || distance_to_surface(i) > reach) continue;
-      ++(p(i) > margin ? contacts : undecided);
+      const bool at_cap = distance_to_surface(i) < -reach;
+      capped += at_cap;
+      ++(p(i) > margin || at_cap ? contacts : undecided);
+      if (!sets || at_cap) continue;
+      sets->possible.push_back(static_cast<std::int64_t>(answer_.point(i)));
+      if (p(i) > margin && cap() - p(i) > margin) sets->contacts.push_back(sets->possible.back());
     }
-    if (!all_listed() && !(reach < answer_.beyond)) undecided += candidates_.n - may;
+    if (!all_listed() && !(reach < answer_.beyond)) {
+      undecided += candidates_.n - may;
+      if (sets) list(surface_.below(surface_.limit_of(compression_)), sets->possible);
+    }
     result.proven_contacts = contacts;
     result.proven_open = system_.points() - contacts - undecided;
     result.undecided = undecided;
+    result.proven_capped = capped;
     result.area_lower = static_cast<double>(contacts) * system_.cell_area();
     result.area_upper = static_cast<double>(contacts + result.undecided) * system_.cell_area();
+  }
+
+  static void list(const TrialSet& trial, std::vector<std::int64_t>& points) {
+    points.clear();
+    for (std::int64_t i = 0; i < trial.n; ++i) points.push_back(trial.point(i));
   }
 
   void convert(const Extent& support, Bounds& result) const {
     // Multiplies one factor after the other: the product of the factors may underflow where the load does not.
     const double pressure = length_ / system_.length_per_pressure, area = system_.cell_area();
     const double sum_error = distance_.sum + 4 * epsilon * sum_;
-    double most = sum_ + sum_error;
-    if (!system_.periodic()) most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
-    result.load_lower = std::max(0.0, sum_ - sum_error) * pressure * area;
+    double least = sum_ - sum_error, most = sum_ + sum_error;
+    if (system_.capped()) {  // a sum of n equal pressures rounds by about sqrt(n) epsilon
+      const double rounding = (4 + std::sqrt(n())) * epsilon;
+      const std::int64_t may = result.proven_contacts + result.undecided;
+      least = std::max(least, cap() * static_cast<double>(result.proven_capped) * (1 - rounding));
+      most = std::min(most, cap() * static_cast<double>(may) * (1 + rounding));
+    }
+    if (!system_.periodic() && result.proven_capped == 0)
+      most = std::min(most, flat_punch(support) * depth_ * (1 + 4 * epsilon));  // p*'Hp* = u'p*
+    result.load_lower = std::max(0.0, least) * pressure * area;
     result.load_upper = most < infinity ? most * pressure * area : infinity;
     if (distance_.energy == infinity) return;
     // Adds what the negative pressures change, and the round-off of the energy itself.
@@ -297,12 +327,15 @@ void Bounds::write(rc_result& result) const {
   result.proven_contacts = proven_contacts;
   result.proven_open = proven_open;
   result.undecided = undecided;
+  result.stiffness_lower = stiffness_lower;
+  result.stiffness_upper = stiffness_upper;
+  result.proven_capped = proven_capped;
 }
 
 Bounds prove_bounds(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression,
-                    const Deflected& answer) {
+                    const Deflected& answer, ProvenSets* sets) {
   if (!(spectrum.lowest > 0)) return {};
-  return Proof(system, spectrum, surface, compression, answer).bounds();
+  return Proof(system, spectrum, surface, compression, answer).bounds(sets);
 }
 
 }  // namespace rc

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "contact/pressures.h"
 #include "contact/proof/spectrum.h"
@@ -12,16 +13,24 @@
 namespace rc {
 
 struct Bounds {
-  double duality_gap = std::numeric_limits<double>::quiet_NaN();  // [force length]
-  double load_lower = duality_gap, load_upper = duality_gap;      // [force]
-  double area_lower = duality_gap, area_upper = duality_gap;      // [length^2]
-  std::int64_t proven_contacts = -1, proven_open = -1, undecided = -1;
+  double duality_gap = std::numeric_limits<double>::quiet_NaN();        // [force length]
+  double load_lower = duality_gap, load_upper = duality_gap;            // [force]
+  double area_lower = duality_gap, area_upper = duality_gap;            // [length^2]
+  double stiffness_lower = duality_gap, stiffness_upper = duality_gap;  // [force/length]
+  std::int64_t proven_contacts = -1, proven_open = -1, undecided = -1, proven_capped = -1;
 
   void write(rc_result& result) const;
 };
 
-// compression: the approach less the lowest gap. p must be 0 on excluded points. If the answer does not list all points, H must
-// have no negative entries.
-Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer);
+// The points that these statements are about, in ascending order.
+struct ProvenSets {
+  std::vector<std::int64_t> contacts;  // proven to be in contact, below the hardness
+  std::vector<std::int64_t> possible;  // proven neither to be open nor to carry the hardness
+};
+
+// The stiffness interval is left NaN: it takes solves. compression: the approach less the lowest gap. p must be 0 on excluded
+// points. If the answer does not list all points, H must have no negative entries.
+Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer,
+                    ProvenSets* sets = nullptr);
 
 }  // namespace rc

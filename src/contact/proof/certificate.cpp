@@ -20,27 +20,30 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 
 double load_imbalance(double load, double wanted) { return relative(std::abs(load - wanted), wanted); }
 
-Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale) {
+Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale, double hardness) {
   const std::span<const double> p = answer.p();
-  double largest_p = 0, least_p = 0, least_gap = 0, worst = 0;
+  double largest_p = 0, least_p = 0, excess = 0, overlap = 0, worst = 0;
+  const double infinite = std::numeric_limits<double>::infinity();
   bool finite = true;
   for (const double value : p) {
     largest_p = std::max(largest_p, std::abs(value));
     least_p = std::min(least_p, value);
+    excess = std::max(excess, value / hardness - 1);
   }
   for (std::size_t k = 0; k < p.size(); ++k) {
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
     const double gap = answer.product[k] - (compression - surface.height(i));
     finite = finite && std::isfinite(p[k]) && std::isfinite(gap);
-    least_gap = std::min(least_gap, gap);
-    if (p[k] > 0) worst = std::max(worst, std::min(p[k] / largest_p, relative(std::abs(gap), scale)));
+    const double room = gap < 0 && hardness < infinite ? std::max(0.0, 1 - p[k] / hardness) : infinite;
+    if (gap < 0) overlap = std::max(overlap, std::min(room, relative(-gap, scale)));
+    if (p[k] > 0) worst = std::max(worst, std::min({p[k] / largest_p, room, relative(std::abs(gap), scale)}));
   }
   if (!finite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, 0};
   }
-  return {relative(-least_p, largest_p), relative(-least_gap, scale), worst, 0};
+  return {std::max(relative(-least_p, largest_p), excess), overlap, worst, 0};
 }
 
 }  // namespace rc

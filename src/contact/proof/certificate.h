@@ -7,17 +7,17 @@
 namespace rc {
 
 struct Certificate {
-  double primal = 0;           // max(0, -min p) / max|p|
-  double dual = 0;             // max(0, -min g) / s over all points
-  double complementarity = 0;  // max over all points of min(p / max p, |g| / s)
+  double primal = 0;           // max(0, -min p) / max|p|, and max(0, max p - c) / c
+  double dual = 0;             // max over all points with g < 0 of min(1 - p / c, |g| / s)
+  double complementarity = 0;  // max over all points of min(p / max p, |g| / s), for g < 0 of min(p / max p, 1 - p / c, |g| / s)
   double control = 0;          // |load - W| / W
 
   bool within(double tol) const;  // false if any is NaN
 };
 
-// g is the deformed gap. Excluded points have p = 0 and do not count; points that are not listed have p = 0 and g >= 0. scale: s
+// g is the deformed gap, c the hardness, which may be infinite. Excluded points have p = 0 and do not count; points that are not listed have p = 0 and g >= 0. scale: s
 // [length], see residual_scale.
-Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale);
+Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale, double hardness);
 
 // |load - wanted| / wanted; 0 if both are 0.
 double load_imbalance(double load, double wanted);

@@ -5,9 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/kernel.h"
-#include "kernel/lowest_eigenvalue.h"
-
 namespace rc {
 
 namespace {
@@ -68,7 +65,7 @@ Spectrum factorised(const System& system) {
 
   std::vector<double> x(n, 1.0);
   factor.solve_lower(x);
-  result.flat_punch = dot(x.data(), x.data(), n) * (1 + 1e-6);
+  const double flat_punch = dot(x.data(), x.data(), n);
 
   double estimate = 0;
   for (std::size_t i = 0; i < n; ++i) x[i] = i % 2 == 0 ? 1 : -0.5;  // not an eigenvector of a symmetric arrangement
@@ -85,6 +82,9 @@ Spectrum factorised(const System& system) {
       result.lowest = std::max(0.0, share * estimate - doubt);
       break;
     }
+  // The factor is that of a matrix of at most H + doubt I, which is at most (1 + doubt / lowest) H: the inverse shrinks by no
+  // more.
+  if (result.lowest > 0) result.flat_punch = flat_punch * (1 + doubt / result.lowest);
   return result;
 }
 
@@ -93,17 +93,10 @@ Spectrum factorised(const System& system) {
 Spectrum spectrum_of(const System& system) {
   if (system.given.op == RC_OPERATOR_DENSE && system.points() <= most_factorised_points) return factorised(system);
   if (!system.halfspace()) return {};
-  const kernel::Kernel& kernel = *kernel::find(system.kernel);
-  const rc_system& unit = system.unit;
   Spectrum result;
-  if (system.periodic()) {
-    result.lowest = system.lambda_wave;
-    kernel::periodic_coefficients(kernel, unit.hx, unit.hy, unit.nx, unit.ny, 1, 1, &result.diagonal);
-  } else {
-    result.lowest = system.lambda_min;
-    result.galerkin_share = kernel::share_of_galerkin(kernel);
-    kernel::coefficients(kernel, unit.hx, unit.hy, 1, 1, &result.diagonal);
-  }
+  result.lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
+  result.galerkin_share = system.galerkin_share;
+  system.influence->coefficients(system.unit, 1, 1, &result.diagonal);
   return result;
 }
 

@@ -26,8 +26,12 @@ const char* kind_of(const System& system) {
   return system.periodic() ? "periodic boundaries" : "free boundaries";
 }
 
-bool fits(const rc_backend& backend, const System& system) {
-  return (backend.caps & system.needed_caps()) == system.needed_caps();
+// What of this system is beyond the backend; "" if nothing is.
+std::string beyond(const rc_backend& backend, const System& system) {
+  if ((backend.caps & system.needed_caps()) != system.needed_caps()) return kind_of(system);
+  if ((backend.caps & RC_CAP_FAR_FIELD) && system.halfspace() && !system.influence->has(RC_KERNEL_FAR_FIELD))
+    return join("kernel \"", system.kernel, "\", whose far field is not that of the half-space");
+  return {};
 }
 bool factors(const rc_backend& backend) { return (backend.caps & RC_CAP_SUBSET) != 0; }
 
@@ -85,6 +89,7 @@ struct Question {
       options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
   const bool any_backend = options.text(RC_OPT_BACKEND) == "auto";
   const bool fallbacks = options.integer(RC_OPT_ALLOW_FALLBACK) != 0, deterministic = options.integer(RC_OPT_DETERMINISTIC) != 0;
+  const Host host{*options.context, system.influence.get()};
 
   // Every pair of these, the best first.
   std::vector<Candidate> pairs(const Backends& backends, const Solvers& solvers) const {
@@ -144,13 +149,13 @@ struct Question {
   }
 
   void add(const rc_backend& backend, const Solvers& solvers, std::vector<Candidate>& list) const {
-    if (!fits(backend, system))
-      return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot do ", kind_of(system));
+    if (const std::string what = beyond(backend, system); !what.empty())
+      return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot do ", what);
     if (facts.few && (backend.caps & RC_CAP_SCREEN) == 0) return leave(list, nullptr, backend, "does not screen other points");
     if (contains(failed, backend.name)) return leave(list, nullptr, backend, "has failed");
     rc_estimate cost{};
     rc_facts given{.struct_size = sizeof given,
-                   .host = &options.context->host(),
+                   .host = &host,
                    .options = &options,
                    .system = &system.unit,
                    .n = facts.candidates,
@@ -242,11 +247,18 @@ std::string missing_operation(const rc_solver& solver, std::uint64_t capabilitie
   return {};
 }
 
+std::string missing_cap(const rc_solver& solver, const System& system) {
+  if (!system.capped() || (solver.needs & RC_TAKES_CAP)) return {};
+  return join("solver \"", solver.name, "\" knows no largest pressure, but the system has the hardness ", system.hardness);
+}
+
 std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
                      bool fallbacks) {
-  if (!fits(backend, system)) return join("backend \"", backend.name, "\" cannot do ", kind_of(system));
+  if (const std::string what = beyond(backend, system); !what.empty())
+    return join("backend \"", backend.name, "\" cannot do ", what);
   if ((solver.needs & RC_NEEDS_GRID) && !system.halfspace())
     return join("solver \"", solver.name, "\" needs a half-space grid, not ", kind_of(system));
+  if (std::string missing = missing_cap(solver, system); !missing.empty()) return missing;
   if (const std::string missing = missing_operation(solver, backend.caps, fallbacks); !missing.empty())
     return join("backend \"", backend.name, "\": ", missing);
   const bool replaced = !factors(backend);
@@ -295,8 +307,8 @@ std::string explained(const rc_options& options, const System& system, const Cho
 
 const rc_backend& certifying_backend(const std::string& name, const rc_options& options, const System& system) {
   const rc_backend& backend = options.context->backend(name);
-  if (!fits(backend, system))
-    fail(RC_ERR_INCOMPATIBLE, RC_OPT_CERTIFY_BACKEND, " = ", name, ": this backend cannot do ", kind_of(system),
+  if (const std::string what = beyond(backend, system); !what.empty())
+    fail(RC_ERR_INCOMPATIBLE, RC_OPT_CERTIFY_BACKEND, " = ", name, ": this backend cannot do ", what,
          "; leave the option empty or name one that can");
   return backend;
 }

@@ -33,6 +33,9 @@ struct Choice {
 // Why this solver cannot run on a backend with these capabilities; "" if it can.
 std::string missing_operation(const rc_solver& solver, std::uint64_t capabilities, bool fallbacks);
 
+// Why this solver cannot keep the system's hardness; "" if it can or there is none.
+std::string missing_cap(const rc_solver& solver, const System& system);
+
 // Why this pair cannot solve this system under this control; "" if it can.
 std::string obstacle(const rc_solver& solver, const rc_backend& backend, const System& system, std::int32_t control,
                      bool fallbacks);

@@ -51,8 +51,8 @@ void write_note(Workspace& work, double compression, rc_result& result) {
   copy_text(result.note, note.c_str());
 }
 
-double wanted_stiffness(Workspace& work, const Answer& answer) {
-  return work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : nan;
+Stiffness wanted_stiffness(Workspace& work, const Answer& answer) {
+  return work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : Stiffness{};
 }
 
 // Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
@@ -63,11 +63,15 @@ bool only_unknowns_matter(const Workspace& work, const Answer& answer) {
 
 // Writes the result, its message and the caller's arrays. rate: the stiffness, where the answer has given its pressures away.
 void finish(Workspace& work, const rc_step& step, const Answer& answer, const Deflected& found, double depth,
-            std::optional<double> rate, const Monitor& monitor, rc_result& result) {
+            std::optional<Stiffness> rate, const Monitor& monitor, rc_result& result) {
   result.modelled = answer.op ? answer.op->modelled() : 0;
   name_components(work, answer, result);
   const rc_status checked = certify_and_fill(work, step, found, depth, result);
-  result.stiffness = rate ? *rate : wanted_stiffness(work, answer);
+  if (!rate) rate = wanted_stiffness(work, answer);
+  prove_interval(work, answer.op, *rate);
+  result.stiffness = rate->value;
+  result.stiffness_lower = rate->lower;
+  result.stiffness_upper = rate->upper;
   result.status = checked == RC_OK || answer.status == RC_OK ? checked : answer.status;
   count_work(work, monitor, result);
   if (result.status != RC_OK)
@@ -89,20 +93,28 @@ void name_components(Workspace& work, const Answer& answer, rc_result& result) {
   if (answer.handed_over) work.record.remarks.push_back("load control of the solver stalled: iteration on the approach instead");
   if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
   if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
+  const System& system = work.system;
+  if (system.halfspace() && !system.influence->built_in() && (system.periodic() ? system.lambda_wave : system.lambda_min) == 0 &&
+      work.options.integer(RC_OPT_BOUNDS) != 0 && work.goal.error == 0)
+    work.record.remarks.push_back(join("bounds: kernel \"", system.kernel, "\" promises no lowest eigenvalue"));
 }
 
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result) {
   const System& system = work.system;
   const StepSurface& surface = work.surface;
   const std::span<const double> p = answer.p();
-  double sum = 0, energy = 0, curved = 0, largest_p = 0, largest_product = 0;
-  std::int64_t contacts = 0;
+  double sum = 0, energy = 0, overlap = 0, curved = 0, largest_p = 0, largest_product = 0;
+  std::int64_t contacts = 0, capped = 0;
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
     sum += p[k];
     contacts += p[k] > 0;
+    if (p[k] >= system.hardness) {
+      ++capped;
+      overlap += std::max(0.0, compression - surface.height(i) - answer.product[k]);
+    }
     energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
     largest_p = std::max(largest_p, std::abs(p[k]));
     largest_product = std::max(largest_product, std::abs(answer.product[k]));
@@ -121,9 +133,13 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   if (work.options.integer(RC_OPT_BOUNDS) != 0 && work.goal.error == 0) {
     std::optional<Spectrum>& spectrum = work.facts.spectrum;
     if (!spectrum) spectrum = spectrum_of(system);
-    bounds = prove_bounds(system, *spectrum, surface, compression, answer);
+    ProvenSets sets;
+    const bool asked = work.options.integer(RC_OPT_STIFFNESS) == 2;
+    bounds = prove_bounds(system, *spectrum, surface, compression, answer, asked ? &sets : nullptr);
+    work.record.proven.reset();
+    if (asked && bounds.undecided >= 0) work.record.proven = std::move(sets);
   }
-  Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression));
+  Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression), system.hardness);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
   if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(energy * area))
     fail(RC_ERR_NUMERIC,
@@ -139,6 +155,8 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
   result.approach = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
   result.mean_pressure = sum / static_cast<double>(system.points());
+  result.capped = capped;
+  result.plastic_volume = overlap * area;
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = energy * area;
   result.kkt_primal = certificate.primal;
@@ -203,25 +221,50 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
 }
 
 double fitting_compression(const Workspace& work, const Deflected& answer) {
-  double sum = 0, moment = 0;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double sum = 0, moment = 0, least = -infinite;
   for (std::size_t k = 0; k < answer.size(); ++k) {
     const double p = answer.p()[k];
     if (p == 0) continue;
+    const double fits = answer.product[k] + work.surface.height(answer.point(k));
+    if (p >= work.system.hardness) {
+      least = std::max(least, fits);
+      continue;
+    }
     sum += p;
-    moment += p * (answer.product[k] + work.surface.height(answer.point(k)));
+    moment += p * fits;
   }
-  return sum > 0 ? moment / sum : 0;
+  return sum > 0 ? moment / sum : least > -infinite ? least : 0;
 }
 
+namespace {
+
+Overlap overlap_of(const Workspace& work, const Deflected& found, double compression) {
+  Overlap result;
+  if (!work.system.capped()) return result;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t i = found.point(k);
+    if (!(found.p()[k] >= work.system.hardness) || !work.surface.included(i)) continue;
+    const double depth = compression - work.surface.height(i) - found.product[k];
+    if (!(depth > 0)) continue;
+    result.point.push_back(static_cast<std::int64_t>(i));
+    result.depth.push_back(depth);
+  }
+  return result;
+}
+
+}  // namespace
+
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
-  const double rate = wanted_stiffness(work, answer);
+  Stiffness rate = wanted_stiffness(work, answer);
   Deflected found = deflected(work, answer, result.gap != nullptr);
   // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
   const bool by_load = step.control == RC_CONTROL_LOAD, stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : compression_of(step, work);
   const double depth = !answer.op ? without : stopped ? fitting_compression(work, found) : answer.compression;
-  finish(work, step, answer, found, depth, rate, monitor, result);
-  return {result.status, std::move(found.pressures)};
+  Overlap overlap = overlap_of(work, found, depth);
+  finish(work, step, answer, found, depth, std::move(rate), monitor, result);
+  return {result.status, std::move(found.pressures), std::move(overlap)};
 }
 
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/answer.h"
+#include "contact/indentation.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
 
@@ -10,6 +11,7 @@ namespace rc {
 struct Finished {
   rc_status status = RC_OK;  // the result's
   Pressures pressures;       // of use only if the step is certified or within its goal
+  Overlap overlap;           // likewise: where the pressures are the hardness
 };
 
 // Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing
@@ -22,7 +24,8 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
 
 // H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs.
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
-// The compression at which the mean of the gap, weighted by the pressures, vanishes.
+// The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where none
+// is, the least at which all points with pressure touch.
 double fitting_compression(const Workspace& work, const Deflected& answer);
 // Writes certificate, bounds and all that follows from pressures and product. Returns RC_OK or RC_UNCERTIFIED.
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result);

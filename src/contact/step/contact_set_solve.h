@@ -33,6 +33,8 @@ class ContactSetSolve {
 
   // 0 but where the grid is periodic: a periodic operator may lack a mean, and hardly resists one where nearly all points touch.
   double mean() const { return mean_; }
+  // No eigenvalue of A is smaller.
+  double lowest() const { return lowest_; }
 
   // For as many right-hand sides as there are bounds, one after the other in b: until |b - A x| <= tol |b|. x: starts in, zeros
   // where none is known; answers out. RC_STOP_STALLED where round-off may keep a residual larger, or a status with which a

@@ -15,7 +15,7 @@ Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& ste
   Answer answer = prepared(trial, step.control, depth, work);
   trial = widened(std::move(trial), answer.choice, work);
   answer.op = &work.bound_operator(*answer.choice.backend, trial);
-  answer.p = memory.start(step, trial, answer.pressure_unit, nearer ? &nearer->pressures : nullptr);
+  answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr);
   answer.compression = answer.limit = depth;
   const std::vector<double> u = compenetrations(answer, step.target, work);
   const double tol = solver_tol(work) * (residual_scale(step, work, depth) / depth);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "contact/step/problem_services.h"
@@ -20,13 +19,14 @@ constexpr int most_rounds = 8;       // of enlarging the trial set
 constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
 constexpr double margin = 1.05;
+constexpr double spare = 1.02;  // the hardness on all points of the trial set, over the load, at least
 constexpr double farthest = 4;  // ratio of two loads above which the one's pressures are no help for the other
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
 // share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
 // too small the trial set grows. Between two loads on the same surface the approach grows at most in
-// proportion, because the load is a convex function of the approach.
+// proportion, because the load is a convex function of the approach; a plastic indentation in between raises the lowest gap.
 double approach_estimate(double load, bool warm, const Workspace& work, const CertifiedStep& last) {
   const rc_system& s = work.system.given;
   double height = margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
@@ -35,7 +35,8 @@ double approach_estimate(double load, bool warm, const Workspace& work, const Ce
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
-// the contact set at hand. Steps outside the bracket are replaced by bisection. All in dimensionless units; the operator's zero
+// the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, where a cap keeps the load
+// from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the operator's zero
 // mode adds `shift` to the approach, which is taken out of the answer.
 rc_status balance_load(Answer& answer, double load, double shift, double first, Workspace& work, Monitor& monitor) {
   const TrialSet& trial = answer.op->trial();
@@ -47,7 +48,8 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
   for (std::size_t i = 0; i < n; ++i)
     height[i] = work.surface.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.length_unit;
 
-  double low = 0, high = infinite, d = first + shift;
+  const double cap = answer.cap();
+  double low = 0, high = infinite, d = first + shift, missing = infinite;
   for (int k = 0; k < most_approaches; ++k) {
     for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
     double unused = 0;
@@ -60,7 +62,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
     contact.clear();
     for (std::size_t i = 0; i < n; ++i) {
       sum += answer.p[i];
-      if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
+      if (answer.p[i] > 0 && answer.p[i] < cap) contact.push_back(static_cast<std::int64_t>(i));
     }
     // A solver that can do no better is not asked for more than the tolerance.
     if (std::abs(sum - load) <= (solved == RC_OK ? 0.05 : 1) * tol * load) return solved;
@@ -68,7 +70,8 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
 
     ones.assign(contact.size(), 1.0);
     rate.assign(contact.size(), 0.0);
-    if (const rc_status status = answer.op->subset(contact, ones.data(), rate.data()); status != RC_OK) {
+    const rc_status status = contact.empty() ? RC_OK : answer.op->subset(contact, ones.data(), rate.data());
+    if (status != RC_OK) {
       raise_if_failed(status, "the slope of the load");
       return status;
     }
@@ -76,10 +79,12 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
     for (const double value : rate) slope += value;
     double next = d + (load - sum) / slope;
     if (next == d) return solved;  // as near as double precision comes; the certificate decides
-    if (!(next > low && next < high)) next = high < infinite ? 0.5 * (low + high) : std::max(2 * d, 1.0);
+    const bool slow = cap < infinite && high < infinite && std::abs(load - sum) > 0.5 * missing;
+    missing = std::abs(load - sum);
+    if (slow || !(next > low && next < high)) next = high < infinite ? 0.5 * (low + high) : std::max(2 * d, 1.0);
     for (std::size_t i = 0; i < contact.size(); ++i) {
       double& p = answer.p[static_cast<std::size_t>(contact[i])];
-      p = std::max(0.0, p + (next - d) * rate[i]);
+      p = std::min(std::max(0.0, p + (next - d) * rate[i]), cap);
     }
     d = next;
   }
@@ -96,7 +101,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   const double ratio = last.load > 0 ? step.target / last.load : infinite;
   const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last.same_gap;
   double height = estimate             ? growth * (estimate->approach - lowest)
-                  : system.halfspace() ? approach_estimate(step.target, warm, work, last)
+                  : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
                                        : surface.highest() - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
   rc_step from = step;
@@ -110,6 +115,10 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   for (int round = 0;; ++round) {
     const double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet trial = system.halfspace() ? trial_below(limit, work) : surface.all();
+    if (static_cast<double>(trial.n) * system.hardness < spare * load && trial.n < surface.included_points()) {
+      height *= 2;
+      continue;
+    }
     Answer answer = prepared(trial, step.control, height, work);
     trial = widened(std::move(trial), answer.choice, work);
     const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
@@ -118,12 +127,10 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     if (system.periodic() && !direct) {
       // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
       // contact.
-      const rc_system& unit = system.unit;
-      trial.zero_mode =
-          std::max(unit.hx * static_cast<double>(unit.nx), unit.hy * static_cast<double>(unit.ny)) / std::numbers::pi;
+      trial.zero_mode = system.longest_wave();
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    answer.p = memory.start(from, trial, answer.pressure_unit, nearer ? &*nearer : nullptr);
+    answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr);
     const double wanted = load / answer.pressure_unit;
     const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());
     if (direct) {
@@ -132,7 +139,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
       answer.compression = d;
     } else {
-      double first = estimate ? (likely - lowest) / height : warm ? (last.approach - lowest) / height : 1;
+      double first = estimate ? (likely - lowest) / height : warm && last.approach > lowest ? (last.approach - lowest) / height : 1;
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, work, monitor);
     }

@@ -32,6 +32,8 @@ namespace {
 void require(const rc_solver& solver, const SolverRun& run, const char* as) {
   if ((solver.needs & RC_NEEDS_GRID) && !run.grid.undeformed_gap)
     fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
+  if (const std::string missing = missing_cap(solver, run.work.system); !missing.empty())
+    fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
   if (const std::string missing = missing_operation(solver, run.op.capabilities(), run.fallbacks); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
 }
@@ -119,7 +121,7 @@ void connect(BoundProblem& problem);
 rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
   const rc_options& options = problem.run.work.options;
   op_for(problem);
-  return solver.solve(&options.context->host(), &problem, &options, p, d);
+  return solver.solve(&problem.run.work.host, &problem, &options, p, d);
 }
 
 // Runs another solver, with pressure at some of the unknowns only.
@@ -197,6 +199,7 @@ void connect(BoundProblem& problem) {
   problem.team = &run.work.team();
   problem.length = run.length_unit;
   problem.pressure = run.pressure_unit;
+  problem.cap = run.cap;
   problem.note = note;
   if (run.grid.undeformed_gap) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
@@ -242,6 +245,7 @@ SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch)
       grid(workspace.system.halfspace() ? workspace.grid() : rc_grid{}),
       length_unit(workspace.system.halfspace() ? answer.length_unit : 0),
       pressure_unit(workspace.system.halfspace() ? answer.pressure_unit : 0),
+      cap(answer.cap()),
       most_iterations(workspace.record.look > 0 ? workspace.record.look : std::numeric_limits<std::int64_t>::max()),
       warmed_up_(workspace.record.look > 0) {}
 
@@ -265,11 +269,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.where.approach = approach;
   problem.most_iterations = most_iterations;
   connect(problem);
-  struct Watch {
-    Operator& watched;
-    ~Watch() { watched.watch(nullptr); }
-  } watch{op};
-  op.watch([this] { return monitor.ask(); });
+  const Operator::Watch watch(op, [this] { return monitor.ask(); });
   monitor.next_call();
   clear_message();
   if (!warmed_up_) {

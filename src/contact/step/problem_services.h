@@ -38,6 +38,7 @@ class SolverRun {
   const bool fallbacks;                     // operations that the backend lacks may be replaced
   const rc_grid grid;                       // without its index and approach; gap null: there is no grid
   const double length_unit, pressure_unit;  // of u and p; 0 without a grid
+  const double cap;                         // the largest p
   const std::int64_t most_iterations;       // of each run
 
   // A step's problem and the problems that its solver opens inside it take turns on the operator. owner: the one it is bound to.

@@ -2,56 +2,114 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 
-#include "contact/step/contact_set_solve.h"
+#include "contact/step/subset_solve.h"
 #include "core/error.h"
 
 namespace rc {
 
 namespace {
 
-// Residuals; the error is quadratic in them.
-constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the contact set's solve, which follows the tolerance between them
-constexpr double subset_tol = 1e-12;                  // without a preconditioner or a bound
+constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the solves, which follow the tolerance: the error is quadratic in them
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// The pressures x of a flat punch of the shape of a set of points, and its stiffness 1'x; dimensionless.
+struct FlatPunch {
+  rc_status status = RC_OK;
+  std::vector<double> rate;  // x, under the mean that the solve adds to H
+  ContactSetBound bound;
+  double mean = 0;
+
+  // Without the rank-one mean (Sherman & Morrison 1950): grows with the sum of x.
+  double stiffness(double sum) const { return sum / (1 - mean * sum); }
+  double lower() const { return std::max(0.0, stiffness(std::max(0.0, bound.form - bound.error))); }
+  double upper() const {
+    const double most = bound.form + bound.error;
+    return mean * most < 1 ? stiffness(most) : unbounded;
+  }
+};
+
+FlatPunch pressed(Workspace& work, Operator& op, std::span<const std::int64_t> set, std::vector<double> start, bool proven) {
+  SubsetSolve solve(work, op, set);
+  FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
+  const std::vector<double> ones(set.size(), 1.0);
+  punch.rate.resize(set.size());
+  punch.status = solve(ones, std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol), punch.rate, punch.bound);
+  if (proven && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
+  if (solve.iterates())
+    work.options.context->log(RC_LOG_INFO,
+                              join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(ones.size()))));
+  return punch;
+}
+
+double in_units(const System& system, double stiffness) { return stiffness * system.cell_area() / system.length_per_pressure; }
+
+bool all_of(const System& system, std::span<const std::int64_t> points) {
+  return static_cast<std::int64_t>(points.size()) == system.points();
+}
+
+// The punch on a set of points of the grid; those it starts from are a part of `from`, or hold it.
+FlatPunch pressed_at(Workspace& work, Operator& op, const std::vector<std::int64_t>& points, const Stiffness& from) {
+  TrialSet trial;
+  trial.n = static_cast<std::int64_t>(points.size());
+  trial.index = points;
+  Pressures known;
+  known.on.index = from.points;
+  known.p = from.rate;
+  std::vector<double> start = known.at(trial);
+  std::optional<std::vector<std::int64_t>> positions = positions_in(op.trial(), points);
+  if (!positions) {
+    if (all_of(work.system, points)) trial.index.clear();
+    op.bind(trial);
+    positions = positions_in(trial, points);
+  }
+  return pressed(work, op, *positions, std::move(start), true);
+}
 
 }  // namespace
 
-double stiffness(Workspace& work, const Answer& answer) {
+Stiffness stiffness(Workspace& work, const Answer& answer) {
   const System& system = work.system;
-  if (!answer.op) return 0;
+  Stiffness result;
+  result.value = 0;
+  if (!answer.op) return result;
   std::vector<std::int64_t> contact;
   for (std::size_t i = 0; i < answer.p.size(); ++i)
-    if (answer.p[i] > 0) contact.push_back(static_cast<std::int64_t>(i));
-  if (contact.empty()) return 0;
-  const bool full = static_cast<std::int64_t>(contact.size()) == system.points();
-  if (system.periodic() && full) return std::numeric_limits<double>::infinity();
-  const std::vector<double> ones(contact.size(), 1.0);
-  std::vector<double> rate(contact.size());
-  double sum = 0, mean = answer.op->trial().zero_mode / static_cast<double>(system.points());
-  rc_status status = RC_OK;
-  if (const double lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
-      system.halfspace() && !answer.op->has_subset() && lowest > 0) {
-    ContactSetSolve solve(*answer.op, contact, work.grid(), lowest, work.team(),
-                          [&work](std::int64_t mx, std::int64_t my, auto& out) {
-                            out.resize(static_cast<std::size_t>(mx * my));
-                            raise_if_failed(work.coefficients(mx, my, out.data()), "the stiffness");
-                          });
-    mean += solve.mean();
-    ContactSetBound bound;
-    status = solve(ones, std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol), rate, {&bound, 1});
-    sum = bound.form;
-    work.options.context->log(RC_LOG_INFO,
-                              join("stiffness: residual ", bound.residual / std::sqrt(static_cast<double>(ones.size()))));
-  } else {
-    status = answer.op->subset(contact, ones.data(), rate.data(), subset_tol);
-    for (const double value : rate) sum += value;
+    if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
+  if (contact.empty()) return result;
+  if (system.periodic() && all_of(system, contact)) {
+    result.value = unbounded;
+    return result;
   }
-  raise_if_failed(status, "the stiffness");
-  if (status != RC_OK) return std::numeric_limits<double>::quiet_NaN();
-  // Without the rank-one zero mode (Sherman & Morrison 1950).
-  sum /= 1 - mean * sum;
-  return sum * system.cell_area() / system.length_per_pressure;
+  FlatPunch punch = pressed(work, *answer.op, contact, {}, false);
+  result.value =
+      punch.status == RC_OK ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
+  if (punch.status != RC_OK || work.options.integer(RC_OPT_STIFFNESS) < 2) return result;
+  for (std::int64_t& position : contact) position = answer.op->trial().point(position);
+  result.points = std::move(contact);
+  result.rate = std::move(punch.rate);
+  return result;
+}
+
+void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
+  const System& system = work.system;
+  if (!work.record.proven) return;
+  const auto& [contacts, possible] = *work.record.proven;
+  double lower = 0, upper = possible.empty() ? 0 : unbounded;
+  if (op && !possible.empty() && !(system.periodic() && all_of(system, possible))) {
+    const FlatPunch most = pressed_at(work, *op, possible, stiffness);
+    if (most.status != RC_OK || std::isnan(most.bound.error)) return;
+    upper = most.upper();
+    if (contacts == possible) lower = most.lower();
+  }
+  if (op && !contacts.empty() && contacts != possible) {
+    const FlatPunch least = pressed_at(work, *op, contacts, stiffness);
+    if (least.status != RC_OK || std::isnan(least.bound.error)) return;
+    lower = least.lower();
+  }
+  stiffness.lower = in_units(system, lower);
+  stiffness.upper = in_units(system, upper);
 }
 
 }  // namespace rc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
 
@@ -17,7 +18,11 @@ void check_target(const rc_step& step, const Workspace& work, const StepSurface&
          " is negative; a contact without adhesion cannot pull, the smallest load is 0");
   if (by_load && step.target > 0 && surface.included_points() == 0)
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " but every point is excluded by the mask");
-  if (by_displacement && work.system.periodic() && surface.whole() && step.target > surface.lowest() &&
+  const double most = work.system.hardness * work.system.cell_area() * static_cast<double>(surface.included_points());
+  if (by_load && step.target > most * (1 + 8 * std::numeric_limits<double>::epsilon()))
+    fail(RC_ERR_INFEASIBLE, "load = ", step.target, " is more than hardness times the area of the ", surface.included_points(),
+         " points that may carry pressure, ", most, "; prescribe less load, or allow more points");
+  if (by_displacement && !work.system.capped() && work.system.periodic() && surface.whole() && step.target > surface.lowest() &&
       step.target - surface.lowest() >= surface.mean_height())
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
@@ -41,17 +46,19 @@ double compression_of(const rc_step& step, const Workspace& work) {
 
 // The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
 // full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
-// length_per_pressure; all kernels deflect a cell by more, if it is up to 100 times as long as wide. Periodic, displacement
-// control: gaps under pressure as large as the mean gap would leave the load open, so tol times the scale is half of it at most.
+// length_per_pressure, or what the kernel deflects a cell by if that is less; the library's kernels deflect it by more, if it is
+// up to 100 times as long as wide. Periodic, displacement control: gaps under pressure as large as the mean gap would leave the
+// load open, so tol times the scale is half of it at most.
 double residual_scale(const rc_step& step, const Workspace& work, double compression) {
   const System& system = work.system;
   if (!system.periodic()) return compression;
   if (step.control == RC_CONTROL_LOAD) {
     const double mean_pressure = step.target / system.cell_area() / static_cast<double>(system.points());
-    return std::max(compression, 0.25 * system.length_per_pressure * mean_pressure);
+    return std::max(compression, system.least_deflection * system.length_per_pressure * mean_pressure);
   }
-  if (!work.surface.whole()) return compression;
-  return std::min(compression, (work.surface.mean_height() - compression) / (2 * work.options.real(RC_OPT_TOL)));
+  const double mean_gap = std::abs(work.surface.mean_height() - compression);  // d may pass the mean plane if p has a cap
+  if (!work.surface.whole() || mean_gap == 0) return compression;
+  return std::min(compression, mean_gap / (2 * work.options.real(RC_OPT_TOL)));
 }
 
 }  // namespace rc

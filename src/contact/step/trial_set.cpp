@@ -33,6 +33,7 @@ Answer prepared(const TrialSet& trial, std::int32_t control, double length_unit,
   answer.choice = choose_for(trial, control, work);
   answer.length_unit = length_unit;
   answer.pressure_unit = length_unit / work.system.length_per_pressure;
+  answer.hardness = work.system.hardness;
   return answer;
 }
 

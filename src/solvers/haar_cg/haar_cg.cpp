@@ -1,4 +1,4 @@
-// The solver haar-cg: projected conjugate gradients on the contact set, preconditioned by two multilevel trees. README.md has the
+// The solver haar-cg: projected conjugate gradients on the free set, preconditioned by two multilevel trees. README.md has the
 // method, iteration.h its control flow. This file runs it on the threads of this process.
 #include <algorithm>
 #include <cstdint>
@@ -77,6 +77,7 @@ template <class Real> rc_status iterate(const Problem& problem, std::span<double
                                   [&](std::int64_t mx, std::int64_t my, Vector& out) { problem.coefficients(mx, my, out); });
   const HaarTask task{.by_load = problem.load_control(),
                       .load = problem.load(),
+                      .cap = problem.cap(),
                       .tol = problem.tol(),
                       .least_scale = problem.least_scale(),
                       .periodic_mean = inputs.mean,

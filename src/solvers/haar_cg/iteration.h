@@ -5,31 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 
+#include "solvers/haar_cg/known_loads.h"
 #include "solvers/haar_cg/machine.h"
+#include "solvers/haar_cg/task.h"
 
 namespace rc {
-
-struct HaarTask {
-  bool by_load = false;      // the load is prescribed; otherwise the approach, which u contains
-  double load = 0;           // the sum of p that is wanted
-  double tol = 0;            // residual to reach, relative to the largest compenetration
-  double least_scale = 0;    // by load: least compenetration that residuals are relative to
-  double periodic_mean = 0;  // by how much every entry of the trees' operator exceeds that of H
-  bool elongated = false;    // cells or grid are elongated: the trees may misjudge the load's slope by far
-  int patience = 120;        // the iteration stalls after more bounds than this without half the residual
-  // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
-  std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
-};
-
-enum class HaarEnding { solved, stalled, not_finite };
-
-struct HaarOutcome {
-  HaarEnding ending;
-  double approach;  // by load: the approach found
-};
 
 template <Machine M> class HaarIteration {
  public:
@@ -47,10 +29,12 @@ template <Machine M> class HaarIteration {
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
 
-  // Interval: steps between two bounds. Admission: a point without pressure enters the contact set where it overlaps by more than
-  // this share of the residual.
+  // Interval: steps between two bounds. Admission: a point at an end of its pressures enters the free set where it violates its
+  // condition by more than this share of the residual.
   static constexpr int first_interval = 2, longest_interval = 16;
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
+  // The same where points are at the cap; added after a bound at which the violation rose, taken off after any other.
+  static constexpr double capped_admission = 0.3, capped_rise = 0.3, capped_relief = 0.1;
   static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
   static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
 
@@ -61,11 +45,13 @@ template <Machine M> class HaarIteration {
   // Newton's method on the load or, where a mean was added to a periodic operator, on the deflection that this mean causes.
   static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
   static constexpr double caution = 0.7, damping = 1.2;                  // lengthens steps less; shortens diverging ones
-  static constexpr double settled = 5e-2;                                // residual below which the contact set changes little
+  static constexpr double settled = 5e-2;                                // residual below which the free set changes little
   static constexpr double overloaded = 10;                               // relative imbalance: the approach may then fall by more
   static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration in a step
   static constexpr double least_stiffening = 1e-2, most_stiffening = 4, least_slope = 1e-4;
   static constexpr double most_share = 0.99;  // of the deflection under a load: the added mean makes up less
+  static constexpr double few = 2;            // points whose caps make up the missing load: then the nearest one is released
+  static constexpr double blur = 1e-5;        // of the compenetration: error of such a state's datum
   static constexpr int tolerated_rises = 2;   // troubles before the search with the added mean is given up
 
   static constexpr bool single = sizeof(Real) < sizeof(double);
@@ -82,12 +68,13 @@ template <Machine M> class HaarIteration {
   double scale() const {
     return task_.by_load ? std::max({datum_ - mean_ * task_.load + highest_, task_.least_scale, 1e-300}) : 1.0;
   }
+  bool capped() const { return now_.free_load < now_.load; }  // some point is at the cap
   double imbalance() const { return task_.by_load ? std::abs(now_.load / task_.load - 1) : std::abs(mean_ * now_.load - datum_); }
   double worst() const { return std::max(now_.largest / scale(), imbalance()); }
   // Single precision is reliable for a few digits below the residual of the last product in double precision.
   bool blurred() const { return single && worst() <= drop * exact_; }
 
-  // Operator, preconditioner, contact set.
+  // Operator, preconditioner, free set.
 
   // to = (H + mean 11') from. By load the added mean only shifts the datum by a multiple of the load. Without it the energy of a
   // periodic contact would hardly depend on the mean pressure, and in full contact not at all.
@@ -96,11 +83,17 @@ template <Machine M> class HaarIteration {
     if (mean_ != 0) m_.raise(to, mean_ * m_.total(from));
   }
 
-  // z = M g on the contact set; without g: z = M 1. Returns (z, q), where q is given.
+  // z = M g on the free set; without g: z = M 1. Returns (z, q), where q is given.
   double precondition(Vector g, Vector q) {
     if (!prepared_) m_.set_up_trees(task_.periodic_mean - mean_);
     prepared_ = true;
     return m_.apply_trees(g, q);
+  }
+
+  // A point at an end of its pressures enters the free set where it violates its condition by more than this.
+  double threshold() const {
+    if (capped()) return std::max(admission_, capped_admission) * now_.largest;
+    return follows() ? 0 : admission_ * last_ * scale();
   }
 
   void choose(double threshold) {
@@ -129,6 +122,7 @@ template <Machine M> class HaarIteration {
     } else {
       refresh();
       reduce();
+      if (capped()) admission_ = strictest_admission;
     }
     choose(0);
   }
@@ -138,7 +132,7 @@ template <Machine M> class HaarIteration {
     const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
     const double curved = now_.moment + work;
     if (0.5 * curved > work) {
-      m_.multiply(curved > 0 ? std::max(0.0, work / curved) : 0);
+      m_.multiply(curved > 0 ? std::max(0.0, work / curved) : 0, false);
       refresh();
     }
   }
@@ -155,12 +149,12 @@ template <Machine M> class HaarIteration {
     curvature_ = m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
-    // A long interval ends where a step gains little beside the first: a better contact set then gains more than further steps.
+    // A long interval ends where a step gains little beside the first: a better free set then gains more than further steps.
     ++phase_;
     if (phase_ == 1) first_gain_ = slope * slope / curvature_;
-    if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = interval_;
-    const bool last = phase_ >= interval_ || !conjugate_;
-    if (!conjugate_) phase_ = interval_;
+    if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
+    const bool last = phase_ >= planned_ || !conjugate_;
+    if (!conjugate_) phase_ = planned_;
     cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, last);
     return true;
   }
@@ -168,6 +162,11 @@ template <Machine M> class HaarIteration {
   // Adds to w the product of what the cut added to the pressures.
   void bound() {
     phase_ = 0;
+    add_cut();
+    planned_ = capped() && cut_any_ ? interval_ / 2 : interval_;
+  }
+
+  void add_cut() {
     if (++since_refresh_ >= refresh_every) return refresh();
     if (cut_any_) {
       prepared_ = false;
@@ -192,12 +191,26 @@ template <Machine M> class HaarIteration {
     return energy > 0 ? std::clamp(sum / energy, 1 / most_excess(), most_excess()) : 1;
   }
 
+  // Every point is at an end of its pressures and should be: the load is exactly that of the present datum. Moves the datum at
+  // least to where the first point leaves its end.
+  void release() {
+    if (!task_.by_load) return lower(mean_ * now_.load - datum_);
+    const double missing = task_.load - now_.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * scale();
+    if (nearest == infinite) return;
+    lower(loads_.leave(datum_, blur * scale(), now_.load, missing, nearest, std::abs(missing) <= few * task_.cap));
+  }
+
   // Newton's step of the approach. The missing load is what remains to be added once the present gap is closed.
   void balance() {
-    choose(0);
-    const double pending = precondition(Vector(nullptr), m_.w());
-    const double sum = m_.total(m_.z());
-    if (!(sum > 0)) return;
+    choose(threshold());
+    double pending = precondition(Vector(nullptr), m_.w()), sum = m_.total(m_.z());
+    if (!(sum > 0)) {
+      release();
+      choose(0);
+      pending = precondition(Vector(nullptr), m_.w());
+      sum = m_.total(m_.z());
+      if (!(sum > 0)) return;
+    }
     // The added mean causes less than the whole deflection. Where the trees contradict that, they overrate the slope.
     if (excess_ == 0 || (!task_.by_load && mean_ * excess_ * sum > most_share)) excess_ = measured_excess(sum);
     if (!task_.by_load) return deflect(pending, sum);
@@ -210,8 +223,8 @@ template <Machine M> class HaarIteration {
       excess_ = std::min(excess_ * damping, most_excess());
     const double wanted = missing / (excess_ * sum);
     const bool far = imbalance() > overloaded;
-    const double change =
-        std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load));
+    const double change = loads_.between(
+        datum_, std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load)));
     missing_ = change == wanted ? missing : far || task_.elongated ? unknown : 0;
     lower(change);
   }
@@ -231,13 +244,28 @@ template <Machine M> class HaarIteration {
     lower(change);
   }
 
+  // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest
+  // keeps its digits in w.
+  void descend() {
+    if (const double fall = m_.nearest(false) - blur * scale(); fall > 0) {
+      datum_ -= fall;
+      refresh();
+    }
+    lower(-m_.nearest(false));
+  }
+
   // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
-  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures, vanishes.
+  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes.
+  // Where there are none it becomes the least at which no point at the cap has a gap.
   void settle() {
-    if (task_.by_load) m_.multiply(now_.load > 0 ? task_.load / now_.load : 1);
+    const double at_cap = now_.load - now_.free_load;
+    if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
     refresh();
     if (task_.by_load) {
-      if (now_.load > 0) lower(now_.moment / now_.load);
+      if (now_.free_load > 0)
+        lower(now_.free_moment / now_.free_load);
+      else if (capped())
+        descend();
     } else if (mean_ > 0) {
       lower(mean_ * now_.load - datum_);
     }
@@ -245,6 +273,16 @@ template <Machine M> class HaarIteration {
   }
 
   // Safeguards.
+
+  // After a bound, where points are at the cap. A point that leaves one end drives its neighbours to the other, so fewer may
+  // leave their ends at once where that makes things worse.
+  void adapt_admission() {
+    const double violation = now_.largest / scale();
+    if (capped())
+      admission_ =
+          std::clamp(admission_ + (violation > violation_ ? capped_rise : -capped_relief), first_admission, strictest_admission);
+    violation_ = violation;
+  }
 
   // After a bound: whether the merit rose, or the residual has not halved for `patience` bounds.
   bool in_trouble() {
@@ -298,7 +336,7 @@ template <Machine M> class HaarIteration {
   HaarEnding iterate() {
     for (std::int64_t steps = 1;; ++steps) {
       if (!step()) return HaarEnding::not_finite;
-      if (phase_ > 0 && phase_ < interval_) {
+      if (phase_ > 0 && phase_ < planned_) {
         task_.poll(steps, last_);
         continue;
       }
@@ -310,13 +348,14 @@ template <Machine M> class HaarIteration {
       last_ = worst();
       if (last_ <= task_.tol && since_refresh_ == 0) return HaarEnding::solved;
       task_.poll(steps, last_);
+      adapt_admission();
       const bool trouble = in_trouble();
       if (stalled_ > task_.patience) return HaarEnding::stalled;
       if (trouble) safeguard();
       if (follows())
         balance();
       else
-        choose(admission_ * last_ * scale());
+        choose(threshold());
     }
   }
 
@@ -330,14 +369,17 @@ template <Machine M> class HaarIteration {
   double exact_ = 1;        // residual of the last product in double precision
   int since_refresh_ = 0;   // bounds since then
 
-  double curvature_ = 0;                       // (t, q) of the last step
-  double first_gain_ = 0;                      // twice the energy gained by the first step of the interval
-  int interval_ = first_interval, phase_ = 0;  // steps of the interval; how many were made
-  bool conjugate_ = false;                     // the next direction is made conjugate to t
-  bool cut_any_ = false;                       // the last bound cut pressures off
-  bool prepared_ = false;                      // the trees are set up for the present contact set
+  double curvature_ = 0;                      // (t, q) of the last step
+  double first_gain_ = 0;                     // twice the energy gained by the first step of the interval
+  int interval_ = first_interval;             // steps of an interval
+  int planned_ = first_interval, phase_ = 0;  // steps of this interval; how many were made
+  bool conjugate_ = false;                    // the next direction is made conjugate to t
+  bool cut_any_ = false;                      // the last bound cut pressures off
+  bool prepared_ = false;                     // the trees are set up for the present free set
   double admission_ = first_admission;
+  double violation_ = infinite;  // at the last bound, relative to the largest compenetration
 
+  KnownLoads loads_;
   double excess_ = 0;      // slope of the load over the trees' slope; 0: not measured yet
   double missing_ = 0;     // load, or deflection, that the last Newton's step was to make up; NaN: not known
   double stiffening_ = 1;  // correction of the datum's slope in displacement control

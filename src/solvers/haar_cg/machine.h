@@ -1,8 +1,10 @@
 // What the iteration of haar-cg requires of a machine: the place where vectors live and sums are computed.
 //
-// A machine holds one contact problem: the pressures p in double precision; w = H p - u - datum, a direction t, its product
-// q = H t and two spare vectors z and y, all of type Real; the contact set; and the preconditioner M, two multilevel trees. The
-// iteration decides from sums alone and never reads a vector's values.
+// A machine holds one contact problem: the pressures p in double precision, at most cap; w = H p - u - datum, a direction t, its
+// product q = H t and two spare vectors z and y, all of type Real; the free set; and the preconditioner M, two multilevel trees.
+// The iteration decides from sums alone and never reads a vector's values.
+//
+// The free set is where steps change the pressures. Without a cap it is the contact set.
 #pragma once
 
 #include <concepts>
@@ -12,10 +14,12 @@ namespace rc {
 
 // Sums over all unknowns, of the pressures p and the vector w.
 struct HaarMeasure {
-  double largest = 0;  // violation of the complementarity conditions: |w| where p > 0, -w elsewhere
-  double load = 0;     // sum of p
-  double merit = 0;    // sum of p (w - u) / 2, the functional that the solution minimises
-  double moment = 0;   // sum of p w
+  double largest = 0;      // violation of the complementarity conditions: -w where p = 0, w where p = cap, |w| in between
+  double load = 0;         // sum of p
+  double merit = 0;        // sum of p (w - u) / 2, the functional that the solution minimises
+  double moment = 0;       // sum of p w
+  double free_load = 0;    // sum of p below the cap
+  double free_moment = 0;  // sum of p w where p is below the cap
 };
 
 struct HaarStart {
@@ -46,30 +50,34 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   // a += number, in every component.
   m.raise(a, number);
   m.raise(wide, number);
-  // The sum of all components; the inner product (a, b), where a is 0 off the contact set.
+  // The sum of all components; the inner product (a, b), where a is 0 off the free set.
   { m.total(a) } -> std::same_as<double>;
   { m.total(wide) } -> std::same_as<double>;
   { m.inner(a, b) } -> std::same_as<double>;
 
-  // Sets up the trees for the contact set. number: by how much every entry of the trees' table exceeds that of the operator.
+  // Sets up the trees for the free set. number: by how much every entry of the trees' table exceeds that of the operator.
   m.set_up_trees(number);
-  // z = M a on the contact set, 0 elsewhere; without a: z = M 1. Returns (z, b); without b: 0.
+  // z = M a on the free set, 0 elsewhere; without a: z = M 1. Returns (z, b); without b: 0.
   { m.apply_trees(a, b) } -> std::same_as<double>;
 
-  // p = max(p, 0); every unknown is in the contact set; t = 0.
+  // p = max(p, 0), and cap where it is that but for rounding or more; every unknown is in the free set; t = 0.
   { m.begin() } -> std::same_as<HaarStart>;
-  // p *= number
-  m.multiply(number);
-  // t = z + number t on the contact set, 0 elsewhere. Returns (w, t).
+  // p *= number; with yes only where p is below the cap, and up to the cap.
+  m.multiply(number, yes);
+  // t = z + number t on the free set, 0 elsewhere. Returns (w, t).
   { m.turn(number) } -> std::same_as<double>;
-  // p -= number t and w -= number q. With yes: p = max(p, 0), and z is what that added to p; returns whether it added any.
+  // p -= number t and w -= number q. With yes: p = min(max(p, 0), cap), and z is what that added to p; returns whether it added
+  // anything.
   { m.advance(number, yes) } -> std::same_as<bool>;
   // w += a, and number is 0; without a: w -= number.
   { m.add_and_measure(a, number) } -> std::same_as<HaarMeasure>;
   // w = wide - u - number; without wide: w = -u - number, for p = 0.
   { m.replace_and_measure(wide, number) } -> std::same_as<HaarMeasure>;
-  // The contact set becomes the unknowns with p > 0 or w < -number. Returns whether it changed.
+  // The free set becomes the unknowns with 0 < p < cap, p = 0 and w < -number, or p = cap and w > number. Returns whether it
+  // changed.
   { m.choose_set(number) } -> std::same_as<bool>;
+  // The least |w| where p = 0 (with yes) or where p = cap (without).
+  { m.nearest(yes) } -> std::same_as<double>;
 };
 
 }  // namespace rc

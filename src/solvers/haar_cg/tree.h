@@ -12,7 +12,7 @@ namespace rc {
 
 // The vectors that the finest level reads and writes.
 template <class Real> struct HaarFinestValues {
-  const std::uint8_t* active;  // [unknowns] the contact set
+  const std::uint8_t* active;  // [unknowns] the free set
   const Real* g;               // [unknowns]; null: 1 everywhere
   const Real* ones;            // without g: [columns]
   Real* z;                     // [unknowns]
@@ -108,7 +108,7 @@ class HaarTree {
   Size size_;  // of the tree over all unknowns
   float* value_ = nullptr;
   HaarBlocks* block_ = nullptr;
-  float top_ = 0;  // self coupling of the whole contact set
+  float top_ = 0;  // self coupling of the whole free set
 };
 
 }  // namespace rc

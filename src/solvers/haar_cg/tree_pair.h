@@ -16,9 +16,9 @@ class HaarTreePair {
   std::size_t bytes() const { return tree_[0].bytes() + tree_[1].bytes(); }
   void place(std::byte* memory);
 
-  // active [unknowns]: the contact set. surplus: by how much every entry of the table exceeds that of the operator.
+  // active [unknowns]: the free set. surplus: by how much every entry of the table exceeds that of the operator.
   void set_up(const std::uint8_t* active, float surplus, const rc_team& team);
-  // z = M g on the contact set, 0 elsewhere; g null: z = M 1. Returns (z, q), where q is given.
+  // z = M g on the free set, 0 elsewhere; g null: z = M 1. Returns (z, q), where q is given.
   template <class Real> double apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team);
 
  private:
@@ -31,7 +31,7 @@ class HaarTreePair {
   HaarTree tree_[2];
   Cells cells_;
   std::int64_t unknowns_;
-  std::vector<std::uint8_t> taken_;  // where not every cell exists: the contact set that the trees were built for
+  std::vector<std::uint8_t> taken_;  // where not every cell exists: the free set that the trees were built for
 };
 
 }  // namespace rc

@@ -100,19 +100,20 @@ Vectors best() {
 }  // namespace
 
 #ifdef RC_HAS_WIDER
-#define RC_BEST(loops)         \
-  const Vectors with = best(); \
-  return with == Vectors::avx512 ? avx512::loops : with == Vectors::avx2 ? avx2::loops : baseline::loops
+#define RC_BEST(...) \
+  (best() == Vectors::avx512 ? avx512::__VA_ARGS__ : best() == Vectors::avx2 ? avx2::__VA_ARGS__ : baseline::__VA_ARGS__)
 #else
-#define RC_BEST(loops) return baseline::loops
+#define RC_BEST(...) (baseline::__VA_ARGS__)
 #endif
 
-template <class Real> HaarLoops<Real> best_haar_loops() { RC_BEST(loops<Real>); }
-HaarRows best_haar_rows() { RC_BEST(rows); }
-template <class Real> HaarFinest<Real> best_haar_finest() { RC_BEST(finest<Real>); }
+template <class Real> HaarLoops<Real> best_haar_loops(bool capped) {
+  return capped ? RC_BEST(loops<Real, true>) : RC_BEST(loops<Real, false>);
+}
+HaarRows best_haar_rows() { return RC_BEST(rows); }
+template <class Real> HaarFinest<Real> best_haar_finest() { return RC_BEST(finest<Real>); }
 
-template HaarLoops<float> best_haar_loops();
-template HaarLoops<double> best_haar_loops();
+template HaarLoops<float> best_haar_loops(bool);
+template HaarLoops<double> best_haar_loops(bool);
 template HaarFinest<float> best_haar_finest();
 template HaarFinest<double> best_haar_finest();
 

@@ -10,25 +10,34 @@ namespace rc {
 // The new w: w + change, w - shift, product - u - shift, -u - shift.
 enum class HaarUpdate { add, lower, replace, begin };
 
-// Loops over n values, with sums in a fixed order. p is 0 off the contact set `active`.
+// What was found where pressures were cut.
+struct HaarCut {
+  bool any;     // some were
+  bool capped;  // some are at the cap
+};
+
+// Loops over n values, with sums in a fixed order. `active` is the free set; off it p is 0 or the cap.
 template <class Real> struct HaarLoops {
   using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const double* product, double shift,
-                                  const double* u, const double* p, const std::uint8_t* active);
+                                  const double* u, const double* p, double cap, const std::uint8_t* active);
+  using Choose = bool (*)(std::int64_t n, const double* p, double cap, const Real* w, Real limit, std::uint8_t* active);
+  using Cut = HaarCut (*)(std::int64_t n, double length, const Real* t, const Real* q, double* p, double cap, Real* w, Real* cut,
+                          const std::uint8_t* active);
 
   // t = z + beta t where active, 0 elsewhere. Returns (w, t).
   double (*turn)(std::int64_t n, const Real* z, Real beta, Real* t, const Real* w, const std::uint8_t* active);
-  // Returns (a, b), where a is 0 off the contact set.
+  // Returns (a, b), where a is 0 off the free set.
   double (*inner)(std::int64_t n, const Real* a, const Real* b, const std::uint8_t* active);
   // p -= length t, w -= length q
   void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, const std::uint8_t* active);
-  // The same, then p = max(p, 0); cut: what that added to p. Returns whether it added any.
-  bool (*advance_and_cut)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, Real* cut,
-                          const std::uint8_t* active);
+  // The same, then p = min(max(p, 0), cap); cut: what that added to p.
+  Cut advance_and_cut;
   Measure add, lower, replace, begin;
-  // active = p > 0 or w < limit. Returns whether it changed.
-  bool (*choose)(std::int64_t n, const double* p, const Real* w, Real limit, std::uint8_t* active);
+  // active = p > 0 or w < -limit, and where p = cap: w > limit. Returns whether it changed.
+  Choose choose;
 };
 
-template <class Real> HaarLoops<Real> best_haar_loops();
+// capped: for values of which some are, or may come, at the cap. The others neither read the cap nor p off the free set.
+template <class Real> HaarLoops<Real> best_haar_loops(bool capped = false);
 
 }  // namespace rc

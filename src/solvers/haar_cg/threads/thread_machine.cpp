@@ -1,6 +1,7 @@
 #include "solvers/haar_cg/threads/thread_machine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr std::int64_t chunk = 8192, piece = 1024;
 constexpr std::int64_t least_shared = 4 * chunk;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double nearly = 1 - 1e-9;  // of the cap: pressures to start from that are higher are at the cap, but for rounding
 
 // act(begin, count) for all chunks.
 template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act) {
@@ -37,14 +40,21 @@ template <class Body> bool any(std::int64_t n, const rc_team& team, const Body& 
 }
 
 HaarMeasure sum_of_two(const HaarMeasure& a, const HaarMeasure& b) {
-  return {std::max(a.largest, b.largest), a.load + b.load, a.merit + b.merit, a.moment + b.moment};
+  return {std::max(a.largest, b.largest), a.load + b.load, a.merit + b.merit, a.moment + b.moment, a.free_load + b.free_load,
+          a.free_moment + b.free_moment};
 }
 
 }  // namespace
 
 template <class Real>
 ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees)
-    : problem_(problem), team_(problem.team()), trees_(std::move(trees)), n_(problem.size()), p_(p.data()) {
+    : problem_(problem),
+      team_(problem.team()),
+      trees_(std::move(trees)),
+      n_(problem.size()),
+      cap_(problem.cap()),
+      p_(p.data()),
+      reached_(static_cast<std::size_t>((n_ + chunk - 1) / chunk)) {
   const auto count = static_cast<std::size_t>(n_);
   const std::size_t shared = std::max({count * sizeof(double), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
   const std::size_t spares = (shared + sizeof(double) - 1) / sizeof(double) * sizeof(double);  // so that all is aligned
@@ -90,9 +100,10 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
       double highest = start.highest, most = 0;
       for (std::int64_t i = 0; i < count; ++i) {
         highest = std::max(highest, u[i]);
-        p[i] = std::max(p[i], 0.0);
+        p[i] = p[i] >= nearly * cap_ ? cap_ : std::max(p[i], 0.0);
         most = std::max(most, p[i]);
       }
+      if (most >= cap_) reached_[static_cast<std::size_t>(first / chunk)] = 1;
       start = both(start, {highest, most > 0});
     });
     return start;
@@ -100,14 +111,18 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
   return reduce<HaarStart>(n_, team_, body, none, both);
 }
 
+template <class Real> const HaarLoops<Real>& ThreadMachine<Real>::loops_at(std::int64_t begin) const {
+  return reached_[static_cast<std::size_t>(begin / chunk)] ? capped_loops_ : loops_;
+}
+
 template <class Real>
-HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure loop, const Real* change, const double* product,
-                                         double shift) {
+HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change,
+                                         const double* product, double shift) {
   const auto body = [&](std::int64_t begin, std::int64_t n) {
     HaarMeasure sum;
     with_u(begin, n, [&](std::int64_t i, std::int64_t count, const double* u) {
-      sum = sum_of_two(sum, loop(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr, shift, u, p_ + i,
-                                 active_ + i));
+      sum = sum_of_two(sum, (loops_at(begin).*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr,
+                                                    shift, u, p_ + i, cap_, active_ + i));
     });
     return sum;
   };
@@ -115,16 +130,25 @@ HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure loop,
 }
 
 template <class Real> HaarMeasure ThreadMachine<Real>::add_and_measure(Vector change, double shift) {
-  return measure(change ? loops_.add : loops_.lower, change, nullptr, shift);
+  return measure(change ? &HaarLoops<Real>::add : &HaarLoops<Real>::lower, change, nullptr, shift);
 }
 
 template <class Real> HaarMeasure ThreadMachine<Real>::replace_and_measure(Wide product, double shift) {
-  return measure(product ? loops_.replace : loops_.begin, nullptr, product, shift);
+  return measure(product ? &HaarLoops<Real>::replace : &HaarLoops<Real>::begin, nullptr, product, shift);
 }
 
-template <class Real> void ThreadMachine<Real>::multiply(double factor) {
+template <class Real> void ThreadMachine<Real>::multiply(double factor, bool free) {
   each_chunk(n_, team_, [&](std::int64_t from, std::int64_t n) {
-    for (std::int64_t i = from; i < from + n; ++i) p_[i] *= factor;
+    if (!free || cap_ == infinite) {
+      for (std::int64_t i = from; i < from + n; ++i) p_[i] *= factor;
+      return;
+    }
+    double most = 0;
+    for (std::int64_t i = from; i < from + n; ++i) {
+      p_[i] = p_[i] < cap_ ? std::min(p_[i] * factor, cap_) : cap_;
+      most = std::max(most, p_[i]);
+    }
+    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk)] = 1;
   });
 }
 
@@ -136,16 +160,31 @@ template <class Real> double ThreadMachine<Real>::turn(double beta) {
 
 template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut) {
   return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
-    if (cut) return loops_.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, w_ + i, z() + i, active_ + i);
-    loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, active_ + i);
-    return false;
+    if (!cut) {
+      loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, active_ + i);
+      return false;
+    }
+    const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
+    const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, active_ + i);
+    if (found.capped) reached_[static_cast<std::size_t>(i / chunk)] = 1;
+    return found.any;
   });
 }
 
 template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
   return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
-    return loops_.choose(n, p_ + i, w_ + i, static_cast<Real>(-threshold), active_ + i);
+    return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i);
   });
+}
+
+template <class Real> double ThreadMachine<Real>::nearest(bool unpressed) {
+  const auto body = [&](std::int64_t from, std::int64_t n) {
+    double least = infinite;
+    for (std::int64_t i = from; i < from + n; ++i)
+      if (unpressed ? p_[i] <= 0 : p_[i] >= cap_) least = std::min(least, std::abs(static_cast<double>(w_[i])));
+    return least;
+  };
+  return reduce<double>(n_, team_, body, infinite, [](double a, double b) { return std::min(a, b); });
 }
 
 template <class Real> double ThreadMachine<Real>::inner(Vector a, Vector b) {

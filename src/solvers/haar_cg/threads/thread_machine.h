@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "solvers/haar_cg/threads/pass_loops.h"
 #include "solvers/haar_cg/tree_pair.h"
@@ -39,25 +40,31 @@ template <class R> class ThreadMachine {
   double apply_trees(Vector g, Vector q) { return trees_.apply<Real>(g, active_, z(), q, team_); }
 
   HaarStart begin();
-  void multiply(double factor);
+  void multiply(double factor, bool free);
   double turn(double beta);
   bool advance(double length, bool cut);
   HaarMeasure add_and_measure(Vector change, double shift);
   HaarMeasure replace_and_measure(Wide product, double shift);
   bool choose_set(double threshold);
+  double nearest(bool unpressed);
 
  private:
-  HaarMeasure measure(typename HaarLoops<Real>::Measure loop, const Real* change, const double* product, double shift);
+  // The loops for the chunk that begins here.
+  const HaarLoops<Real>& loops_at(std::int64_t begin) const;
+  HaarMeasure measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change, const double* product,
+                      double shift);
   template <class Visit> void with_u(std::int64_t begin, std::int64_t count, const Visit& visit) const;
 
   const Problem& problem_;
   const rc_team& team_;
   HaarTreePair trees_;
-  const HaarLoops<Real> loops_ = best_haar_loops<Real>();
+  const HaarLoops<Real> loops_ = best_haar_loops<Real>(), capped_loops_ = best_haar_loops<Real>(true);
   const std::int64_t n_;
+  const double cap_;
   double* const p_;
+  std::vector<std::uint8_t> reached_;  // for each chunk: some of its pressures are, or were, at the cap
   // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
-  // the contact set.
+  // the free set.
   std::unique_ptr<std::byte[]> memory_;
   Real *w_, *t_, *q_;
   std::uint8_t* active_;

@@ -41,7 +41,7 @@ template <class Real> struct HaarFinest {
                 float* above);
   void (*up)(std::int64_t count, const HaarPatterns& table, const std::uint8_t* in_first, const std::uint8_t* in_second,
              const Real* first, const Real* second, float* above);
-  // z = (add ? z : 0) + scale * pressure on the contact set, 0 elsewhere; a null row of z is not written.
+  // z = (add ? z : 0) + scale * pressure on the free set, 0 elsewhere; a null row of z is not written.
   void (*down)(std::int64_t count, const HaarPatterns& table, const std::uint8_t* in_first, const std::uint8_t* in_second,
                const Real* first, const Real* second, const float* above, Real scale, bool add, Real* z_first, Real* z_second);
 };

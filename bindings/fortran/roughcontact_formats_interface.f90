@@ -1,0 +1,68 @@
+! The C interface of <roughcontact/formats.h>, name for name; units, rules and errors are described there.
+! Written by scripts/bindings.py.
+module roughcontact_formats_interface
+  use roughcontact_constants, only: rc_status
+  use, intrinsic :: iso_c_binding
+  implicit none
+
+  integer(c_int32_t), parameter :: RC_SURFACE_FORM_MEAN = 1, RC_SURFACE_FORM_PLANE = 2, RC_SURFACE_FORM_QUADRIC = 3
+
+  type, bind(c) :: rc_surface_read_spec
+    integer(c_size_t) :: struct_size = 40
+    type(c_ptr) :: format = c_null_ptr, unit = c_null_ptr  ! const char *
+    real(c_double) :: hx = 0, hy = 0
+  end type
+
+  type, bind(c) :: rc_surface_file
+    integer(c_size_t) :: struct_size = 504
+    integer(c_int64_t) :: nx = 0, ny = 0
+    real(c_double) :: hx = 0, hy = 0
+    type(c_ptr) :: heights = c_null_ptr  ! double *
+    integer(c_int64_t) :: missing = 0
+    integer(c_int32_t) :: periodic = 0, reserved = 0
+    character(kind=c_char) :: format(32) = c_null_char, assumed(400) = c_null_char
+    type(c_ptr) :: storage = c_null_ptr  ! void *
+  end type
+
+  type, bind(c) :: rc_surface_format
+    integer(c_size_t) :: struct_size = 48
+    type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, suffixes = c_null_ptr, says = c_null_ptr  ! const char *
+    integer(c_int32_t) :: by_contents = 0, reserved = 0
+  end type
+
+  interface
+    type(c_ptr) function rc_surface_read_last_error() bind(c); import
+    end function
+    integer(rc_status) function rc_surface_read(path, spec, out) bind(c); import
+      character(kind=c_char), intent(in) :: path(*)
+      type(rc_surface_read_spec), intent(in), optional :: spec
+      type(rc_surface_file), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_surface_read_memory(data, size, name, spec, out) bind(c); import
+      type(c_ptr), value :: data
+      integer(c_size_t), value :: size
+      character(kind=c_char), intent(in), optional :: name(*)
+      type(rc_surface_read_spec), intent(in), optional :: spec
+      type(rc_surface_file), intent(inout) :: out
+    end function
+    subroutine rc_surface_file_free(file) bind(c); import
+      type(rc_surface_file), intent(inout) :: file
+    end subroutine
+    integer(c_int64_t) function rc_surface_format_count() bind(c); import
+    end function
+    integer(rc_status) function rc_surface_format_describe(index, out) bind(c); import
+      integer(c_int64_t), value :: index
+      type(rc_surface_format), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_surface_remove_form(nx, ny, form, heights) bind(c); import
+      integer(c_int64_t), value :: nx, ny
+      integer(c_int32_t), value :: form
+      real(c_double), intent(inout) :: heights(*)
+    end function
+    integer(rc_status) function rc_surface_fill(nx, ny, hx, hy, heights) bind(c); import
+      integer(c_int64_t), value :: nx, ny
+      real(c_double), value :: hx, hy
+      real(c_double), intent(inout) :: heights(*)
+    end function
+  end interface
+end module

@@ -1,0 +1,146 @@
+"""Surfaces from files."""
+
+import importlib
+import os
+import pathlib
+from dataclasses import dataclass
+from typing import IO, Any, List, Optional, Tuple, Union, cast
+
+import numpy as np
+
+from ._arrays import Pitch, as_pitch, as_text, given
+from ._calls import check_formats
+from ._errors import ArgumentError
+from ._height_map import METRES, Surface
+from ._library import formats_library
+from ._structs import rc_surface_file, rc_surface_format, rc_surface_read_spec
+
+File = Union[str, "os.PathLike[str]", bytes, IO[bytes]]
+
+
+def is_file(thing: Any) -> bool:
+    """Whether it names a file or is an open one."""
+    return isinstance(thing, (str, os.PathLike)) or callable(getattr(thing, "read", None))
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format that `read` knows. suffixes: of files' names; says: what such a file tells of its lengths."""
+
+    name: str
+    summary: str
+    suffixes: Tuple[str, ...]
+    says: str
+
+
+def formats() -> List[Format]:
+    """The formats that `read` knows without the help of other packages."""
+    library, found = formats_library(), []
+    for index in range(library.rc_surface_format_count()):
+        each = rc_surface_format()
+        check_formats(library.rc_surface_format_describe(index, each))
+        words = [value.decode() for value in (each.name, each.summary, each.suffixes, each.says)]
+        found.append(Format(words[0], words[1], tuple(words[2].split()), words[3]))
+    return found
+
+
+def read(file: File, *, pitch: Optional[Pitch] = None, unit: Optional[str] = None, format: Optional[str] = None) -> Surface:
+    """A surface from a file; heights and pitch in metres, NaN where a point is missing.
+
+    file: a path, an open binary file, or the bytes of one
+    pitch: one number or (hx, hy) [unit]; needed where the file does not say it, else in the place of the file's
+    unit: of lengths whose unit the file does not name, and of pitch: "um"; None: "m"
+    format: one of `formats()`; None: by the contents, else by the suffix
+
+    `assumed` of the surface says what the file leaves open. A file whose suffix is none of `formats()` is handed to the package
+    SurfaceTopography, where it is installed.
+    """
+    return surface_in(file, pitch, unit, format)
+
+
+def surface_in(
+    file: File,
+    pitch: Optional[Pitch] = None,
+    unit: Optional[str] = None,
+    format: Optional[str] = None,
+    otherwise: Optional[Pitch] = None,
+) -> Surface:
+    """`read`, with a pitch in metres for files that do not say theirs."""
+    spec = given(rc_surface_read_spec(), format=_text(format, "format"), unit=_text(unit, "unit"))
+    if pitch is not None:
+        spec.hx, spec.hy = as_pitch(pitch)
+    library, out = formats_library(), rc_surface_file()
+    contents = file if isinstance(file, bytes) else None
+    name: Any = "" if isinstance(file, bytes) else getattr(file, "name", "") if _is_open(file) else os.fspath(cast(Any, file))
+    name = name if isinstance(name, str) else ""
+    if _is_open(file):
+        contents = cast(IO[bytes], file).read()
+        if not isinstance(contents, bytes):
+            raise ArgumentError("the file is open as text; open it with mode 'rb'")
+    elif contents is None:
+        with open(name, "rb"):  # Python's exception where that is not possible
+            pass
+    if contents is None:
+        status = library.rc_surface_read(os.fsencode(name), spec, out)
+    else:
+        status = library.rc_surface_read_memory(contents, len(contents), os.fsencode(name), spec, out)
+    try:
+        check_formats(status)
+    except ArgumentError as error:
+        known = {suffix for each in formats() for suffix in each.suffixes}
+        if format is None and contents is None and pathlib.Path(name).suffix.lower() not in known:
+            return _read_by_surface_topography(name, pitch, unit, otherwise, error)
+        raise
+    try:
+        heights = np.ctypeslib.as_array(out.heights, (out.ny, out.nx)).copy()
+        assumed, sides = out.assumed.decode(errors="replace"), (out.hx, out.hy)
+    finally:
+        library.rc_surface_file_free(out)
+    if not min(sides) > 0:
+        sides = _pitch_or_error(otherwise, name)
+    return Surface(heights, sides, bool(out.periodic), None, "m", assumed)
+
+
+def _pitch_or_error(pitch: Optional[Pitch], name: str) -> Tuple[float, float]:
+    if pitch is None:
+        raise ArgumentError(f"{name or 'the file'}: the file does not say its pitch; give pitch=, one number or (hx, hy)")
+    return as_pitch(pitch)
+
+
+def _is_open(file: Any) -> bool:
+    return callable(getattr(file, "read", None))
+
+
+def _text(value: Optional[str], name: str) -> Optional[bytes]:
+    return None if value is None else as_text(value, name)
+
+
+def _read_by_surface_topography(
+    name: str, pitch: Optional[Pitch], unit: Optional[str], otherwise: Optional[Pitch], error: ArgumentError
+) -> Surface:
+    """error: why this library does not read the file."""
+    try:
+        package = importlib.import_module("SurfaceTopography")
+    except ImportError:
+        raise ArgumentError(f"{error}; the package SurfaceTopography, which is not installed, reads more formats") from None
+    try:
+        topography = package.read_topography(name)
+    except Exception as other:
+        raise ArgumentError(f"{error}; nor does SurfaceTopography: {type(other).__name__}: {other}") from other
+    heights = np.ma.filled(np.ma.asarray(topography.heights(), np.float64), np.nan).T  # its x is the first axis
+    if heights.ndim != 2:
+        raise ArgumentError(f"{name}: SurfaceTopography reads a profile from it; a map is needed")
+    own = getattr(topography, "unit", None)
+    factor = METRES.get(str(own or unit or "m"))
+    if factor is None:
+        raise ArgumentError(f"{name}: the unit {own or unit!r} is not a length unit; one of {', '.join(METRES)} is needed")
+    sizes = topography.physical_sizes
+    if pitch is not None:
+        hx, hy = (side * METRES[unit or "m"] for side in as_pitch(pitch))
+    elif sizes is not None:
+        hx, hy = sizes[0] / heights.shape[1] * factor, sizes[1] / heights.shape[0] * factor
+    else:
+        hx, hy = _pitch_or_error(otherwise, name)
+    assumed = "read by the package SurfaceTopography" + ("" if own else "; lengths without a unit are in " + (unit or "m"))
+    periodic = bool(getattr(topography, "is_periodic", False))
+    return Surface(np.ascontiguousarray(heights * factor), (hx, hy), periodic, None, "m", assumed)

@@ -1,0 +1,79 @@
+"""What one-shot functions take beside their own arguments: options by their names, elastic constants, a mean pressure."""
+
+import difflib
+import inspect
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Pitch
+from ._errors import ArgumentError
+from .context import Context, Options, options as all_options
+from .system import System
+
+Constant = Union[float, Sequence[float]]
+
+
+def options_of(
+    function: Callable[..., Any], given: Options, keywords: Mapping[str, Any], context: Optional[Context]
+) -> Options:
+    """given and the options among the keywords, whose names have '_' for '.'; None stands for an option that is not given.
+
+    function: whose keywords they are; the nearest one is named where a keyword is none
+    """
+    chosen: Dict[str, Any] = dict(given or {})
+    if not keywords:
+        return given
+    keys = {spec.key.replace(".", "_"): spec.key for spec in all_options(context)}
+    for name, value in keywords.items():
+        if name not in keys:
+            known = [*inspect.signature(function).parameters, *keys]
+            begun = [each for each in known if len(each) > 2 and (name.startswith(each) or each.startswith(name))]
+            near = begun or difflib.get_close_matches(name, known, 1, 0.5)
+            hint = f"; did you mean {near[0]!r}?" if near else "; see roughcontact.options()"
+            raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}{hint}")
+        if keys[name] in chosen:
+            raise ArgumentError(f"{name} is given twice, as a keyword and in options")
+        if value is not None:
+            chosen[keys[name]] = value
+    return chosen
+
+
+def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Constant]) -> Optional[float]:
+    """The contact modulus E*, given, or 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) of two bodies; of one, the other being rigid."""
+    if E is None and nu is None:
+        return modulus
+    if modulus is not None:
+        raise ArgumentError("modulus and E or nu are both given; modulus is E*, and E with nu makes it")
+    if E is None or nu is None:
+        raise ArgumentError(f"{'E' if E is None else 'nu'} is missing: E and nu go together")
+    young, poisson = np.atleast_1d(np.asarray(E, float)), np.atleast_1d(np.asarray(nu, float))
+    if young.shape != poisson.shape or young.ndim != 1 or len(young) > 2:
+        raise ArgumentError("E and nu are one number each, or two each, of the two bodies")
+    if not (np.isfinite(young).all() and (young > 0).all()):
+        raise ArgumentError(f"E = {E} must be positive and finite [force/length^2]")
+    if not ((poisson > -1) & (poisson <= 0.5)).all():
+        raise ArgumentError(f"nu = {nu} is not in (-1, 0.5]")
+    return float(1 / ((1 - poisson**2) / young).sum())
+
+
+def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], displacement: Optional[ArrayLike], system: System) -> Any:
+    """load, or that of a mean pressure over the whole grid."""
+    if pressure is None:
+        return load
+    for name, other in (("load", load), ("displacement", displacement)):
+        if other is not None:
+            raise ArgumentError(f"pressure and {name} are both given; exactly one of displacement, load and pressure is needed")
+    return np.asarray(pressure, float) * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1])
+
+
+def refuse_one_row(array: Any, name: str, pitch: Optional[Pitch]) -> None:
+    """One-dimensional arrays are one row of cells, whose width has to be said."""
+    one_axis = (
+        array.ndim == 1 if isinstance(array, np.ndarray) else isinstance(array, (list, tuple)) and np.isscalar((*array, "")[0])
+    )
+    if one_axis and pitch is not None and np.ndim(pitch) == 0:
+        raise ArgumentError(
+            f"{name} has one axis: give pitch=(hx, hy), hy being the width of that row of points, or an array [ny, nx]"
+        )

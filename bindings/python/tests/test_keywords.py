@@ -1,0 +1,106 @@
+"""Options, elastic constants and mean pressures as keywords; what is misspelt, contradicts or would be ignored is refused."""
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+from conftest import refused
+
+PRESS = {"modulus": 1e9, "load": 1e-4}
+
+
+def test_options_are_keywords(rough):
+    free = {**PRESS, "boundary": "free"}
+    found = rc.solve(rough, **free, tol=1e-10, solver="polonsky-keer", backend="dense", threads=1, kernel="galerkin")
+    assert (found.solver, found.backend, found.kernel, found.tolerance) == ("polonsky-keer", "dense", "galerkin", 1e-10)
+    same = rc.solve(rough, **free, options={"tol": 1e-10}, solver="polonsky-keer", backend="dense", kernel="galerkin")
+    assert np.array_equal(found.pressure, same.pressure)
+    assert rc.solve(rough, **PRESS, tol=None).tolerance == rc.solve(rough, **PRESS).tolerance
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), tol=1e-10, nnls_pivoting="single") as contact:
+        assert contact.solve(rough, load=1e-4).tolerance == 1e-10
+    assert rc.path(rough, modulus=1e9, load=[1e-4], tol=1e-9).certificate[0] <= 1e-9
+    assert rc.batch([rough, rough], **PRESS, threads=2, tol=1e-9).certified == 2
+
+
+@pytest.mark.parametrize(
+    "wrong, right",
+    [
+        ("modlus", "modulus"),
+        ("tolerance", "tol"),
+        ("sovler", "solver"),
+        ("dispacement", "displacement"),
+        ("max_iters", "max_iter"),
+    ],
+)
+def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
+    refused(
+        TypeError,
+        f"solve\\(\\) got an unexpected keyword argument '{wrong}'; did you mean '{right}'",
+        rc.solve,
+        rough,
+        **{wrong: 1},
+    )
+
+
+def test_keywords_that_are_near_nothing_or_given_twice(rough):
+    refused(TypeError, "'xyzzy'; see roughcontact.options", rc.path, rough, xyzzy=1)
+    refused(rc.ArgumentError, "tol is given twice", rc.solve, rough, **PRESS, tol=1e-6, options={"tol": 1e-6})
+    refused(rc.OptionError, "tol", rc.solve, rough, **PRESS, tol="much")
+
+
+def test_elastic_constants(rough):
+    one = rc.solve(rough, E=2e9, nu=0.3, load=1e-4)
+    assert one.load == pytest.approx(1e-4) and one.approach == pytest.approx(
+        rc.solve(rough, modulus=2e9 / (1 - 0.09), load=1e-4).approach
+    )
+    two = rc.solve(rough, E=(2e9, 1e9), nu=(0.3, 0.5), load=1e-4)
+    assert two.approach == pytest.approx(rc.solve(rough, modulus=1 / (0.91 / 2e9 + 0.75 / 1e9), load=1e-4).approach)
+    refused(rc.ArgumentError, "both given", rc.solve, rough, modulus=1e9, E=1e9, nu=0.3, load=1e-4)
+    refused(rc.ArgumentError, "nu is missing", rc.solve, rough, E=1e9, load=1e-4)
+    refused(rc.ArgumentError, "nu = 0.6 is not in", rc.solve, rough, E=1e9, nu=0.6, load=1e-4)
+    refused(rc.ArgumentError, "E = -1", rc.solve, rough, E=-1, nu=0.3, load=1e-4)
+    refused(rc.ArgumentError, "two each", rc.solve, rough, E=(1e9, 1e9), nu=0.3, load=1e-4)
+
+
+def test_a_mean_pressure_is_a_load(rough):
+    area = rough.heights.size * 1e-12
+    found = rc.solve(rough, modulus=1e9, pressure=1e4)
+    assert found.load == pytest.approx(1e4 * area) and found.mean_pressure == pytest.approx(1e4)
+    assert rc.path(rough, modulus=1e9, pressure=[1e4, 2e4]).load == pytest.approx([1e4 * area, 2e4 * area])
+    assert rc.batch([rough], modulus=1e9, pressure=1e4).load[0, 0] == pytest.approx(1e4 * area)
+    refused(rc.ArgumentError, "pressure and load are both given", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
+    refused(
+        rc.ArgumentError, "pressure and displacement are both", rc.solve, rough, modulus=1e9, pressure=1e4, displacement=1.0
+    )
+
+
+def test_one_row_has_to_be_said():
+    row = -np.linspace(-1, 1, 32) ** 2
+    for name in ("heights", "undeformed_gap"):
+        refused(
+            rc.ArgumentError, "one axis: give pitch=\\(hx, hy\\)", rc.solve, **{name: row}, pitch=1.0, modulus=1.0, load=0.1
+        )
+    said = rc.solve(row, pitch=(1.0, 1.0), modulus=1.0, load=0.1)
+    assert said.load == rc.solve(row[None], pitch=1.0, modulus=1.0, load=0.1).load
+    refused(rc.ArgumentError, "one axis", rc.solve, list(row), pitch=1.0, modulus=1.0, load=0.1)
+
+
+def test_wavelengths_are_no_wave_numbers():
+    how = {"pitch": 1e-6, "rms_height": 1e-7}
+    refused(
+        rc.ArgumentError,
+        "q_rolloff = 2e-05 is below .*2 pi / wavelength",
+        rc.surface.spectral,
+        (64, 64),
+        q_rolloff=20e-6,
+        **how,
+    )
+    refused(rc.ArgumentError, "q_low", rc.surface.spectral, (64, 64), q_low=20e-6, **how)
+    rc.surface.spectral((64, 64), q_rolloff=2 * np.pi / 64e-6, **how)
+
+
+def test_modules_show_what_they_are_for():
+    assert "pressure" in dir(rc.plot) and "np" not in dir(rc.plot) and "as_surface" not in dir(rc.plot)
+    assert "spectral" in dir(rc.surface) and "ctypes" not in dir(rc.surface) and "pointer" not in dir(rc.surface)
+    for module in (rc.plot, rc.surface):
+        assert all(hasattr(module, name) for name in module.__all__)

@@ -1,0 +1,90 @@
+// Gwyddion Simple Field: a text header of "Name = value" lines, NUL bytes up to a multiple of four (at least one), then XRes*YRes
+// little-endian float32 heights, rows from top to bottom. XReal and YReal are the size of the whole field.
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "formats/readers.h"
+#include "formats/wording.h"
+
+namespace rc::formats {
+
+namespace {
+
+constexpr std::size_t longest_header = 1 << 16;
+
+using Header = std::map<std::string_view, std::string_view>;
+
+Header parse_header(std::string_view text) {
+  Header header;
+  int number = 1;  // the magic line is the first
+  for (const auto line : split(text, '\n')) {
+    ++number;
+    if (trimmed(line).empty()) continue;
+    const auto equals = line.find('=');
+    if (equals == std::string_view::npos)
+      throw Error("header line " + std::to_string(number) + " " + in_quotes(line) + " has no '='");
+    header[trimmed(line.substr(0, equals))] = trimmed(line.substr(equals + 1));
+  }
+  return header;
+}
+
+std::int64_t resolution(const Header& header, std::string_view key) {
+  const auto entry = header.find(key);
+  if (entry == header.end()) throw Error("the header has no " + std::string(key));
+  const auto value = to_integer(entry->second);
+  if (!value || *value < 1) throw Error(std::string(key) + " " + in_quotes(entry->second) + " is not a whole number from 1 on");
+  return *value;
+}
+
+std::string_view text_of(const Header& header, std::string_view key) {
+  const auto entry = header.find(key);
+  return entry == header.end() ? std::string_view{} : entry->second;
+}
+
+std::optional<double> pitch(const Header& header, std::string_view key, std::int64_t points, double unit) {
+  const auto entry = header.find(key);
+  if (entry == header.end()) return std::nullopt;
+  const double size = finite_number(key, entry->second);
+  const double step = size * unit / static_cast<double>(points);
+  if (!(step > 0 && std::isfinite(step)))
+    throw Error(std::string(key) + " " + in_quotes(entry->second) + " is not a positive length");
+  return step;
+}
+
+}  // namespace
+
+Surface read_gsf(std::string_view file, double unit) {
+  if (!file.starts_with(gsf_magic)) throw Error("the first line is not \"Gwyddion Simple Field 1.0\"");
+  const auto end = file.substr(0, longest_header).find('\0');
+  if (end == std::string_view::npos) throw Error("the header has no end within " + std::to_string(longest_header) + " bytes");
+  const Header header = parse_header(file.substr(gsf_magic.size(), end - gsf_magic.size()));
+
+  const std::size_t start = (end / 4 + 1) * 4;
+  if (start > file.size() || file.substr(end, start - end).find_first_not_of('\0') != std::string_view::npos) {
+    throw Error("the header is not padded with NUL bytes to a multiple of 4");
+  }
+  const std::string_view data = file.substr(start);
+
+  Surface surface;
+  surface.nx = resolution(header, "XRes");
+  surface.ny = resolution(header, "YRes");
+  check_data_size(surface.nx, surface.ny, sizeof(float), data.size());
+
+  const auto lateral_unit = text_of(header, "XYUnits"), vertical_unit = text_of(header, "ZUnits");
+  surface.names_unit = !lateral_unit.empty() && !vertical_unit.empty();
+  const double lateral = file_unit("XYUnits", lateral_unit, unit);
+  surface.hx = pitch(header, "XReal", surface.nx, lateral);
+  surface.hy = pitch(header, "YReal", surface.ny, lateral);
+
+  const double vertical = file_unit("ZUnits", vertical_unit, unit);
+  surface.heights.reserve(data.size() / sizeof(float));
+  for (std::size_t at = 0; at < data.size(); at += sizeof(float)) {
+    surface.heights.push_back(vertical * static_cast<double>(stored_number<float>(data.data() + at, std::endian::little)));
+  }
+  return surface;
+}
+
+}  // namespace rc::formats

@@ -1,0 +1,169 @@
+// NumPy's .npy, versions 1 to 3: magic, version, header length, a Python dictionary with descr, fortran_order and shape, then
+// data.
+#include <string>
+
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "formats/readers.h"
+#include "formats/wording.h"
+
+namespace rc::formats {
+
+namespace {
+
+constexpr std::size_t longest_header = 1 << 16;
+
+struct Header {
+  std::string_view descr;
+  std::string_view fortran_order;
+  std::string_view shape;
+};
+
+// Splits "{'key': value, ...}". A value may be a quoted text, a word or a flat tuple, which is all that a plain array needs.
+class Dictionary {
+ public:
+  explicit Dictionary(std::string_view text) : rest_(text) {}
+
+  Header parse() {
+    Header header;
+    expect('{');
+    while (!accept('}')) {
+      const auto key = value();
+      expect(':');
+      const auto entry = value();
+      if (key == "descr") header.descr = entry;
+      if (key == "fortran_order") header.fortran_order = entry;
+      if (key == "shape") header.shape = entry;
+      if (!accept(',')) {
+        expect('}');
+        break;
+      }
+    }
+    if (!trimmed(rest_).empty()) throw Error("the header goes on after its dictionary: " + in_quotes(trimmed(rest_)));
+    return header;
+  }
+
+ private:
+  bool accept(char c) {
+    rest_ = rest_.substr(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
+    if (!rest_.starts_with(c)) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+
+  void expect(char c) {
+    if (!accept(c)) throw Error("the header has " + in_quotes(rest_.substr(0, 20)) + " where '" + c + "' should be");
+  }
+
+  // Takes the text up to `end`, and `end` itself.
+  std::string_view until(char end) {
+    const auto length = rest_.find(end);
+    if (length == std::string_view::npos) throw Error("the header ends within " + in_quotes(rest_.substr(0, 20)));
+    const auto text = rest_.substr(0, length);
+    rest_.remove_prefix(length + 1);
+    return text;
+  }
+
+  std::string_view value() {
+    if (accept('\'')) return until('\'');
+    if (accept('"')) return until('"');
+    if (accept('(')) return until(')');
+    const auto word = rest_.substr(0, rest_.find_first_of(",:{}[]() \n"));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  std::string_view rest_;
+};
+
+struct Shape {
+  std::int64_t ny, nx;
+};
+
+Shape parse_shape(std::string_view text) {
+  auto parts = split(text, ',');
+  if (parts.size() == 3 && trimmed(parts.back()).empty()) parts.pop_back();  // a trailing comma
+  const auto ny = to_integer(parts[0]);
+  const auto nx = parts.size() == 2 ? to_integer(parts[1]) : std::nullopt;
+  if (!ny || !nx) throw Error("shape " + in_quotes("(" + std::string(text) + ")") + " is not (ny, nx)");
+  return {*ny, *nx};
+}
+
+bool parse_order(std::string_view text) {
+  if (text != "True" && text != "False") throw Error("fortran_order " + in_quotes(text) + " is neither True nor False");
+  return text == "True";
+}
+
+using Load = double (*)(const char* bytes, std::endian order);
+
+template <class Number> double load(const char* bytes, std::endian order) {
+  return static_cast<double>(stored_number<Number>(bytes, order));
+}
+
+struct NumberType {
+  std::string_view code;
+  std::size_t size;
+  Load load;
+};
+constexpr NumberType number_types[] = {
+    {"f4", 4, load<float>}, {"f8", 8, load<double>}, {"i2", 2, load<std::int16_t>}, {"i4", 4, load<std::int32_t>}};
+
+const NumberType& number_type(std::string_view descr) {
+  if (descr.size() == 3 && std::string_view("<>=").find(descr[0]) != std::string_view::npos) {
+    for (const auto& type : number_types) {
+      if (type.code == descr.substr(1)) return type;
+    }
+  }
+  throw Error("data type " + in_quotes(descr) + " cannot be read, known are f4, f8, i2 and i4");
+}
+
+std::endian byte_order(char mark) {
+  if (mark == '<') return std::endian::little;
+  return mark == '>' ? std::endian::big : std::endian::native;
+}
+
+// Cuts the dictionary off the front of the file.
+std::string_view take_header(std::string_view& file) {
+  if (!file.starts_with(npy_magic)) throw Error("the file does not begin with \\x93NUMPY");
+  const int version = file.size() > npy_magic.size() ? static_cast<unsigned char>(file[npy_magic.size()]) : 0;
+  if (version < 1 || version > 3) throw Error("version " + std::to_string(version) + " of the format, known are 1 to 3");
+
+  const std::size_t preamble = version == 1 ? 10 : 12;
+  if (file.size() < preamble) throw Error("the file ends within the header");
+  const std::size_t length = version == 1 ? stored_number<std::uint16_t>(file.data() + 8, std::endian::little)
+                                          : stored_number<std::uint32_t>(file.data() + 8, std::endian::little);
+  if (length > longest_header)
+    throw Error("the header has " + std::to_string(length) + " bytes, at most " + std::to_string(longest_header));
+  if (length > file.size() - preamble) throw Error("the file ends within the header");
+
+  const auto header = file.substr(preamble, length);
+  file.remove_prefix(preamble + length);
+  return header;
+}
+
+}  // namespace
+
+Surface read_npy(std::string_view file, double unit) {
+  const Header header = Dictionary{take_header(file)}.parse();
+  const auto& type = number_type(header.descr);
+  const bool fortran_order = parse_order(header.fortran_order);
+  const auto [ny, nx] = parse_shape(header.shape);
+  check_data_size(nx, ny, type.size, file.size());
+
+  Surface surface;
+  surface.names_unit = false;
+  surface.nx = nx;
+  surface.ny = ny;
+  surface.heights.reserve(file.size() / type.size);
+  const std::int64_t row = fortran_order ? 1 : nx, column = fortran_order ? ny : 1;
+  const std::endian order = byte_order(header.descr[0]);
+  for (std::int64_t iy = 0; iy < ny; ++iy) {
+    for (std::int64_t ix = 0; ix < nx; ++ix) {
+      const auto index = static_cast<std::size_t>(iy * row + ix * column);
+      surface.heights.push_back(unit * type.load(file.data() + index * type.size, order));
+    }
+  }
+  return surface;
+}
+
+}  // namespace rc::formats

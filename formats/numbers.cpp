@@ -1,0 +1,52 @@
+#include "formats/numbers.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "formats/error.h"
+#include "formats/wording.h"
+
+namespace rc::formats {
+
+namespace {
+
+template <class Number> std::optional<Number> parse(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<double> to_number(std::string_view text) { return parse<double>(text); }
+
+std::optional<std::int64_t> to_integer(std::string_view text) { return parse<std::int64_t>(text); }
+
+double finite_number(std::string_view what, std::string_view text) {
+  const auto value = to_number(text);
+  if (!value) throw Error(std::string(what) + ": " + in_quotes(text) + " is not a number");
+  if (!std::isfinite(*value)) throw Error(std::string(what) + ": " + in_quotes(text) + " is not finite");
+  return *value;
+}
+
+double positive_number(std::string_view option, std::string_view text) {
+  const double value = finite_number(option, text);
+  if (!(value > 0)) throw Error(std::string(option) + ": " + in_quotes(text) + " is not positive");
+  return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace rc::formats

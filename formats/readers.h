@@ -1,0 +1,55 @@
+// Readers of single formats and what they share. A reader gets the whole file, and the metres per unit of lengths for which the
+// file names no unit. It throws an Error that says what is wrong with the file, and allocates no more than the file's size
+// justifies. Missing heights are NaN.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "formats/binary.h"
+#include "formats/surface.h"
+
+namespace rc::formats {
+
+inline constexpr std::string_view gsf_magic = "Gwyddion Simple Field 1.0\n";
+inline constexpr std::string_view npy_magic = "\x93NUMPY";
+
+inline constexpr double missing_height = std::numeric_limits<double>::quiet_NaN();
+
+Surface read_container(std::string_view file, double unit);
+Surface read_gsf(std::string_view file, double unit);
+Surface read_netcdf(std::string_view file, double unit);
+Surface read_npy(std::string_view file, double unit);
+Surface read_plu(std::string_view file, double unit);
+Surface read_sdf(std::string_view file, double unit);
+Surface read_sur(std::string_view file, double unit);
+Surface read_text(std::string_view file, double unit);
+Surface read_x3p(std::string_view file, double unit);
+Surface read_xyz(std::string_view file, double unit);
+
+// Whether a matrix of three columns is rather a list of points x, y, z: x and y lie on a regular grid, no two at the same node,
+// and at least half of its nodes have a point.
+bool looks_like_points(const Surface& matrix);
+
+// Throws unless nx, ny >= 1 and `available` bytes hold nx*ny numbers; returns their size in bytes.
+std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
+
+// The same where nothing may follow the data.
+void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
+
+// How many bytes may be unpacked from a file of that size. Measured heights are taken to shrink to a sixty-fourth at most
+// (deflate shrinks zeros to a thousandth), but the smallest file may hold any map up to 4096 x 4096.
+constexpr std::uint64_t most_unpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 27) + 64 * file_size; }
+
+// Throws unless nx, ny >= 1 and a packed file of that size may hold nx*ny numbers; returns their size in bytes.
+std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size);
+
+// Metres per unit named in a file under `key`; `unit` where the name is empty. Throws if it is not a length.
+double file_unit(std::string_view key, std::string_view name, double unit);
+
+// A pitch or scale in metres, stored under `key`; throws unless it is positive and finite.
+double file_length(std::string_view key, double metres);
+
+}  // namespace rc::formats

@@ -1,0 +1,70 @@
+#include "formats/registry.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "formats/readers.h"
+#include "formats/wording.h"
+#include "formats/zip_archive.h"
+
+namespace rc::formats {
+
+namespace {
+
+template <const char*... Magic> bool begins_with(std::string_view file) { return (file.starts_with(Magic) || ...); }
+
+constexpr char sur_plain[] = "DIGITAL SURF", sur_compressed[] = "DSCOMPRESSED";
+constexpr char iso_text[] = "aISO-1.0", bcr_text[] = "aBCR-1.0", npl_text[] = "aNPL-V1.0";
+constexpr char iso_binary[] = "bISO-1.0", bcr_binary[] = "bBCR-1.0";
+constexpr char netcdf_classic[] = "CDF\1", netcdf_offsets[] = "CDF\2", netcdf_sizes[] = "CDF\5";
+
+bool is_gsf(std::string_view file) { return file.starts_with(gsf_magic); }
+bool is_npy(std::string_view file) { return file.starts_with(npy_magic); }
+
+constexpr Format formats[] = {
+    {"gsf", "Gwyddion Simple Field", ".gsf", is_gsf, "pitch and unit", read_gsf},
+    {"npy", "NumPy array (ny, nx)", ".npy", is_npy, "nothing", read_npy},
+    {"text", "matrix of text, also MIRCO's", ".txt .csv .tsv .dat .asc", nullptr, "in the header of some exports", read_text},
+    {"xyz", "three columns of text on a regular grid", ".xyz", nullptr, "pitch", read_xyz},
+    {"x3p", "ISO 25178-72 (X3P)", ".x3p", zip_has_main_xml, "pitch and unit", read_x3p},
+    {"sur", "Digital Surf", ".sur", begins_with<sur_plain, sur_compressed>, "pitch and unit", read_sur},
+    {"sdf", "ISO 25178-71, BCR, NPL", ".sdf .bcr", begins_with<iso_text, bcr_text, npl_text, iso_binary, bcr_binary>,
+     "pitch and unit", read_sdf},
+    {"plu", "Sensofar PLu, Leica DCM3D", ".plu", nullptr, "pitch and unit", read_plu},
+    {"nc", "NetCDF of contact.engineering", ".nc", begins_with<netcdf_classic, netcdf_offsets, netcdf_sizes>,
+     "pitch and mostly unit", read_netcdf},
+    {"container", "zip archive of contact.engineering", ".zip", zip_has_netcdf, "pitch and mostly unit", read_container},
+};
+
+}  // namespace
+
+std::span<const Format> surface_formats() { return formats; }
+
+const Format& named_format(std::string_view name) {
+  const auto found = std::ranges::find(formats, name, &Format::name);
+  if (found != std::end(formats)) return *found;
+  std::string known;
+  for (const auto& f : formats) known += (known.empty() ? "" : ", ") + std::string(f.name);
+  throw Error("format: " + in_quotes(name) + " is not known, give one of " + known);
+}
+
+const Format& recognised_format(std::string_view file, std::string_view extension) {
+  const auto by_contents = [&](const Format& f) { return f.matches && f.matches(file); };
+  if (const auto found = std::ranges::find_if(formats, by_contents); found != std::end(formats)) return *found;
+
+  const auto by_extension = [&](const Format& f) {
+    const auto all = split(f.extensions, ' ');
+    return std::ranges::find(all, extension) != all.end();
+  };
+  const auto found = std::ranges::find_if(formats, by_extension);
+  if (!extension.empty() && found != std::end(formats)) return *found;
+
+  std::string known;
+  for (const auto& f : formats)
+    known += (known.empty() ? "" : ", ") + std::string(f.name) + " (" + std::string(f.extensions) + ")";
+  throw Error("unknown format, readable are " + known + "; give the format if it is one of them");
+}
+
+}  // namespace rc::formats

@@ -1,0 +1,145 @@
+// Digital Surf's .sur, as written by Mountains and the instruments that embed it: a header of 512 bytes, a comment, private data,
+// then nx*ny integers of 16 or 32 bits, x fastest. With magic DSCOMPRESSED the integers are in zlib streams: their number, the
+// length of each unpacked and packed, then the streams. Heights are relative: the offset of z is not added.
+#define ZLIB_CONST  // input is not written to
+#include <zlib.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "formats/error.h"
+#include "formats/readers.h"
+#include "formats/wording.h"
+
+namespace rc::formats {
+
+namespace {
+
+constexpr std::uint64_t header_size = 512;
+constexpr std::uint16_t surface_type = 2;
+
+std::string_view text_field(std::string_view header, std::uint64_t offset) {
+  const auto text = header.substr(offset, 16);
+  return trimmed(text.substr(0, text.find('\0')));
+}
+
+// The pitch along an axis or the height of a step: a number in the unit of the step.
+double step_length(std::string_view header, std::string_view name, std::uint64_t number_at, std::uint64_t unit_at, double unit) {
+  const double metres = file_unit("the unit of " + std::string(name), text_field(header, unit_at), unit);
+  return metres * static_cast<double>(field<float>(header, number_at, name));
+}
+
+struct EndInflate {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+// Appends what the stream holds if that is `expected` bytes. It works in blocks, so that a wrong header cannot claim memory.
+bool inflate_stream(std::string_view packed, std::size_t expected, std::string& out) {
+  z_stream state{};
+  state.next_in = reinterpret_cast<const Bytef*>(packed.data());
+  state.avail_in = static_cast<uInt>(packed.size());
+  if (inflateInit(&state) != Z_OK) return false;
+  const std::unique_ptr<z_stream, EndInflate> end{&state};
+
+  const std::size_t before = out.size();
+  char block[1 << 16];
+  int status = Z_OK;
+  while (status == Z_OK) {
+    state.next_out = reinterpret_cast<Bytef*>(block);
+    state.avail_out = sizeof block;
+    status = inflate(&state, Z_NO_FLUSH);
+    out.append(block, sizeof block - state.avail_out);
+    if (out.size() - before > expected) return false;
+  }
+  return status == Z_STREAM_END && out.size() - before == expected;
+}
+
+std::string inflate_streams(std::string_view data, std::size_t expected) {
+  const std::uint64_t count = field<std::uint32_t>(data, 0, "the number of compressed streams");
+  piece(data, 4, 8 * count, "the table of compressed streams");
+  std::uint64_t at = 4 + 8 * count, unpacked = 0;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto raw = field<std::uint32_t>(data, 4 + 8 * k, "the table of compressed streams");
+    const auto packed = field<std::uint32_t>(data, 8 + 8 * k, "the table of compressed streams");
+    piece(data, at, packed, "compressed stream " + std::to_string(k + 1));
+    // zlib shrinks data to no less than a thousandth, which bounds what a small file may hold.
+    if (raw > 1032 * std::uint64_t{packed} + 64) {
+      throw Error("compressed stream " + std::to_string(k + 1) + " claims " + std::to_string(raw) + " bytes, more than " +
+                  std::to_string(packed) + " compressed ones can hold; the file is damaged");
+    }
+    at += packed;
+    unpacked += raw;
+  }
+  if (unpacked != expected) {
+    throw Error("the compressed streams hold " + std::to_string(unpacked) + " bytes, the header asks for " +
+                std::to_string(expected) + "; the file is damaged");
+  }
+
+  std::string out;
+  std::uint64_t from = 4 + 8 * count;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto raw = field<std::uint32_t>(data, 4 + 8 * k, ""), packed = field<std::uint32_t>(data, 8 + 8 * k, "");
+    if (!inflate_stream(data.substr(from, packed), raw, out))
+      throw Error("compressed stream " + std::to_string(k + 1) + " cannot be unpacked; the file is damaged");
+    from += packed;
+  }
+  return out;
+}
+
+void check_kind(std::string_view header) {
+  if (const auto order = field<std::uint16_t>(header, 12, "the byte order"); order != 0)
+    throw Error("the byte order is " + std::to_string(order) + ", only 0 (little-endian) can be read");
+  if (const auto type = field<std::uint16_t>(header, 18, "the type"); type != surface_type) {
+    throw Error("the studiable is of type " + std::to_string(type) + ", only 2 (a surface) can be read" +
+                (type == 1 ? "; 1 is a profile" : ""));
+  }
+}
+
+}  // namespace
+
+Surface read_sur(std::string_view file, double unit) {
+  const std::string_view header = piece(file, 0, header_size, "the header of 512 bytes");
+  const bool compressed = header.starts_with("DSCOMPRESSED");
+  if (!compressed && !header.starts_with("DIGITAL SURF"))
+    throw Error("the file begins neither with DIGITAL SURF nor with DSCOMPRESSED");
+  check_kind(header);
+
+  Surface surface;
+  surface.nx = field<std::int32_t>(header, 108, "nx");
+  surface.ny = field<std::int32_t>(header, 112, "ny");
+  const std::int64_t points = field<std::int32_t>(header, 116, "the number of points");
+  if (surface.nx < 1 || surface.ny < 1 || surface.nx * surface.ny != points) {
+    throw Error(format("the header says %lld x %lld points and %lld in all; the file is damaged",
+                       static_cast<long long>(surface.nx), static_cast<long long>(surface.ny), static_cast<long long>(points)));
+  }
+  surface.hx = file_length("the pitch along x", step_length(header, "the pitch along x", 120, 180, unit));
+  surface.hy = file_length("the pitch along y", step_length(header, "the pitch along y", 124, 196, unit));
+  const double step = file_length("the step of heights", step_length(header, "the step of heights", 128, 212, unit));
+
+  const auto bits = field<std::uint16_t>(header, 98, "the size of numbers");
+  if (bits != 16 && bits != 32) throw Error("numbers have " + std::to_string(bits) + " bits, only 16 and 32 can be read");
+  const std::size_t bytes = bits / 8u;
+  const std::uint64_t skipped = field<std::uint16_t>(header, 334, "the size of the comment") +
+                                field<std::uint16_t>(header, 336, "the size of private data");
+  piece(file, header_size, skipped, "the comment");
+  const std::string_view rest = file.substr(header_size + skipped);
+  const std::string unpacked =
+      compressed ? inflate_streams(rest, packed_data_size(surface.nx, surface.ny, bytes, file.size())) : "";
+  const std::string_view data =
+      compressed ? std::string_view(unpacked) : rest.substr(0, data_size(surface.nx, surface.ny, bytes, rest.size()));
+
+  const bool has_missing = field<std::uint16_t>(header, 86, "the flag of special points") == 1;
+  const std::int64_t missing_code = std::int64_t{field<std::int32_t>(header, 100, "the lowest number")} - 2;
+  const auto height = [&](std::int64_t raw) {
+    return has_missing && raw == missing_code ? missing_height : step * static_cast<double>(raw);
+  };
+  if (bits == 16) append_numbers<std::int16_t>(data, std::endian::little, surface.heights, height);
+  if (bits == 32) append_numbers<std::int32_t>(data, std::endian::little, surface.heights, height);
+  if (const auto objects = field<std::uint16_t>(header, 14, "the number of objects"); objects > 1) {
+    surface.note = "the first of " + std::to_string(objects) + " surfaces in the file is read";
+  }
+  return surface;
+}
+
+}  // namespace rc::formats

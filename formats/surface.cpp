@@ -1,0 +1,132 @@
+#include "formats/surface.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+#include "formats/error.h"
+#include "formats/readers.h"
+#include "formats/registry.h"
+#include "formats/units.h"
+#include "formats/wording.h"
+
+namespace rc::formats {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string contents(const fs::path& path) {
+  std::error_code error;
+  const auto type = fs::status(path, error).type();
+  if (type == fs::file_type::directory) throw Error("is a folder, give a file");
+  if (type == fs::file_type::character || type == fs::file_type::block) throw Error("is a device, give a file");
+
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(path.c_str(), "rbe"), std::fclose};
+  if (!stream) throw Error(std::strerror(errno));
+
+  std::string bytes;
+  if (const auto size = fs::file_size(path, error); !error) bytes.reserve(size);
+  char block[1 << 16];
+  while (const std::size_t count = std::fread(block, 1, sizeof block, stream.get())) bytes.append(block, count);
+  if (std::ferror(stream.get())) throw Error(std::strerror(errno));
+  return bytes;
+}
+
+// What work() returns; its Error gets the file's name.
+template <class Work> auto of_file(const fs::path& path, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error((path.empty() ? "the file" : path.string()) + ": " + error.what());
+  }
+}
+
+std::string lower_case_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+}  // namespace
+
+std::string_view piece(std::string_view file, std::uint64_t offset, std::uint64_t size, std::string_view what) {
+  if (offset > file.size() || size > file.size() - offset) {
+    throw Error("the file has " + std::to_string(file.size()) + " bytes and ends within " + std::string(what) + " (" +
+                std::to_string(size) + " bytes from byte " + std::to_string(offset) + "); it is truncated");
+  }
+  return file.substr(offset, size);
+}
+
+std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
+  const std::string grid = std::to_string(nx) + " x " + std::to_string(ny);
+  if (nx < 1 || ny < 1) throw Error("the header says " + grid + " points, at least 1 x 1 are needed");
+
+  // Divides, because nx*ny of a wrong header may overflow.
+  const auto columns = static_cast<std::uint64_t>(nx), rows = static_cast<std::uint64_t>(ny);
+  const std::uint64_t numbers = available / bytes_per_number;
+  if (rows > numbers / columns) {
+    throw Error("the header says " + grid + " points, but the file has data for " + std::to_string(numbers) +
+                "; it is truncated");
+  }
+  return columns * rows * bytes_per_number;
+}
+
+void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available) {
+  const std::size_t size = data_size(nx, ny, bytes_per_number, available);
+  if (size == available) return;
+  throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, but " +
+              std::to_string(available - size) + " bytes follow their data");
+}
+
+std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size) {
+  const std::uint64_t most = most_unpacked(file_size) / bytes_per_number;
+  if (nx >= 1 && ny >= 1 && static_cast<std::uint64_t>(ny) > most / static_cast<std::uint64_t>(nx)) {
+    throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, more than the " +
+                std::to_string(most) + " that are unpacked from a file of " + std::to_string(file_size) +
+                " bytes; it is truncated or damaged");
+  }
+  return data_size(nx, ny, bytes_per_number, most_unpacked(file_size));
+}
+
+double file_unit(std::string_view key, std::string_view name, double unit) {
+  if (name.empty()) return unit;
+  if (const auto metres = metres_per(name)) return *metres;
+  throw Error(std::string(key) + " " + in_quotes(name) +
+              " is not a length, known are m and m with an SI prefix (mm, um, nm, pm)");
+}
+
+double file_length(std::string_view key, double metres) {
+  if (metres > 0 && std::isfinite(metres)) return metres;
+  throw Error(format("%s is %g m, not a positive length", std::string(key).c_str(), metres));
+}
+
+Surface read_surface(const fs::path& path, double unit, const std::optional<std::string>& format) {
+  if (format) named_format(*format);  // an unknown one is refused before the file is read
+  return read_surface(of_file(path, [&] { return contents(path); }), path, unit, format);
+}
+
+Surface read_surface(std::string_view file, const fs::path& name, double unit, const std::optional<std::string>& format) {
+  const Format* const named = format ? &named_format(*format) : nullptr;
+  return of_file(name, [&] {
+    const Format& chosen = named ? *named : recognised_format(file, lower_case_extension(name));
+    Surface surface = chosen.read(file, unit);
+    surface.format = chosen.name;
+    if (!named && surface.format == "text" && looks_like_points(surface)) {
+      throw Error("three columns that look like x, y, z: give the format xyz, or text for a map of 3 x " +
+                  std::to_string(surface.ny));
+    }
+    for (double& z : surface.heights) {
+      if (!std::isfinite(z)) z = missing_height;
+    }
+    return surface;
+  });
+}
+
+}  // namespace rc::formats

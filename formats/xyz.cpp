@@ -1,0 +1,122 @@
+// Three columns x, y, z, separated by white space, commas or semicolons, on a regular grid in any order. Nodes without a point
+// and points without a height ("nan", "bad", "no data", "***") are missing. Lines before the first number, and those that begin
+// with '#', are comments. Rows go upwards with y.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "formats/error.h"
+#include "formats/numbers.h"
+#include "formats/readers.h"
+#include "formats/regular_grid.h"
+#include "formats/text_rows.h"
+#include "formats/wording.h"
+
+namespace rc::formats {
+
+namespace {
+
+// Limits the grid: a diagonal line of n points would span n^2 nodes.
+constexpr std::int64_t most_nodes_per_point = 10;
+
+struct Points {
+  std::vector<double> x, y, z;
+};
+
+bool begins_with_number(std::string_view line) { return line.find_first_of("0123456789+-.") == 0; }
+
+double coordinate(std::string_view text, std::int64_t line, const char* name) {
+  const auto value = to_number(text);
+  if (value && std::isfinite(*value)) return *value;
+  throw Error(format("line %lld: %s %s is not a finite number (the decimal mark is a point)", static_cast<long long>(line), name,
+                     in_quotes(trimmed(text)).c_str()));
+}
+
+Points parse_points(std::string_view file) {
+  Points points;
+  std::int64_t number = 0;
+  while (!file.empty()) {
+    const auto line = take_line(file);
+    ++number;
+    if (line.empty() || line.starts_with('#')) continue;
+    if (points.x.empty() && !begins_with_number(line)) continue;
+    const auto parts = row_fields(line);
+    const bool no_data = parts.size() == 4 && is_missing_mark(std::string(parts[2]) + " " + std::string(parts[3]));
+    if (parts.size() != 3 && !no_data) {
+      throw Error("line " + std::to_string(number) + " has " + std::to_string(parts.size()) +
+                  " columns, three are needed: x, y and z; give the format text if this is a matrix");
+    }
+    points.x.push_back(coordinate(parts[0], number, "x"));
+    points.y.push_back(coordinate(parts[1], number, "y"));
+    points.z.push_back(no_data || is_missing_mark(parts[2]) ? missing_height : coordinate(parts[2], number, "z"));
+  }
+  return points;
+}
+
+// Whether every coordinate is a number.
+bool all_finite(const std::vector<double>& coordinates) {
+  return std::ranges::all_of(coordinates, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+bool looks_like_points(const Surface& matrix) {
+  constexpr std::int64_t fewest = 4;  // of a grid of 2 x 2
+  if (matrix.nx != 3 || matrix.ny < fewest) return false;
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < matrix.heights.size(); i += 3) {
+    x.push_back(matrix.heights[i]);
+    y.push_back(matrix.heights[i + 1]);
+  }
+  if (!all_finite(x) || !all_finite(y)) return false;
+  const std::int64_t most_nodes = 2 * matrix.ny;
+  try {
+    const GridAxis along_x = find_grid_axis(x, most_nodes, "x"), along_y = find_grid_axis(y, most_nodes, "y");
+    if (along_y.count > most_nodes / along_x.count) return false;
+    std::vector<bool> taken(static_cast<std::size_t>(along_x.count * along_y.count));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const auto node = static_cast<std::size_t>(along_y.index[i] * along_x.count + along_x.index[i]);
+      if (taken[node]) return false;
+      taken[node] = true;
+    }
+    return true;
+  } catch (const Error&) {
+    return false;  // no grid
+  }
+}
+
+Surface read_xyz(std::string_view file, double unit) {
+  const Points points = parse_points(file);
+  const auto count = static_cast<std::int64_t>(points.x.size());
+  if (count == 0) throw Error("the file has no line with three numbers");
+  const std::int64_t most_nodes = most_nodes_per_point * count;
+  const GridAxis x = find_grid_axis(points.x, most_nodes, "x"), y = find_grid_axis(points.y, most_nodes, "y");
+  if (y.count > most_nodes / x.count) {
+    throw Error(
+        format("the %lld points span a grid of %lld x %lld nodes, of which less than one in %lld has a point; "
+               "interpolate them on a grid first",
+               static_cast<long long>(count), static_cast<long long>(x.count), static_cast<long long>(y.count),
+               static_cast<long long>(most_nodes_per_point)));
+  }
+
+  Surface surface;
+  surface.names_unit = false;
+  surface.nx = x.count;
+  surface.ny = y.count;
+  surface.hx = file_length("the pitch along x", unit * x.pitch);
+  surface.hy = file_length("the pitch along y", unit * y.pitch);
+  surface.heights.assign(static_cast<std::size_t>(x.count * y.count), missing_height);
+  std::vector<bool> taken(surface.heights.size());
+  for (std::size_t i = 0; i < points.z.size(); ++i) {
+    const auto node = static_cast<std::size_t>(y.index[i] * x.count + x.index[i]);
+    if (taken[node]) {
+      throw Error(format("two points are at x = %g, y = %g, node %lld, %lld of the grid; remove one", points.x[i], points.y[i],
+                         static_cast<long long>(x.index[i]), static_cast<long long>(y.index[i])));
+    }
+    taken[node] = true;
+    surface.heights[node] = unit * points.z[i];
+  }
+  return surface;
+}
+
+}  // namespace rc::formats

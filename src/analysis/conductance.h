@@ -1,0 +1,11 @@
+// Conductance of a contact from its stiffness.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+namespace rc {
+
+// 2 / (E* (rho1 + rho2)) (Barber 2003). Throws Error(ARGUMENT).
+double conductance_per_stiffness(const rc_system& system, double rho1, double rho2);
+
+}  // namespace rc

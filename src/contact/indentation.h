@@ -1,0 +1,60 @@
+// What steps leave behind where the pressure is the hardness: the overlap there becomes plastic and is added to the undeformed gap
+// of the steps that follow.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rc {
+
+// Overlaps [length] at the points where one step has the hardness.
+struct Overlap {
+  std::vector<std::int64_t> point;
+  std::vector<double> depth;
+
+  bool empty() const { return point.empty(); }
+  void add_to(std::span<double> indentation) const {
+    for (std::size_t k = 0; k < point.size(); ++k) indentation[static_cast<std::size_t>(point[k])] += depth[k];
+  }
+};
+
+class Indentation {
+ public:
+  Indentation() = default;
+  // depth: of earlier steps, >= 0; gap: undeformed, without it. Both [n].
+  Indentation(std::span<const double> depth, std::span<const double> gap)
+      : depth_(depth.begin(), depth.end()), gap_(gap.begin(), gap.end()) {}
+
+  bool none() const { return depth_.empty(); }
+  // The given gap, without any indentation; empty where there is none.
+  std::span<const double> given_gap() const { return gap_; }
+
+  // With the overlap of one more step. gap: the present one, without any indentation.
+  Indentation with(const Overlap& overlap, std::span<const double> gap) const {
+    Indentation next(none() ? std::vector<double>(gap.size(), 0.0) : depth_, none() ? gap : gap_);
+    overlap.add_to(next.depth_);
+    return next;
+  }
+  // The same indentation of another given gap.
+  Indentation of(std::span<const double> gap) const { return {depth_, gap}; }
+
+  // The gap with the indentation.
+  std::vector<double> indented() const {
+    std::vector<double> sum(gap_);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += depth_[i];
+    return sum;
+  }
+  void write(std::span<double> to) const {
+    if (none())
+      std::fill(to.begin(), to.end(), 0.0);
+    else
+      std::copy(depth_.begin(), depth_.end(), to.begin());
+  }
+
+ private:
+  std::vector<double> depth_, gap_;  // [n], or empty
+};
+
+}  // namespace rc

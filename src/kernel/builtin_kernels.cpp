@@ -1,0 +1,86 @@
+// The library's kernels as components.
+#include <roughcontact/plugin.h>
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/kernels.h"
+#include "kernel/lowest_eigenvalue.h"
+
+namespace rc::kernel {
+
+namespace {
+
+const Kernel& kernel_of(const rc_kernel_spec& spec) { return *static_cast<const Kernel*>(spec.kernel->user); }
+
+rc_status window(const rc_host*, const rc_kernel_spec* spec, std::int64_t first_x, std::int64_t first_y, std::int64_t mx,
+                 std::int64_t my, double* out) {
+  window_coefficients(kernel_of(*spec), spec->system->hx, spec->system->hy, {first_x, first_y, mx, my}, out);
+  return RC_OK;
+}
+
+rc_status waves(const rc_host*, const rc_kernel_spec* spec, double* out) {
+  const rc_system& s = *spec->system;
+  symbol(kernel_of(*spec), s.hx, s.hy, s.nx, s.ny, out);
+  return RC_OK;
+}
+
+rc_status bounds(const rc_host*, const rc_kernel_spec* spec, rc_kernel_bounds* out) {
+  const rc_system& s = *spec->system;
+  const Kernel& kernel = kernel_of(*spec);
+  if (kernel.boundary == Boundary::periodic) {
+    out->lowest = lowest_wave_eigenvalue(kernel, s.hx, s.hy, s.nx, s.ny);
+  } else {
+    out->lowest = lowest_eigenvalue(kernel, s.hx, s.hy);
+    out->galerkin_share = share_of_galerkin(kernel);
+  }
+  return RC_OK;
+}
+
+constexpr rc_kernel component(const Kernel& kernel) {
+  const bool free = kernel.boundary == Boundary::free;
+  return {.struct_size = sizeof(rc_kernel),
+          .name = kernel.name,
+          .summary = kernel.summary,
+          .license = "",
+          .caps = (free ? RC_KERNEL_FREE | RC_KERNEL_POSITIVE | RC_KERNEL_FAR_FIELD : RC_KERNEL_PERIODIC) |
+                  (kernel.square_cells ? RC_KERNEL_SQUARE : 0),
+          .n_options = 0,
+          .options = nullptr,
+          .window = free ? window : nullptr,
+          .symbol = free ? nullptr : waves,
+          .bounds = bounds,
+          .user = const_cast<Kernel*>(&kernel)};
+}
+
+constexpr auto components = [] {
+  std::array<rc_kernel, kernels.size()> made;
+  std::transform(kernels.begin(), kernels.end(), made.begin(), component);
+  return made;
+}();
+constexpr auto entries = [] {
+  std::array<const rc_kernel*, components.size()> made;
+  std::transform(components.begin(), components.end(), made.begin(), [](const rc_kernel& each) { return &each; });
+  return made;
+}();
+
+}  // namespace
+
+}  // namespace rc::kernel
+
+extern "C" rc_status rc_builtin_kernels(const rc_host*, const rc_plugin** out) {
+  using namespace rc::kernel;
+  static const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                                   .abi_major = RC_PLUGIN_ABI_MAJOR,
+                                   .abi_minor = RC_PLUGIN_ABI_MINOR,
+                                   .name = "kernels",
+                                   .version = "0.1.0",
+                                   .n_backends = 0,
+                                   .n_solvers = 0,
+                                   .backends = nullptr,
+                                   .solvers = nullptr,
+                                   .n_kernels = static_cast<std::int64_t>(entries.size()),
+                                   .kernels = entries.data()};
+  *out = &plugin;
+  return RC_OK;
+}

@@ -1,0 +1,30 @@
+// What the iteration of haar-cg is asked, and how it ended.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace rc {
+
+struct HaarTask {
+  bool by_load = false;                                  // the load is prescribed; otherwise the approach, which u contains
+  double load = 0;                                       // the sum of p that is wanted
+  double cap = std::numeric_limits<double>::infinity();  // the largest pressure
+  double tol = 0;                                        // residual to reach, relative to the largest compenetration
+  double least_scale = 0;                                // by load: least compenetration that residuals are relative to
+  double periodic_mean = 0;                              // by how much every entry of the trees' operator exceeds that of H
+  bool elongated = false;  // cells or grid are elongated: the trees may misjudge the load's slope by far
+  int patience = 120;      // the iteration stalls after more bounds than this without half the residual
+  // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
+  std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
+};
+
+enum class HaarEnding { solved, stalled, not_finite };
+
+struct HaarOutcome {
+  HaarEnding ending;
+  double approach;  // by load: the approach found
+};
+
+}  // namespace rc
