@@ -34,10 +34,10 @@ add $(files libroughcontact0 libroughcontact-surface0 roughcontact-tools)
 inside roughcontact --version
 inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
 solve() { inside roughcontact solve /tmp/surface.npy --pitch 1 --modulus 1 --pressure 0.005 "$@" 2>&1; }
-[[ $(solve) == *"/dense "*RC_OK* ]] || fail "the command without plugins: $(solve)"
-[[ $(solve --backend fft || true) == *"not installed"* ]] || fail "fft without its package: $(solve --backend fft || true)"
+[[ $(solve --backend fft) == *"/fft "*RC_OK* ]] || fail "the command without more plugins: $(solve --backend fft)"
+[[ $(solve --backend split || true) == *"not installed"* ]] || fail "split without its package: $(solve --backend split || true)"
 
-add $(files libroughcontact-backend-fft libroughcontact-backend-cholmod)
+add $(files libroughcontact-backend-split libroughcontact-backend-cholmod)
 inside roughcontact backends
 for backend in dense fft cholmod; do
   [[ $(solve --backend $backend) == *"/$backend "*RC_OK* ]] || fail "the command on $backend: $(solve --backend $backend)"

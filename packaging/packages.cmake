@@ -73,9 +73,9 @@ set(rc_about "roughcontact solves the normal contact of rough surfaces on an ela
   "half-space and certifies every answer by a check of its own.")
 
 rc_package(libroughcontact0 COMPONENTS runtime SECTION libs LIBRARY roughcontact NOTICES eigen
-  RECOMMENDS libroughcontact-backend-fft
+  RECOMMENDS libroughcontact-backend-split
   SUMMARY "certified normal contact of rough surfaces - shared library"
-  DESCRIPTION ${rc_about} "." "This package has the solver library, with the dense backend built in.")
+  DESCRIPTION ${rc_about} "." "This package has the solver library, with the dense backend built in, and the plugin fft for large grids.")
 rc_package(libroughcontact-surface0 COMPONENTS surface SECTION libs LIBRARY roughcontact-surface NOTICES gsl
   SUMMARY "makes and judges rough surfaces - shared library"
   DESCRIPTION ${rc_about} "." "This package has the library of generators, roughness parameters and spectra."
@@ -90,18 +90,18 @@ rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION lib
   SUMMARY "certified normal contact of rough surfaces - development files"
   DESCRIPTION ${rc_about} "." "This package has headers, static libraries, pkg-config files, a CMake package"
     "and the sources of the Fortran modules and of rc_solve for Octave.")
-rc_package(libroughcontact-backend-fft COMPONENTS backend-fft SECTION libs NOTICES fftw eigen
+rc_package(libroughcontact-backend-split COMPONENTS backend-split SECTION libs NOTICES fftw eigen
   DEPENDS libroughcontact0
-  SUMMARY "certified normal contact of rough surfaces - FFT backends"
-  DESCRIPTION ${rc_about} "." "This package has the plugins fft, for large grids, and split, for sparse"
-    "contact. They link FFTW and are therefore under the GPL.")
+  SUMMARY "certified normal contact of rough surfaces - split backend"
+  DESCRIPTION ${rc_about} "." "This package has the plugin split, for sparse contact on large grids. It"
+    "links FFTW and is therefore under the GPL.")
 rc_package(libroughcontact-backend-cholmod COMPONENTS backend-cholmod SECTION libs NOTICES suitesparse eigen
   DEPENDS libroughcontact0
   SUMMARY "certified normal contact of rough surfaces - CHOLMOD backend"
   DESCRIPTION ${rc_about} "." "This package has the plugin cholmod, factorisations by SuiteSparse. It links"
     "CHOLMOD and is therefore under the GPL.")
 rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11 json
-  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libroughcontact-backend-fft gnuplot-nox
+  DEPENDS libroughcontact0 libroughcontact-surface0 RECOMMENDS libroughcontact-backend-split gnuplot-nox
   SUGGESTS libroughcontact-backend-cholmod
   SUMMARY "certified normal contact of rough surfaces - command"
   DESCRIPTION ${rc_about} "." "This package has the command roughcontact, which presses measured or generated"
@@ -109,7 +109,7 @@ rc_package(roughcontact-tools COMPONENTS tools SECTION science NOTICES gsl cli11
 rc_package(python3-roughcontact COMPONENTS python SECTION python ALL
   DEPENDS "libroughcontact0 (>= ${PROJECT_VERSION})" "libroughcontact-surface0 (>= ${PROJECT_VERSION})"
     "libroughcontact-formats0 (>= ${PROJECT_VERSION})" python3 python3-numpy
-  RECOMMENDS libroughcontact-backend-fft SUGGESTS python3-matplotlib python3-pandas python3-xarray
+  RECOMMENDS libroughcontact-backend-split SUGGESTS python3-matplotlib python3-pandas python3-xarray
   SUMMARY "certified normal contact of rough surfaces - Python module"
   DESCRIPTION ${rc_about} "." "This package has the Python module roughcontact.")
 

@@ -13,8 +13,7 @@
 
 namespace rc_fft {
 
-// Every array, row and block of columns starts at a multiple of this many bytes: two cache lines, more than any alignment that
-// a plan is made for.
+// Every array, row and block of columns starts at a multiple of this many bytes: two cache lines.
 inline constexpr std::int64_t alignment = 128;
 
 inline constexpr std::int64_t round_up(std::int64_t count, std::int64_t to) { return (count + to - 1) / to * to; }

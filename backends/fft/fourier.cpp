@@ -94,8 +94,7 @@ template <class Real> struct Fourier<Real>::Chirp {
 template <class Real> Fourier<Real>::~Fourier() = default;
 
 template <class Real>
-Fourier<Real>::Fourier(std::int64_t length, rc_common::Vectors vectors)
-    : rank_(static_cast<std::size_t>(length / 2 + 1), -1) {
+Fourier<Real>::Fourier(std::int64_t length, rc_common::Vectors vectors) : rank_(static_cast<std::size_t>(length / 2 + 1), -1) {
   plan_.length = length;
   plan_.passes = &Passes<Real>::of(vectors);
   const bool small_factors = has_small_factors(length);
@@ -212,8 +211,7 @@ template <class Real> void Fourier<Real>::backward(Real* scratch, Sink<Real>& y)
   }
 }
 
-template <class Real>
-void Fourier<Real>::multiply(Source<Real>& x, const Real* eigenvalues, Real* scratch, Sink<Real>& y) const {
+template <class Real> void Fourier<Real>::multiply(Source<Real>& x, const Real* eigenvalues, Real* scratch, Sink<Real>& y) const {
   if (!chirp_) return multiply_by({eigenvalues, nullptr}, x, scratch, y);
   forward(x, scratch);
   for (std::int64_t row = 0; row < plan_.length; ++row) {

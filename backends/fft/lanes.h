@@ -153,8 +153,7 @@ template <class V> RC_FFT_INLINE void store(typename V::Real* row, const Complex
 }
 
 // Exchanges v[i][j] and v[j][i], by swapping blocks of half the size off the diagonal. I counts the lanes.
-template <class V, int Half, int... I>
-RC_FFT_INLINE void swap_blocks(typename V::Type* v, std::integer_sequence<int, I...>) {
+template <class V, int Half, int... I> RC_FFT_INLINE void swap_blocks(typename V::Type* v, std::integer_sequence<int, I...>) {
   for (int i = 0; i < V::lanes; ++i) {
     if ((i & Half) != 0) continue;
     const typename V::Type a = v[i], b = v[i + Half];

@@ -14,14 +14,14 @@ struct Lengths {
 
 inline double points(Lengths l) { return static_cast<double>(l.x) * static_cast<double>(l.y); }
 
-// The largest grid along one axis: four times it still fits FFTW's int.
+// The largest grid along one axis: four times it still fits an int.
 inline constexpr std::int64_t longest_axis = (std::int64_t{1} << 29) - 1;
 
 // Least length along one axis at which the circular product with an even kernel equals the one with free boundaries, for sources
 // at [begin, begin + count) and targets at [0, extent).
 std::int64_t exact_length(std::int64_t begin, std::int64_t count, std::int64_t extent);
 
-// The length >= at_least that FFTW is expected to transform fastest: 1, or even with no prime factor above 7.
+// The length >= at_least that is expected to be transformed fastest: 1, or even with no prime factor above 7.
 std::int64_t fast_length(std::int64_t at_least);
 
 // Whether a transform takes long enough to be worth waking other threads for: some tenths of a millisecond.

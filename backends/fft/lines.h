@@ -31,7 +31,8 @@ template <class Real> class LineSource : public Source<Real> {
       passes_.from_lines(lines_, first, tile);
     else
       for (std::int64_t line = 0; line < most_lines<Real>; ++line)
-        for (std::int64_t i = 0; i < given; ++i) tile[i * row_size<Real> + line] = lines_[line] ? lines_[line][first + i] : Real{0};
+        for (std::int64_t i = 0; i < given; ++i)
+          tile[i * row_size<Real> + line] = lines_[line] ? lines_[line][first + i] : Real{0};
     for (std::int64_t i = 0; i < count; ++i) rows[i] = i < given ? tile + i * row_size<Real> : zero_row<Real>;
   }
 

@@ -166,7 +166,8 @@ template <class L> struct Inner : L {
   }
 
   template <int R>
-  RC_FFT_INLINE static void turn(Real* rows, std::int64_t groups, const std::int32_t* wave, Way way, const Factors<Real>& factors) {
+  RC_FFT_INLINE static void turn(Real* rows, std::int64_t groups, const std::int32_t* wave, Way way,
+                                 const Factors<Real>& factors) {
     if (way == Way::forward)
       turn<R, Way::forward, false>(rows, groups, wave, nullptr);
     else if (way == Way::backward)
@@ -238,12 +239,12 @@ template <class L> struct ToLines : Exchange<L> {
   using typename L::Real, typename L::Plain;
   RC_FFT_INLINE static void run(const Real* rows, Real* const* lines, std::int64_t at) {
     for (int part = 0; part < 2; ++part)
-      ToLines::tile(
-          [&](int i, int j, Plain& v) RC_FFT_INLINE_LAMBDA { ToLines::get(rows + i * L::row + part * L::columns + j, v); },
-          [&](int j, int i, const Plain& v) RC_FFT_INLINE_LAMBDA {
-            Real* const line = lines[part * L::columns + j];
-            if (line) ToLines::put(line + at + i, v);
-          });
+      ToLines::tile([&](int i, int j, Plain& v)
+                        RC_FFT_INLINE_LAMBDA { ToLines::get(rows + i * L::row + part * L::columns + j, v); },
+                    [&](int j, int i, const Plain& v) RC_FFT_INLINE_LAMBDA {
+                      Real* const line = lines[part * L::columns + j];
+                      if (line) ToLines::put(line + at + i, v);
+                    });
   }
 };
 
@@ -272,7 +273,8 @@ template <class L> struct ToSpectra : Exchange<L> {
               ToSpectra::get(from + (sum.mirror ? rows[i].row : rows[i].mirror) * L::row + j, other);
               v += sum.sign * other;
             },
-            [&](int j, int i, const Plain& v) RC_FFT_INLINE_LAMBDA { ToSpectra::put(spectra + (sum.line + j) * L::row + sum.part + i, v); });
+            [&](int j, int i, const Plain& v)
+                RC_FFT_INLINE_LAMBDA { ToSpectra::put(spectra + (sum.line + j) * L::row + sum.part + i, v); });
       }
     }
   }
@@ -281,7 +283,8 @@ template <class L> struct ToSpectra : Exchange<L> {
 template <class L> struct FromSpectra : Exchange<L> {
   using typename L::Real, typename L::Plain;
 
-  RC_FFT_INLINE static void run(const Real* spectra, std::int64_t count, const Mirrored* rows, std::int64_t waves, Real* scratch) {
+  RC_FFT_INLINE static void run(const Real* spectra, std::int64_t count, const Mirrored* rows, std::int64_t waves,
+                                Real* scratch) {
     struct Sum {
       std::int64_t part;  // this part of the wave,
       bool mirror;        // or of the mirrored one, is
@@ -323,14 +326,16 @@ template <class... Arguments> struct Builds<void (*)(Arguments...)> {
 #endif
 };
 
-#define RC_FFT_PASSES(Real, bytes, build)                               \
-  {Builds<decltype(Passes<Real>::first)>::build<First<Lanes<Real, bytes>>>,              \
-   Builds<decltype(Passes<Real>::inner)>::build<Inner<Lanes<Real, bytes>>>,              \
-   Builds<decltype(Passes<Real>::last)>::build<Last<Lanes<Real, bytes>>>,                \
-   Builds<decltype(Passes<Real>::from_lines)>::build<FromLines<Lanes<Real, bytes>>>,     \
-   Builds<decltype(Passes<Real>::to_lines)>::build<ToLines<Lanes<Real, bytes>>>,         \
-   Builds<decltype(Passes<Real>::to_spectra)>::build<ToSpectra<Lanes<Real, bytes>>>,     \
-   Builds<decltype(Passes<Real>::from_spectra)>::build<FromSpectra<Lanes<Real, bytes>>>}
+#define RC_FFT_PASSES(Real, bytes, build)                                                    \
+  {                                                                                          \
+    Builds<decltype(Passes<Real>::first)>::build<First<Lanes<Real, bytes>>>,                 \
+        Builds<decltype(Passes<Real>::inner)>::build<Inner<Lanes<Real, bytes>>>,             \
+        Builds<decltype(Passes<Real>::last)>::build<Last<Lanes<Real, bytes>>>,               \
+        Builds<decltype(Passes<Real>::from_lines)>::build<FromLines<Lanes<Real, bytes>>>,    \
+        Builds<decltype(Passes<Real>::to_lines)>::build<ToLines<Lanes<Real, bytes>>>,        \
+        Builds<decltype(Passes<Real>::to_spectra)>::build<ToSpectra<Lanes<Real, bytes>>>,    \
+        Builds<decltype(Passes<Real>::from_spectra)>::build<FromSpectra<Lanes<Real, bytes>>> \
+  }
 
 }  // namespace
 

@@ -41,7 +41,8 @@ template <class Real> struct Factors {
 
 enum class Way { forward, there_and_back, backward };
 
-// Lines are real sequences, most_lines of them: line l < width is the real parts of sequence l, line width + l its imaginary parts.
+// Lines are real sequences, most_lines of them: line l < width is the real parts of sequence l, line width + l its imaginary
+// parts.
 template <class Real> struct Passes {
   void (*first)(const Plan<Real>&, Source<Real>&, Real* scratch);
   void (*inner)(const Plan<Real>&, Way, const Factors<Real>&, Real* scratch);
@@ -49,8 +50,8 @@ template <class Real> struct Passes {
   // `width` elements from place `at` on of lines into rows; and back. Lines may be null.
   void (*from_lines)(const Real* const* lines, std::int64_t at, Real* rows);
   void (*to_lines)(const Real* rows, Real* const* lines, std::int64_t at);
-  // The waves of lines, twice, from those of the sequences in the scratch: in blocks of `width` waves, within a block one line after
-  // the other, `width` real parts and as many imaginary parts. And back, without the factor, of the first `count` lines.
+  // The waves of lines, twice, from those of the sequences in the scratch: in blocks of `width` waves, within a block one line
+  // after the other, `width` real parts and as many imaginary parts. And back, without the factor, of the first `count` lines.
   void (*to_spectra)(const Real* scratch, const Mirrored* rows, std::int64_t waves, Real* spectra);
   void (*from_spectra)(const Real* spectra, std::int64_t count, const Mirrored* rows, std::int64_t waves, Real* scratch);
 

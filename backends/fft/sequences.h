@@ -11,8 +11,7 @@
 namespace rc_fft {
 
 // Sequences side by side, so many that their elements of one index fill two cache lines: a row.
-template <class Real>
-inline constexpr std::int64_t width = alignment / static_cast<std::int64_t>(sizeof(std::complex<Real>));
+template <class Real> inline constexpr std::int64_t width = alignment / static_cast<std::int64_t>(sizeof(std::complex<Real>));
 
 // Reals in a row: the real parts of the sequences, then their imaginary parts.
 template <class Real> inline constexpr std::int64_t row_size = 2 * width<Real>;

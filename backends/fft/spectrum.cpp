@@ -14,7 +14,8 @@ Eigenvalues::Eigenvalues(const rc_operator_spec& spec, bool coefficients, Length
       row_length_(std::min(axes_.x->waves(), spec.system->nx)),
       rows_(std::min(axes_.y->waves(), spec.system->ny)),
       stride_(round_up(axes_.x->waves(), columns)),
-      scratch_((std::max(Fourier<double>::scratch_rows(lengths.x), Fourier<double>::scratch_rows(lengths.y)) + 2 * row_length_) * row_size<double>) {
+      scratch_((std::max(Fourier<double>::scratch_rows(lengths.x), Fourier<double>::scratch_rows(lengths.y)) + 2 * row_length_) *
+               row_size<double>) {
   workspace_.rows.reserve<double>(axes_.y->waves(), stride_, lengths);
   workspace_.scratch.reserve<double>(spec.team->threads, scratch_, lengths);
 }

@@ -47,7 +47,7 @@ class Eigenvalues {
   Workspace& workspace_;
   Lengths lengths_;
   Axes<double> axes_;
-  bool coefficients_;                // the table holds them, transformed along x; otherwise it holds the eigenvalues
+  bool coefficients_;               // the table holds them, transformed along x; otherwise it holds the eigenvalues
   std::int64_t row_length_, rows_;  // of the coefficients that the circular operator takes
   std::int64_t stride_;             // of the table's rows
   std::int64_t scratch_;            // of a thread: of a transform, and coefficients of most_lines rows twice [reals]

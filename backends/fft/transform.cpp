@@ -11,9 +11,7 @@ namespace {
 
 // Rows of a block of columns among the spectra of all lines: address of row i.
 template <class Real> struct Column {
-  Real* row(std::int64_t i) const {
-    return first + i / most_lines<Real> * group + i % most_lines<Real> * row_size<Real>;
-  }
+  Real* row(std::int64_t i) const { return first + i / most_lines<Real> * group + i % most_lines<Real> * row_size<Real>; }
   Real* first;
   std::int64_t group;  // from one group of lines to the next
 };
@@ -55,7 +53,8 @@ Transform<Real>::Transform(Lengths lengths, std::int64_t rows, Workspace& worksp
     : lengths_(lengths),
       group_(blocks() * most_lines<Real> * row_size<Real>),
       line_(round_up(lengths.x, width<Real>)),
-      scratch_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real> + most_lines<Real> * line_),
+      scratch_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real> +
+               most_lines<Real> * line_),
       workspace_(workspace),
       team_(team),
       parallel_(worth_sharing(lengths)) {

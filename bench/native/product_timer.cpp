@@ -68,8 +68,8 @@ extern "C" {
 // other points have. times: best, median and first; counts: products, points of the
 // trial set, points with pressure; y: [points], or null.
 const char* bench_time_products(const rc_system* system, const double* gap, double approach, const char* backend,
-                                std::int64_t threads, double budget, std::int64_t single, double share,
-                                double* times, std::int64_t* counts, double* y) {
+                                std::int64_t threads, double budget, std::int64_t single, double share, double* times,
+                                std::int64_t* counts, double* y) {
   return guarded([&] {
     const auto context = made<rc_context, rc_context_destroy>([](auto** out) { return rc_context_create(nullptr, out); });
     check(rc_context_register(context.get(), &plugin));

@@ -34,7 +34,8 @@ using Exact = std::complex<long double>;
 std::vector<Exact> roots(std::int64_t n) {
   std::vector<Exact> result;
   for (std::int64_t k = 0; k < n; ++k)
-    result.push_back(std::polar(1.0L, 2 * std::numbers::pi_v<long double> * static_cast<long double>(k) / static_cast<long double>(n)));
+    result.push_back(
+        std::polar(1.0L, 2 * std::numbers::pi_v<long double> * static_cast<long double>(k) / static_cast<long double>(n)));
   return result;
 }
 
@@ -87,9 +88,9 @@ template <class Real> void check_product(std::int64_t n, std::int64_t sources, s
 
 void columns_are_multiplied_as_the_sums_say(void**) {
   const bool quick = std::getenv("RC_TEST_QUICK") != nullptr;
-  for (const std::int64_t n : {1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,  16,  17,  18,  20,  21,  22,  24,
-                               25, 28, 30, 32, 35, 37, 40, 48, 49, 50, 55, 56, 60, 64,  96,  97,  105, 112, 128, 169, 192,
-                               210, 256, 257, 343, 375, 509, 512, 630, 1152, 2048, 2401}) {
+  for (const std::int64_t n : {1,  2,  3,   4,   5,   6,   7,   8,   9,   10,  11,  12,  13,  14,  15,  16,   17,   18,
+                               20, 21, 22,  24,  25,  28,  30,  32,  35,  37,  40,  48,  49,  50,  55,  56,   60,   64,
+                               96, 97, 105, 112, 128, 169, 192, 210, 256, 257, 343, 375, 509, 512, 630, 1152, 2048, 2401}) {
     if (n > 300 && quick) continue;
     for (const auto& [sources, targets] : {std::pair{n, n}, {(n + 1) / 2, (n + 1) / 2}, {n / 2, n / 2}, {1, 1}}) {
       if (n > 600 && sources == n) continue;
@@ -130,14 +131,17 @@ template <class Real> void check_lines(std::int64_t n, std::int64_t count, std::
           expected += 2 * static_cast<long double>(x[static_cast<std::size_t>(l)][static_cast<std::size_t>(j)]) *
                       std::conj(turn[static_cast<std::size_t>(j * k % n)]);
         const std::int64_t rank = fourier.rank(k);
-        error = std::max(error, static_cast<double>(std::abs(spectra.get(rank / width<Real> * most_lines<Real> + l, rank % width<Real>) - expected)));
+        error = std::max(
+            error,
+            static_cast<double>(std::abs(spectra.get(rank / width<Real> * most_lines<Real> + l, rank % width<Real>) - expected)));
       }
     fourier.passes().from_spectra(spectra.data(), count, fourier.rows(), fourier.waves(), scratch.data());
     LineSink<Real> sink(fourier.passes(), to, given);
     fourier.backward(scratch.data(), sink);
     for (std::size_t l = 0; l < x.size(); ++l)
       for (std::size_t j = 0; j < x[l].size(); ++j)
-        error = std::max(error, std::abs(static_cast<double>(y[l][j]) / static_cast<double>(2 * n) - static_cast<double>(x[l][j])));
+        error =
+            std::max(error, std::abs(static_cast<double>(y[l][j]) / static_cast<double>(2 * n) - static_cast<double>(x[l][j])));
     if (!(error <= tolerance * std::sqrt(static_cast<double>(n))))
       fail_msg("%lld lines of %lld, %lld given, %s: error %.1e", static_cast<long long>(count), static_cast<long long>(n),
                static_cast<long long>(given), name, error);

@@ -137,7 +137,8 @@ Section plugins() {
       {
           {"plugin that is in no directory",
            RC_ERR_NO_BACKEND,
-           {"rc_contact_create: backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (needs FFTW",
+           {"rc_contact_create: backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (built by "
+            "default)",
             "available: "},
            [] { return name_backend(nullptr, RC_CONTEXT_NO_PLUGINS, "fft"); },
            "fft"},

@@ -123,7 +123,7 @@ void a_missing_backend_says_how_to_get_it(void**) {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   if (registry.lists("fft")) skip();  // linked into the library
   assert_int_equal(registry.names("fft"), RC_ERR_NO_BACKEND);
-  assert_message_has("backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (needs FFTW");
+  assert_message_has("backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (built by default)");
   assert_message_has("available: ");
   if (registry.lists("cholmod")) skip();
   assert_int_equal(registry.names("cholmod"), RC_ERR_NO_BACKEND);
