@@ -117,7 +117,7 @@ void solve_and_judge(std::uint64_t number, Tally& tally) {
   Problem problem = scene.problem;
   Field matrix = influence_matrix(problem);
   // Near full contact a periodic approach does not tell the load. A mean added to the matrix shifts the approach by a multiple of
-  // it.
+  // the returned load: the load of that problem lies between the returned one and that at the returned approach.
   const double datum = problem.periodic() && problem.control == RC_CONTROL_LOAD ? largest(matrix) : 0;
   for (double& value : matrix) value += datum;
   const Contact contact(problem, scene.pair, {{RC_OPT_TOL, text(tol)}});
@@ -127,7 +127,7 @@ void solve_and_judge(std::uint64_t number, Tally& tally) {
     problem.target = scene.targets[k];
     const Answer answer = contact.solve(problem);
     check_status(answer, RC_OK, which);
-    const Field exact = pressures_at(problem, matrix, gap, answer.result.approach + datum * problem.target / problem.cell_area());
+    const Field exact = pressures_at(problem, matrix, gap, answer.result.approach + datum * answer.result.load / problem.cell_area());
     double off = 0, size = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
       off = std::max(off, std::abs(answer.p[i] - exact[i]));

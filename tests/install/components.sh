@@ -25,4 +25,5 @@ diff <(files "$scratch/all") <(LC_ALL=C sort "$scratch/parts") || fail "the comp
 for component in runtime surface formats development fortran octave; do
   grep -qx "$component" <<<"$components" || fail "component $component is gone"
 done
-! files "$scratch/runtime" | grep -qv '^./lib[^/]*/\(.*/\)\?libroughcontact\.so\.' || fail "runtime has more than the library"
+! files "$scratch/runtime" | grep -qvE '^./lib[^/]*/(.*/)?(libroughcontact\.so\.|rcb_fft\.so)' ||
+  fail "runtime has more than the library and its backend fft"

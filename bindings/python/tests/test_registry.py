@@ -15,7 +15,7 @@ def test_components_are_listed():
     for kind, found in names.items():
         assert found == sorted(found) and all(each.summary for each in kind())
     fft = next(each for each in rc.backends() if each.name == "fft")
-    assert "GPL" in fft.license and fft.origin.endswith("rcb_fft.so")
+    assert "BSD" in fft.license and fft.origin.endswith("rcb_fft.so")
 
 
 def test_options_are_described():
