@@ -127,7 +127,8 @@ void solve_and_judge(std::uint64_t number, Tally& tally) {
     problem.target = scene.targets[k];
     const Answer answer = contact.solve(problem);
     check_status(answer, RC_OK, which);
-    const Field exact = pressures_at(problem, matrix, gap, answer.result.approach + datum * answer.result.load / problem.cell_area());
+    const Field exact =
+        pressures_at(problem, matrix, gap, answer.result.approach + datum * answer.result.load / problem.cell_area());
     double off = 0, size = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
       off = std::max(off, std::abs(answer.p[i] - exact[i]));

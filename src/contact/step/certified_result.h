@@ -9,8 +9,8 @@ namespace rc {
 
 struct Finished {
   rc_status status = RC_OK;  // the result's
-  Pressures pressures;       // of use only if the step is certified or within its goal
-  Overlap overlap;           // likewise: where the pressures are the hardness
+  Pressures pressures = {};  // of use only if the step is certified or within its goal
+  Overlap overlap = {};      // likewise: where the pressures are the hardness
 };
 
 // Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing
