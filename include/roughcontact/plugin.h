@@ -185,6 +185,7 @@ typedef struct rc_grid {
   double approach;      /* DISPLACEMENT: d [length]; LOAD: the lowest gap, from which d is counted              */
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
+  double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
 } rc_grid;
 
 /** A problem on a coarser grid of the same surface. */

@@ -82,7 +82,8 @@ void probe_callback(System& result) {
 }
 
 void take_promises(System& result) {
-  const rc_kernel_bounds promised = result.influence->bounds(result.unit);
+  result.lambda_most = result.half_space_wave();
+  const rc_kernel_bounds promised = result.influence->bounds(result.unit, result.lambda_most);
   (result.periodic() ? result.lambda_wave : result.lambda_min) = promised.lowest;
   result.galerkin_share = promised.galerkin_share;
   if (result.influence->built_in()) return;
@@ -99,7 +100,7 @@ std::uint64_t System::needed_caps() const {
   return periodic() ? RC_CAP_PERIODIC : RC_CAP_FREE;
 }
 
-double System::longest_wave() const {
+double System::half_space_wave() const {
   const double lx = unit.hx * static_cast<double>(unit.nx), ly = unit.hy * static_cast<double>(unit.ny);
   return (unit.nx == 1 ? ly : unit.ny == 1 ? lx : std::max(lx, ly)) / std::numbers::pi;
 }

@@ -22,6 +22,7 @@ struct System {
   double galerkin_share = 0;       // free boundaries: x'Hx is at least this times that of the kernel galerkin
   double least_deflection = 0.25;  // of a cell under unit pressure, dimensionless
   double lambda_wave = 0;          // periodic: the same without the mean's eigenvalue, which is 0
+  double lambda_most = 0;          // periodic: the largest eigenvalue but the mean's
   bool positive = true;            // H has no negative entries, so points with gap >= d carry no pressure
   double hardness = std::numeric_limits<double>::infinity();  // [pressure] the largest; infinite: all is elastic
 
@@ -30,8 +31,8 @@ struct System {
   bool capped() const { return hardness < std::numeric_limits<double>::infinity(); }
   bool halfspace() const { return given.op == RC_OPERATOR_HALFSPACE; }
   bool periodic() const { return halfspace() && given.boundary == RC_BOUNDARY_PERIODIC; }
-  // Periodic: the eigenvalue of the longest wave, which an axis of one point does not have.
-  double longest_wave() const;
+  // Periodic: the eigenvalue of the longest wave on a half-space. An axis of one point has no waves.
+  double half_space_wave() const;
   std::uint64_t needed_caps() const;
 };
 

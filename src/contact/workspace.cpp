@@ -53,7 +53,9 @@ void Workspace::set_options(const rc_options& given) {
 
 rc_grid Workspace::grid() const {
   const rc_system& s = system.given;
-  return {sizeof(rc_grid), s.nx, s.ny, s.hx, s.hy, surface.gap().data(), surface.mask(), nullptr, 0, s.boundary, 0};
+  return {
+      sizeof(rc_grid), s.nx,    s.ny, s.hx,       s.hy, surface.gap().data(),
+      surface.mask(),  nullptr, 0,    s.boundary, 0,    system.periodic() ? system.lambda_most / system.half_space_wave() : 1};
 }
 
 Operator& Workspace::bound_operator(const rc_backend& backend, const TrialSet& trial) {

@@ -61,7 +61,7 @@ rc_kernel_bounds SystemKernel::promised(const rc_system& system) const {
   return found;
 }
 
-rc_kernel_bounds SystemKernel::bounds(const rc_system& system) const {
+rc_kernel_bounds SystemKernel::bounds(const rc_system& system, double& largest) const {
   rc_kernel_bounds found = promised(system);
   if (built_in_) return found;
   if (system.boundary != RC_BOUNDARY_PERIODIC) {
@@ -75,6 +75,7 @@ rc_kernel_bounds SystemKernel::bounds(const rc_system& system) const {
   found.galerkin_share = 0;
   if (values.size() == 1) return found;
   const double least = *std::min_element(values.begin() + 1, values.end());
+  largest = *std::max_element(values.begin() + 1, values.end());
   if (found.lowest > least * (1 + round_off))
     refuse("an eigenvalue is ", least, ", although none is promised to be below ", found.lowest);
   found.lowest = unlooked * least;

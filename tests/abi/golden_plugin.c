@@ -118,7 +118,7 @@ AT(rc_backend, screen, 136);
 AT(rc_backend, forget, 144);
 AT(rc_backend, score, 152);
 
-SIZE(rc_grid, 80);
+SIZE(rc_grid, 88);
 AT(rc_grid, struct_size, 0);
 AT(rc_grid, nx, 8);
 AT(rc_grid, ny, 16);
@@ -130,6 +130,7 @@ AT(rc_grid, index, 56);
 AT(rc_grid, approach, 64);
 AT(rc_grid, boundary, 72);
 AT(rc_grid, reserved, 76);
+AT(rc_grid, softness, 80);
 
 SIZE(rc_coarse, 96);
 AT(rc_coarse, struct_size, 0);

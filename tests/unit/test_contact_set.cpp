@@ -182,6 +182,7 @@ rc::ContactSetSolve Set::make_solve(const Case& c) {
   grid.ny = c.ny;
   grid.hx = grid.hy = 1;
   grid.boundary = system_.boundary;
+  grid.softness = 1;
   return {op_, positions_, grid, 0.3, team_, [&](std::int64_t mx, std::int64_t my, Field& out) {
             out.clear();
             for (std::int64_t y = 0; y < my; ++y)

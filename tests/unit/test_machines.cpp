@@ -104,6 +104,7 @@ class Solved {
     grid_.hx = c.hx;
     grid_.hy = c.hy;
     grid_.boundary = c.periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
+    grid_.softness = 1;
     inputs_ = rc::tree_inputs(grid_, c.nx * c.ny, [&](std::int64_t mx, std::int64_t my, Field& out) {
       out.resize(static_cast<std::size_t>(mx * my));
       for (std::int64_t i = 0; i < mx * my; ++i)

@@ -114,7 +114,7 @@ class Proof {
     sum_ = static_cast<double>(sum);
     const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
     double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
-    if (system_.periodic()) size += system_.longest_wave() * sum_ / n();  // load control shifts the datum of H by this much
+    if (system_.periodic()) size += system_.lambda_most * sum_ / n();  // load control shifts the datum of H by this much
     doubt_ = product_error * epsilon * std::log2(n() + 1) * size + rounding_ / length_ + spectrum_.diagonal * negative_;
   }
 

@@ -169,7 +169,7 @@ class Linearised {
   Operator& on(const std::vector<std::int64_t>& points) {
     const rc_backend& backend = *work_.record.choice.backend;
     TrialSet trial = all_if_full(points);
-    if (system().periodic() && backend.subset) trial.zero_mode = system().longest_wave();
+    if (system().periodic() && backend.subset) trial.zero_mode = system().lambda_most;
     return work_.bound_operator(backend, trial);
   }
 

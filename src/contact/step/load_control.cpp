@@ -128,7 +128,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     if (system.periodic() && !direct) {
       // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
       // contact.
-      trial.zero_mode = system.longest_wave();
+      trial.zero_mode = system.lambda_most;
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr);

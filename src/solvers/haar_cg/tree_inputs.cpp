@@ -43,7 +43,7 @@ double mean_of(const rc_grid& grid) {
   const double lx = grid.hx * static_cast<double>(grid.nx) / unit, ly = grid.hy * static_cast<double>(grid.ny) / unit;
   // More on elongated grids, which have many long waves: the longest alone then misjudges the load's slope.
   const double waves = std::max(lx, ly) > most_square * std::min(lx, ly) ? 3 : 1;
-  return waves * std::max(lx, ly) / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
+  return waves * grid.softness * std::max(lx, ly) / std::numbers::pi / static_cast<double>(grid.nx * grid.ny);
 }
 
 }  // namespace
