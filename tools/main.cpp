@@ -19,8 +19,8 @@
 namespace {
 
 constexpr const char* solve_help = R"(
-Lengths on the command line, and in files that name no unit, are in --unit. Results are in metres and in the unit of the modulus:
-with E in Pa, pressures are in Pa and forces in N.
+Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit, as are
+the lengths of files that name no unit), Pa and N. Results are in m, Pa and N.
 
 A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; the approach is
 counted from there. The modulus E* is E/(1-nu^2), the other body being rigid.
@@ -42,7 +42,7 @@ void add_surface(CLI::App* command, cli::SurfaceArguments& surface, const char* 
   };
   option("--format", surface.format, "NAME", "Format of the file, where contents and extension do not say it");
   option("--pitch", surface.pitch, "H or HX,HY", "Cell size, where the file does not say it");
-  option("--unit", surface.unit, "UNIT", "Unit of lengths: m (default), mm, um, nm, pm");
+  option("--unit", surface.unit, "UNIT", "Unit of lengths without one: m (default), mm, um, nm, pm");
   option("--missing", surface.missing, "RULE", missing_help);
   option("--remove", surface.remove, "FORM", "Least-squares form to take off: none (default), mean, plane or quadric");
 }
@@ -82,7 +82,7 @@ void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
 }
 
 constexpr const char* generate_help = R"(
-Lengths are in --unit. A .gsf file is in metres (float32); a .npy file (float64) is in --unit and does not say its pitch: give the
+Lengths may have a unit, 39nm; numbers alone are in --unit. A .gsf file is in metres (float32); a .npy file (float64) is in --unit and does not say its pitch: give the
 same --unit and --pitch where it is read. The same arguments give the same surface at every call.
 )";
 
@@ -99,7 +99,8 @@ constexpr Setting generate_settings[] = {
     {"rmd", "--levels", &cli::GenerateArguments::levels, "K", "2^K points a side, 8"},
     {"rmd", "--stage", &cli::GenerateArguments::stage, "S", "The coarser grid of 2^S points a side of the same surface"},
     {"", "--pitch", &cli::GenerateArguments::pitch, "H or HX,HY", "Cell size, 1 (rmd: of the finest grid)"},
-    {"", "--unit", &cli::GenerateArguments::unit, "UNIT", "Unit of all lengths: m (default), mm, um, nm, pm"},
+    {"", "--unit", &cli::GenerateArguments::unit, "UNIT",
+     "Unit of .npy files and of lengths without one: m (default), mm, um, nm, pm"},
     {"rmd spectral noise", "--seed", &cli::GenerateArguments::seed, "N", "Number of the surface, 1"},
     {"rmd spectral", "--hurst", &cli::GenerateArguments::hurst, "H", "Hurst exponent, 0.7 (rmd) or 0.8 (spectral)"},
     {"rmd spectral noise", "--rms-height", &cli::GenerateArguments::rms_height, "LENGTH", "rms height, 1 (rmd, noise)"},

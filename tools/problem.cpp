@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "numbers.h"
+#include "quantities.h"
 #include "targets.h"
 #include "text.h"
 
@@ -11,13 +12,13 @@ namespace {
 
 double contact_modulus(const SolveArguments& arguments) {
   if (arguments.modulus && (arguments.young || arguments.poisson)) throw Error("give either --modulus or --E and --nu, not both");
-  if (arguments.modulus) return positive_number("--modulus", *arguments.modulus);
+  if (arguments.modulus) return read_positive("--modulus", *arguments.modulus, Dimension::pressure).si();
   if (!arguments.young && !arguments.poisson) throw Error("the elastic modulus is missing, give --modulus or --E and --nu");
   if (!arguments.young || !arguments.poisson) {
     throw Error(std::string(arguments.young ? "--nu" : "--E") + " is missing, --E and --nu go together");
   }
 
-  const double young = positive_number("--E", *arguments.young);
+  const double young = read_positive("--E", *arguments.young, Dimension::pressure).si();
   const double poisson = finite_number("--nu", *arguments.poisson);
   if (!(poisson > -1 && poisson <= 0.5)) throw Error("--nu: " + in_quotes(*arguments.poisson) + " is not in (-1, 0.5]");
   return young / (1 - poisson * poisson);
@@ -33,17 +34,18 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
   struct Control {
     const char* name;
     const std::optional<std::string>& text;
-    double scale;
+    Dimension dimension;
+    double unit;
   };
-  const Control controls[] = {
-      {"displacement", arguments.displacement, unit}, {"load", arguments.load, 1}, {"pressure", arguments.pressure, 1}};
+  const Control controls[] = {{"displacement", arguments.displacement, Dimension::length, unit},
+                              {"load", arguments.load, Dimension::force, 1},
+                              {"pressure", arguments.pressure, Dimension::pressure, 1}};
 
-  for (const auto& [name, text, scale] : controls) {
+  for (const auto& [name, text, dimension, alone] : controls) {
     if (!text) continue;
     if (!problem.control.empty()) throw Error("give only one of --" + problem.control + " and --" + name);
     problem.control = name;
-    problem.targets = parse_targets("--" + problem.control, *text);
-    for (double& target : problem.targets) target *= scale;
+    problem.targets = parse_targets("--" + problem.control, *text, dimension, alone);
   }
   if (problem.control.empty()) throw Error("what to press with is missing, give --displacement, --load or --pressure");
 }

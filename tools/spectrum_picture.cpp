@@ -29,10 +29,7 @@ std::string quoted(const std::string& text) {
 
 double power_law(const rc_surface_power_law& law, double q) { return law.prefactor * std::pow(q, law.slope); }
 
-std::string length_text(double q) {
-  const Prefix prefix = prefix_for(wavelength(q));
-  return format("%.3g %sm", wavelength(q) / prefix.factor, prefix.symbol.c_str());
-}
+std::string length_text(double q) { return with_prefix(wavelength(q), "m"); }
 
 // A line across the picture; spectra fall, so there is room beside its upper end.
 std::string mark(int number, double q, const char* text, double height) {

@@ -32,9 +32,7 @@ std::string checksum(const std::vector<double>& heights) {
 Summary::Summary(const Problem& problem) {
   const rc_system& system = problem.system;
   document_.begin("units");
-  document_.add({{"length", "m"},
-                 {"pressure", "the unit of the modulus: Pa if it was given in Pa"},
-                 {"force", "pressure m^2: N if the modulus was given in Pa"}});
+  document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}});
   document_.end();
   document_.begin("input");
   document_.add({{"file", problem.input.file},

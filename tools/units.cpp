@@ -3,14 +3,23 @@
 #include <cmath>
 #include <utility>
 
+#include "text.h"
+
 namespace cli {
 
 namespace {
 
-constexpr std::pair<std::string_view, double> length_prefixes[] = {
-    {"", 1},      {"k", 1e3},   {"M", 1e6},         {"G", 1e9},         {"h", 1e2},    {"da", 1e1},
-    {"d", 1e-1},  {"c", 1e-2},  {"m", 1e-3},        {"u", 1e-6},        {"n", 1e-9},   {"p", 1e-12},
-    {"f", 1e-15}, {"a", 1e-18}, {"\xc2\xb5", 1e-6}, {"\xce\xbc", 1e-6}, {"\xb5", 1e-6}};
+constexpr std::pair<std::string_view, double> prefixes[] = {
+    {"", 1},      {"T", 1e12},  {"k", 1e3},   {"M", 1e6},         {"G", 1e9},         {"h", 1e2},
+    {"da", 1e1},  {"d", 1e-1},  {"c", 1e-2},  {"m", 1e-3},        {"u", 1e-6},        {"n", 1e-9},
+    {"p", 1e-12}, {"f", 1e-15}, {"a", 1e-18}, {"\xc2\xb5", 1e-6}, {"\xce\xbc", 1e-6}, {"\xb5", 1e-6}};
+
+struct Symbol {
+  std::string_view text;
+  Dimension dimension;
+};
+constexpr Symbol symbols[] = {
+    {"m", Dimension::length}, {"Pa", Dimension::pressure}, {"N", Dimension::force}, {"rad", Dimension::angle}};
 
 constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G", 1e9},   {"M", 1e6},         {"k", 1e3},
                                                              {"", 1},      {"m", 1e-3},  {"\xc2\xb5", 1e-6}, {"n", 1e-9},
@@ -18,13 +27,34 @@ constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G",
 
 }  // namespace
 
-std::optional<double> metres_per(std::string_view unit) {
-  if (!unit.ends_with('m')) return std::nullopt;
-  unit.remove_suffix(1);
-  for (const auto& [prefix, factor] : length_prefixes) {
-    if (unit == prefix) return factor;
+std::optional<Unit> find_unit(std::string_view name) {
+  if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
+  for (const auto& [symbol, dimension] : symbols) {
+    if (!name.ends_with(symbol)) continue;
+    const std::string_view before = name.substr(0, name.size() - symbol.size());
+    for (const auto& [prefix, factor] : prefixes) {
+      if (before == prefix) return Unit{dimension, factor};
+    }
   }
   return std::nullopt;
+}
+
+std::optional<double> metres_per(std::string_view name) {
+  const auto unit = find_unit(name);
+  if (!unit || unit->dimension != Dimension::length) return std::nullopt;
+  return unit->factor;
+}
+
+const char* name_of(Dimension dimension) {
+  if (dimension == Dimension::length) return "a length";
+  if (dimension == Dimension::pressure) return "a pressure";
+  return dimension == Dimension::force ? "a force" : "an angle";
+}
+
+const char* units_of(Dimension dimension) {
+  if (dimension == Dimension::length) return "m with an SI prefix (mm, um, nm)";
+  if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa)";
+  return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";
 }
 
 Prefix prefix_for(double magnitude) {
@@ -34,6 +64,11 @@ Prefix prefix_for(double magnitude) {
     if (std::abs(magnitude) >= 0.9995 * factor) return {factor, symbol};
   }
   return {1e-18, "a"};
+}
+
+std::string with_prefix(double value, const char* unit, int digits) {
+  const Prefix prefix = prefix_for(value);
+  return format("%.*g %s%s", digits, value / prefix.factor, prefix.symbol.c_str(), unit);
 }
 
 }  // namespace cli

@@ -181,7 +181,7 @@ class WrongInput(CommandTest):
         ({"--modulus": "-5"}, ["--modulus", "-5", "positive"]),
         ({"--modulus": "0"}, ["--modulus", "positive"]),
         ({"--modulus": "nan"}, ["--modulus", "finite"]),
-        ({"--modulus": "1e9x"}, ["--modulus", "1e9x", "not a number"]),
+        ({"--modulus": "1e9x"}, ["--modulus", "1e9x", "unit", "Pa"]),
         ({"--modulus": None}, ["--modulus", "--E"]),
         ({"--E": "1e9"}, ["--modulus", "--E", "not both"]),
         ({"--modulus": None, "--E": "1e9"}, ["--nu is missing"]),
