@@ -40,8 +40,8 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'fuzz': CONTACT | {'roughcontact/surface.h'},
     'examples': PUBLIC,
 }
-# What a folder outside src takes from it: headers alone, but for grid.
-BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}}
+# What a folder outside src takes from it: headers alone, but for grid and core/text.h.
+BORROWED = {'surface': {'grid', 'core', 'abi/sized_struct.h'}, 'tools': {'core/text.h'}}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 

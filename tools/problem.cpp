@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include "choices.h"
 #include "error.h"
 #include "numbers.h"
 #include "quantities.h"
@@ -25,9 +26,7 @@ double contact_modulus(const SolveArguments& arguments) {
 }
 
 int32_t boundary(const std::optional<std::string>& name) {
-  if (!name || *name == "free") return RC_BOUNDARY_FREE;
-  if (*name == "periodic") return RC_BOUNDARY_PERIODIC;
-  throw Error("--boundary: " + in_quotes(*name) + " is not known, give free or periodic");
+  return name && choice("--boundary", *name, boundary_names) == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
 }
 
 void set_targets(const SolveArguments& arguments, double unit, Problem& problem) {

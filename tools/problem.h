@@ -5,12 +5,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "surface_input.h"
 
 namespace cli {
+
+inline constexpr std::string_view boundary_names[] = {"free", "periodic"};
 
 struct SolveArguments {
   SurfaceArguments surface;

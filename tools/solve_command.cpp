@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "cores.h"
 #include "error.h"
 #include "interrupt.h"
 #include "library.h"
@@ -24,6 +25,7 @@ Options make_options(const Context& context, const Problem& problem) {
   rc_options* handle = nullptr;
   check(rc_options_create(context.get(), &handle), "");
   Options options{handle};
+  check(rc_options_set_int(handle, RC_OPT_THREADS, usable_cores()), "");
   for (const auto& [key, text] : problem.options) check(rc_options_parse(handle, key.c_str(), text.c_str()), "");
   return options;
 }

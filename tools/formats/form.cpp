@@ -2,10 +2,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <string>
 
-#include "error.h"
-#include "text.h"
+#include "choices.h"
 
 namespace cli {
 
@@ -43,13 +41,7 @@ template <class Visit> void for_each_valid(const Surface& surface, int count, Vi
 
 }  // namespace
 
-Form parse_form(std::string_view name) {
-  if (name == "none") return Form::none;
-  if (name == "mean") return Form::mean;
-  if (name == "plane") return Form::plane;
-  if (name == "quadric") return Form::quadric;
-  throw Error("--remove: " + in_quotes(name) + " is not known, give none, mean, plane or quadric");
-}
+Form parse_form(std::string_view name) { return static_cast<Form>(choice("--remove", name, form_names)); }
 
 void remove_form(Form form, Surface& surface) {
   if (form == Form::none) return;

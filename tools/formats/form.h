@@ -8,6 +8,7 @@
 namespace cli {
 
 enum class Form { none, mean, plane, quadric };
+inline constexpr std::string_view form_names[] = {"none", "mean", "plane", "quadric"};
 
 // "none", "mean", "plane" or "quadric", given for --remove.
 Form parse_form(std::string_view name);

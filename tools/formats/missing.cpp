@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "choices.h"
 #include "error.h"
 #include "text.h"
 
@@ -57,10 +58,7 @@ class Grid {
 }  // namespace
 
 MissingRule parse_missing_rule(std::string_view name) {
-  if (name == "reject") return MissingRule::reject;
-  if (name == "fill") return MissingRule::fill;
-  if (name == "exclude") return MissingRule::exclude;
-  throw Error("--missing: " + in_quotes(name) + " is not known, give reject, fill or exclude");
+  return static_cast<MissingRule>(choice("--missing", name, missing_rule_names));
 }
 
 std::int64_t count_missing(const Surface& surface) {

@@ -9,6 +9,7 @@
 namespace cli {
 
 enum class MissingRule { reject, fill, exclude };
+inline constexpr std::string_view missing_rule_names[] = {"reject", "fill", "exclude"};
 
 // "reject", "fill" or "exclude", given for --missing.
 MissingRule parse_missing_rule(std::string_view name);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
+#include "choices.h"
 #include "error.h"
 #include "formats/readers.h"
 #include "formats/zip_archive.h"
@@ -42,11 +44,9 @@ constexpr Format formats[] = {
 std::span<const Format> surface_formats() { return formats; }
 
 const Format& named_format(std::string_view name) {
-  const auto found = std::ranges::find(formats, name, &Format::name);
-  if (found != std::end(formats)) return *found;
-  std::string known;
-  for (const auto& f : formats) known += (known.empty() ? "" : ", ") + std::string(f.name);
-  throw Error("--format: " + in_quotes(name) + " is not known, give one of " + known);
+  std::vector<std::string_view> names;
+  for (const auto& f : formats) names.push_back(f.name);
+  return formats[choice("--format", name, names)];
 }
 
 const Format& recognised_format(std::string_view file, std::string_view extension) {
