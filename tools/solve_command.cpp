@@ -3,10 +3,13 @@
 #include <roughcontact/history.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 
+#include "conclusion.h"
 #include "cores.h"
 #include "error.h"
 #include "interrupt.h"
@@ -56,13 +59,14 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   step.mask = first && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
-  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}};
+  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
   record.result.p = fields.pressure.data();
   record.result.gap = fields.gap.data();
   const rc_status status = rc_contact_solve(contact, &step, &record.result);
   if (status > 0) record.message = last_message();
   check(status, format("step %d", number));
   check(rc_contact_accuracy(contact, &record.accuracy), "");
+  record.measures = measure(problem, fields);
   return record;
 }
 
@@ -84,6 +88,14 @@ void restore(rc_contact* contact, const Problem& problem, const std::vector<doub
   }
   check(rc_contact_restore(contact, &state), "--resume");
   report(format("--resume: %d of %zu steps are finished", files.finished(), problem.targets.size()));
+}
+
+// What the library finds doubtful, with the option that helps.
+std::string remarks(const StepRecord& step) {
+  constexpr std::string_view doubt = "level them";
+  std::string text = step.result.note;
+  if (const auto place = text.find(doubt); place != std::string::npos) text.insert(place + doubt.size(), " with --remove plane");
+  return text;
 }
 
 void report_choice(rc_contact* contact) {
@@ -122,6 +134,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const int finished = files ? files->finished() : 0;
   if (finished > 0) restore(contact.get(), problem, gap, *files);
 
+  std::string remarked, last;
   ExitCode code = files && !files->all_certified() ? exit_uncertified : exit_certified;
   for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
     const bool first = number == finished + 1;
@@ -133,15 +146,17 @@ ExitCode run_solve(const SolveArguments& arguments) {
     for (const std::string& note : problem.input.notes) {
       if (first) report(note);
     }
-    const bool good = step.result.status == RC_OK || step.result.status == RC_WITHIN_GOAL;
-    if (!good) code = exit_uncertified;
+    if (!step.good()) code = exit_uncertified;
     if (!arguments.quiet && first) print_table_head(problem);
     if (!arguments.quiet) print_table_row(step);
-    if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
+    if (!step.good() || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
     if (arguments.explain) report_choice(contact.get());
+    if (const std::string said = remarks(step); said != remarked) report("remark: " + (remarked = said));
     if (files) files->write(step, fields);
+    last = conclusion(problem, step);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }
+  if (!arguments.quiet && !last.empty()) std::printf("%s\n", last.c_str());
   return interrupt.requested() ? exit_cancelled : code;
 }
 

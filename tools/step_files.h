@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_measures.h"
 #include "earlier_run.h"
 #include "output_folder.h"
 #include "problem.h"
@@ -12,12 +13,6 @@
 #include "summary.h"
 
 namespace cli {
-
-// Pressures and deformed gaps of a step.
-struct Fields {
-  explicit Fields(std::size_t points) : pressure(points), gap(points) {}
-  std::vector<double> pressure, gap;
-};
 
 // A certified step of an earlier run.
 struct CertifiedStep {
