@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "text.h"
@@ -91,10 +90,7 @@ Gnuplot draw_spectrum(const Analysis& analysis, std::FILE* file) {
   }
   script += "\n";
 
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::tmpfile(), std::fclose};
-  if (!stream) return {false, false, "no temporary file"};
-  std::fwrite(script.data(), 1, script.size(), stream.get());
-  return run_gnuplot(stream.get(), file);
+  return run_gnuplot(script, file);
 }
 
 }  // namespace cli
