@@ -15,7 +15,8 @@ Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 
 the lengths of files that name no unit), Pa and N. Results are in m, Pa and N.
 
 A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; the approach is
-counted from there. The modulus E* is E/(1-nu^2), the other body being rigid.
+counted from there. E* is E/(1-nu^2), or with
+--E2 and --nu2 1/((1-nu^2)/E + (1-nu2^2)/E2).
 
 Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by
 their status), 130 interrupted (a second signal ends it at once). With --resume an interrupted history goes on.
@@ -38,12 +39,22 @@ void add_solve(CLI::App& app, SolveArguments& arguments) {
   solve->footer(solve_help);
   add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
 
+  solve->add_option("--against", arguments.surface.against, "Heights of the other body on the same grid, towards the first")
+      ->type_name("FILE")
+      ->group("Surface");
+  solve->add_option("--shape", arguments.surface.shape, "Added: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x")
+      ->type_name("SHAPE")
+      ->group("Surface");
+
   const auto option = [solve](const char* name, auto& value, const char* type, const char* help, const char* group) {
     return solve->add_option(name, value, help)->type_name(type)->group(group);
   };
   option("--modulus", arguments.modulus, "E*", "Contact modulus", "Elasticity (--modulus, or --E and --nu)");
   option("--E", arguments.young, "E", "Young's modulus", "Elasticity (--modulus, or --E and --nu)");
   option("--nu", arguments.poisson, "NU", "Poisson's ratio", "Elasticity (--modulus, or --E and --nu)");
+  option("--E2", arguments.young2, "E", "Young's modulus of the other body; rigid without",
+         "Elasticity (--modulus, or --E and --nu)");
+  option("--nu2", arguments.poisson2, "NU", "Poisson's ratio of the other body", "Elasticity (--modulus, or --E and --nu)");
 
   option("--displacement", arguments.displacement, "TARGETS", "Approach from first touch of the highest point",
          "Loading (one of)");

@@ -51,6 +51,7 @@ Names values(std::string_view option) {
   if (option == "missing") return texts(missing_rule_names);
   if (option == "remove") return texts(form_names);
   if (option == "unit") return {"m", "mm", "um", "nm", "pm"};
+  if (option == "shape") return {"sphere:R=", "cylinder:R=", "wedge:angle="};
   if (option == "set") return keys();
   Names names;
   if (option == "format") {

@@ -13,7 +13,7 @@ namespace cli {
 
 namespace {
 
-// The rms slope of the heights; 0 where points are missing or there is none.
+// The rms slope of the heights; 0 where points are missing or a shape is added.
 double rms_slope(const Problem& problem) {
   rc_surface_map map = RC_SURFACE_MAP_INIT;
   map.nx = problem.system.nx;
@@ -23,7 +23,7 @@ double rms_slope(const Problem& problem) {
   map.heights = problem.input.surface.heights.data();
   map.periodic = problem.system.boundary == RC_BOUNDARY_PERIODIC ? 1 : 0;
   rc_surface_statistics statistics = RC_SURFACE_STATISTICS_INIT;
-  if (!problem.input.mask.empty() || rc_surface_analyze(&map, &statistics) != RC_OK) return 0;
+  if (!problem.input.mask.empty() || !problem.input.shape.empty() || rc_surface_analyze(&map, &statistics) != RC_OK) return 0;
   return statistics.rms_slope;
 }
 

@@ -11,18 +11,28 @@ namespace cli {
 
 namespace {
 
-double contact_modulus(const SolveArguments& arguments) {
-  if (arguments.modulus && (arguments.young || arguments.poisson)) throw Error("give either --modulus or --E and --nu, not both");
-  if (arguments.modulus) return read_positive("--modulus", *arguments.modulus, Dimension::pressure).si();
-  if (!arguments.young && !arguments.poisson) throw Error("the elastic modulus is missing, give --modulus or --E and --nu");
-  if (!arguments.young || !arguments.poisson) {
-    throw Error(std::string(arguments.young ? "--nu" : "--E") + " is missing, --E and --nu go together");
-  }
+using Text = std::optional<std::string>;
 
-  const double young = read_positive("--E", *arguments.young, Dimension::pressure).si();
-  const double poisson = finite_number("--nu", *arguments.poisson);
-  if (!(poisson > -1 && poisson <= 0.5)) throw Error("--nu: " + in_quotes(*arguments.poisson) + " is not in (-1, 0.5]");
+// E/(1 - nu^2) of one body; `which`: "" or "2", after the options' names.
+double plane_modulus(const std::string& which, const Text& young_text, const Text& poisson_text) {
+  const std::string young_name = "--E" + which, poisson_name = "--nu" + which;
+  if (!young_text || !poisson_text) {
+    throw Error((young_text ? poisson_name : young_name) + " is missing, " + young_name + " and " + poisson_name +
+                " go together");
+  }
+  const double young = read_positive(young_name, *young_text, Dimension::pressure).si();
+  const double poisson = finite_number(poisson_name, *poisson_text);
+  if (!(poisson > -1 && poisson <= 0.5)) throw Error(poisson_name + ": " + in_quotes(*poisson_text) + " is not in (-1, 0.5]");
   return young / (1 - poisson * poisson);
+}
+
+double contact_modulus(const SolveArguments& arguments) {
+  const bool one = arguments.young || arguments.poisson, other = arguments.young2 || arguments.poisson2;
+  if (arguments.modulus && (one || other)) throw Error("give either --modulus or --E and --nu, not both");
+  if (arguments.modulus) return read_positive("--modulus", *arguments.modulus, Dimension::pressure).si();
+  if (!one && !other) throw Error("the elastic modulus is missing, give --modulus or --E and --nu");
+  const double first = plane_modulus("", arguments.young, arguments.poisson);
+  return other ? 1 / (1 / first + 1 / plane_modulus("2", arguments.young2, arguments.poisson2)) : first;
 }
 
 int32_t boundary(const std::optional<std::string>& name) {

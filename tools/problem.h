@@ -17,7 +17,7 @@ inline constexpr std::string_view boundary_names[] = {"free", "periodic"};
 
 struct SolveArguments {
   SurfaceArguments surface;
-  std::optional<std::string> young, poisson, modulus;
+  std::optional<std::string> young, poisson, young2, poisson2, modulus;
   std::optional<std::string> displacement, load, pressure;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value

@@ -24,8 +24,10 @@ Reading take_apart(std::string_view option, std::string_view text) {
 }
 
 std::string expected(Dimension dimension) {
-  return std::string("expected ") + name_of(dimension) + ": " + units_of(dimension) +
-         (dimension == Dimension::length ? ", or a number alone, in --unit" : ", or a number alone");
+  const char* const alone = dimension == Dimension::length  ? ", or a number alone, in --unit"
+                            : dimension == Dimension::angle ? ""
+                                                            : ", or a number alone";
+  return std::string("expected ") + name_of(dimension) + ": " + units_of(dimension) + alone;
 }
 
 }  // namespace

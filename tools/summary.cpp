@@ -48,6 +48,8 @@ Summary::Summary(const Problem& problem) {
                  {"modulus", system.modulus},
                  {"boundary", system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free"},
                  {"control", problem.control}});
+  if (!problem.input.against.empty()) document_.add("against", problem.input.against);
+  if (!problem.input.shape.empty()) document_.add("shape", problem.input.shape);
   document_.add("targets", problem.targets);
   document_.begin("options");
   for (auto option = problem.options.begin(); option != problem.options.end(); ++option) {

@@ -1,13 +1,16 @@
 #include "surface_input.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "error.h"
 #include "formats/form.h"
 #include "formats/missing.h"
 #include "formats/registry.h"
 #include "lengths.h"
+#include "shapes.h"
 #include "text.h"
+#include "units.h"
 
 namespace cli {
 
@@ -28,15 +31,38 @@ void settle_missing(MissingRule rule, bool can_exclude, SurfaceInput& input) {
   }
 }
 
+// Adds the heights of the other body, which face those of the surface at the same points.
+void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& input) {
+  constexpr double same_pitch = 1e-6;  // relative; files round it
+  if (!arguments.against) return;
+  input.against = *arguments.against;
+  Surface& surface = input.surface;
+  const Surface other = read_surface(input.against, unit);
+  if (!other.note.empty()) input.notes.push_back(other.note);
+  const double hx = other.hx.value_or(*surface.hx), hy = other.hy.value_or(*surface.hy);
+  const auto near = [](double a, double b) { return std::abs(a - b) <= same_pitch * b; };
+  if (other.nx != surface.nx || other.ny != surface.ny || !near(hx, *surface.hx) || !near(hy, *surface.hy)) {
+    const auto grid = [](std::int64_t nx, std::int64_t ny, double x, double y) {
+      return format("%lld x %lld points, pitch %s x %s", static_cast<long long>(nx), static_cast<long long>(ny),
+                    with_prefix(x, "m", 7).c_str(), with_prefix(y, "m", 7).c_str());
+    };
+    throw Error("--against: " + input.against + " has " + grid(other.nx, other.ny, hx, hy) + ", " + input.file + " has " +
+                grid(surface.nx, surface.ny, *surface.hx, *surface.hy) + ": give two maps on the same grid");
+  }
+  for (std::size_t i = 0; i < surface.heights.size(); ++i) surface.heights[i] += other.heights[i];
+}
+
 }  // namespace
 
 std::string SurfaceInput::preparation() const {
   std::string text;
+  if (!against.empty()) text += ", against " + std::filesystem::path(against).filename().string();
   if (removed != "none") text += ", " + removed + " removed";
   if (missing > 0) {
     text += format(", %lld missing point%s %s", static_cast<long long>(missing), missing == 1 ? "" : "s",
                    missing_rule == "fill" ? "filled" : "excluded");
   }
+  if (!shape.empty()) text += ", shape " + shape;
   return text;
 }
 
@@ -53,6 +79,10 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   if (rule == MissingRule::exclude && !can_exclude)
     throw Error("--missing: points cannot be excluded here, spectra need all of them; give reject or fill");
 
+  std::optional<Shape> shape;
+  if (arguments.shape) shape = parse_shape(*arguments.shape, unit);
+  input.shape = arguments.shape.value_or("");
+
   input.file = arguments.file;
   input.surface = read_surface(input.file, unit, arguments.format);
   const auto note = [&input](const std::string& text) {
@@ -60,10 +90,12 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   };
   note(input.surface.note);
   note(settle_pitch(given_pitch, input.file, input.surface));
+  add_other(arguments, unit, input);
   try {
     input.missing = count_missing(input.surface);
     remove_form(form, input.surface);
     settle_missing(rule, can_exclude, input);
+    if (shape) add_shape(*shape, input.surface);
   } catch (const Error& error) {
     throw Error(input.file + ": " + error.what());
   }
