@@ -156,7 +156,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     last = conclusion(problem, step);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }
-  if (files && !last.empty()) files->write_history();
+  if (files && !interrupt.requested()) files->write_history();
   if (!arguments.quiet && !last.empty()) std::printf("%s\n", last.c_str());
   return interrupt.requested() ? exit_cancelled : code;
 }

@@ -163,7 +163,7 @@ void StepFiles::draw(const std::string& name, const std::function<Gnuplot(std::F
     const Gnuplot outcome = picture(file);
     can_draw_ = !outcome.missing;
     if (outcome.missing) {
-      report("gnuplot not found: contact-K.png not drawn");
+      if (name != history_name) report("gnuplot not found: contact-K.png not drawn");  // else told before
     } else if (!outcome.drawn) {
       report(name + " not drawn, gnuplot failed: " + outcome.message);
     }
