@@ -22,7 +22,7 @@ namespace {
 std::string version() {
   int32_t major = 0, minor = 0, patch = 0, abi = 0;
   rc_version(&major, &minor, &patch, &abi);
-  return cli::format("roughcontact %d.%d.%d (ABI %d)", major, minor, patch, abi);
+  return cli::format("roughcontact %d.%d.%d (library ABI %d, plugin ABI %d)", major, minor, patch, abi, RC_PLUGIN_ABI);
 }
 
 // What is wrong with a command line, with the nearest word that would be right.

@@ -169,7 +169,7 @@ class Output(CommandTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             for word in words:
                 self.assertIn(word, done.stdout)
-        self.assertRegex(self.run_command("--version").stdout, r"^roughcontact \d+\.\d+\.\d+ ")
+        self.assertRegex(self.run_command("--version").stdout, r"^roughcontact \d+\.\d+\.\d+ \(library ABI \d+, plugin ABI \d+\)\n$")
         self.assertIn("--displacement", self.run_command("solve", "--help").stdout)
 
 
@@ -191,6 +191,11 @@ class Output(CommandTest):
             done = self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7,2e-7", *quiet)
             self.assertRegex(done.stderr, r"(?m)^roughcontact: remark: a plane is \d+ % of the heights' variance: level them with --remove plane$")
             self.assertEqual(done.stderr.count("remark"), 1)  # once for both steps
+        for arguments, says in ((["--pressure", "0.5GPa"], "mean pressure 0.5 E*: check the units"), (["--displacement", "1mm"], "approach above the grid's side: check the units"),
+                                (["--load", "1e-15"], "one point in contact: check the pitch")):
+            done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", *arguments)
+            self.assertIn("roughcontact: remark: ", done.stderr)
+            self.assertIn(says, done.stderr)
         self.assertNotIn("remark", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7", "--remove", "plane").stderr)
 
 
