@@ -151,7 +151,9 @@ ExitCode run_solve(const SolveArguments& arguments) {
     if (!arguments.quiet) print_table_row(step);
     if (!step.good() || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
     if (arguments.explain) report_choice(contact.get());
-    if (const std::string said = remarks(step); said != remarked) report("remark: " + (remarked = said));
+    const std::string said = remarks(step);
+    if (!said.empty() && said != remarked) report("remark: " + said);
+    remarked = said;
     if (files) files->write(step, fields);
     last = conclusion(problem, step);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;

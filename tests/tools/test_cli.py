@@ -196,6 +196,8 @@ class Output(CommandTest):
             done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", *arguments)
             self.assertIn("roughcontact: remark: ", done.stderr)
             self.assertIn(says, done.stderr)
+        done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", "--load", "1e-15,1e-4,1e-15", "--quiet")
+        self.assertEqual(done.stderr, 2 * "roughcontact: remark: one point in contact: check the pitch\n")
         self.assertNotIn("remark", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7", "--remove", "plane").stderr)
 
 
