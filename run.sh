@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # ./run.sh [SURFACE] [OPTIONS of roughcontact solve]
 # Installs what is missing, builds, and presses SURFACE against a flat. Without SURFACE a rough one is generated; without OPTIONS
-# it is loaded in three steps, E* = 100 GPa, heights and pitch in micrometres (pitch 1) where the file does not say. With --out DIR and
-# --resume among the OPTIONS a history that was interrupted goes on.
+# it is loaded in three steps, E* = 100 GPa, heights and pitch in micrometres (pitch 1) where the file does not say. SURFACE is
+# levelled unless OPTIONS has a --remove (none: as it is). With --out DIR and --resume among the OPTIONS a history that was
+# interrupted goes on.
 set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 "$root/scripts/bootstrap.sh"
@@ -16,8 +17,9 @@ echo "building in $root/build"
 surface=
 if [ $# -gt 0 ] && [[ $1 != -* ]]; then surface=$1; shift; fi
 options=("$@")
+[[ -z $surface || " ${options[*]} " =~ \ --remove[\ =] ]] || options+=(--remove plane)
 if [ $# = 0 ]; then
-  options=(--modulus 1e11 --pressure '5e7,5e8,2e9')
+  options+=(--modulus 1e11 --pressure '5e7,5e8,2e9')
   case $surface in
     '' | *.npy | *.txt | *.csv | *.tsv | *.dat | *.asc) options+=(--unit um --pitch 1) ;;
     *.xyz) options+=(--unit um) ;;

@@ -43,9 +43,9 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
 }
-# What a folder outside src takes from it: headers alone, but for grid.
+# What a folder outside src takes from it: headers alone, but for grid and core/text.h.
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE, 'tools': {'core/text.h'}}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 

@@ -10,19 +10,27 @@ namespace rc::formats {
 
 namespace {
 
-template <class Number> std::optional<Number> parse(std::string_view text) {
+template <class Number> std::optional<std::pair<Number, std::string_view>> parse_leading(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
 
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  if (error != std::errc{}) return std::nullopt;
+  return std::pair{value, text.substr(static_cast<std::size_t>(end - text.data()))};
+}
+
+template <class Number> std::optional<Number> parse(std::string_view text) {
+  const auto found = parse_leading<Number>(text);
+  if (!found || !found->second.empty()) return std::nullopt;
+  return found->first;
 }
 
 }  // namespace
 
 std::optional<double> to_number(std::string_view text) { return parse<double>(text); }
+
+std::optional<std::pair<double, std::string_view>> leading_number(std::string_view text) { return parse_leading<double>(text); }
 
 std::optional<std::int64_t> to_integer(std::string_view text) { return parse<std::int64_t>(text); }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rc::formats {
@@ -12,6 +13,9 @@ namespace rc::formats {
 // The whole text as one number ("nan" and "inf" included), or nothing.
 std::optional<double> to_number(std::string_view text);
 std::optional<std::int64_t> to_integer(std::string_view text);
+
+// The number that the text begins with, and what follows it; nothing if it begins with none.
+std::optional<std::pair<double, std::string_view>> leading_number(std::string_view text);
 
 // A finite number given for `what`, else an Error that says what was given.
 double finite_number(std::string_view what, std::string_view text);

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "json_text.h"
 #include "numbers.h"
+#include "quantities.h"
 #include "spectrum_picture.h"
 #include "surface_library.h"
 #include "text.h"
@@ -53,7 +54,8 @@ void refuse_flat(const Analysis& a) {
 Analysis make_analysis(const AnalyzeArguments& arguments) {
   Analysis a{};
   const double approach =
-      arguments.approach ? unit_of(arguments.surface) * positive_number("--approach", *arguments.approach) : 0;
+      arguments.approach ? read_positive("--approach", *arguments.approach, Dimension::length, unit_of(arguments.surface)).si()
+                         : 0;
   a.input = read_input(arguments.surface, false);
   a.periodic = arguments.periodic;
 
@@ -79,8 +81,7 @@ Analysis make_analysis(const AnalyzeArguments& arguments) {
 
 std::string length_text(double metres) {
   if (!std::isfinite(metres)) return "none";
-  const Prefix prefix = prefix_for(metres);
-  return format("%.4g %sm", metres / prefix.factor, prefix.symbol.c_str());
+  return with_prefix(metres, "m", 4);
 }
 
 void row(const char* name, const std::string& value) { std::printf("  %-34s %s\n", name, value.c_str()); }

@@ -10,6 +10,7 @@
 #include "lengths.h"
 #include "npy_writer.h"
 #include "numbers.h"
+#include "quantities.h"
 #include "surface.h"
 #include "surface_library.h"
 #include "text.h"
@@ -36,18 +37,19 @@ double number_or(const char* option, const Text& text, double otherwise) {
   return text ? finite_number(option, *text) : otherwise;
 }
 
-double positive_or(const char* option, const Text& text, double otherwise) {
-  return text ? positive_number(option, *text) : otherwise;
+// Lengths are in --unit, which is `unit` metres.
+double length_or(const char* option, const Text& text, double unit, double otherwise) {
+  return text ? read_positive(option, *text, Dimension::length, unit).in(unit) : otherwise;
 }
 
-double positive_needed(const char* option, const Text& text) {
+double length_needed(const char* option, const Text& text, double unit) {
   if (!text) throw Error(std::string(option) + " is missing");
-  return positive_number(option, *text);
+  return length_or(option, text, unit, 0);
 }
 
 // The wave number of a wavelength; 0, which is no limit, if none was given.
-double wave_number(const char* option, const Text& text) {
-  return text ? 2 * 3.14159265358979323846 / positive_number(option, *text) : 0;
+double wave_number(const char* option, const Text& text, double unit) {
+  return text ? 2 * 3.14159265358979323846 / length_or(option, text, unit, 0) : 0;
 }
 
 std::uint64_t seed(const GenerateArguments& arguments) {
@@ -55,11 +57,11 @@ std::uint64_t seed(const GenerateArguments& arguments) {
 }
 
 // A surface of the size asked for, in the unit of the command line, without heights.
-Surface empty_surface(const GenerateArguments& arguments) {
+Surface empty_surface(const GenerateArguments& arguments, double unit) {
   Surface surface;
-  const auto pitch = pitch_argument(arguments.pitch, 1);
-  surface.hx = pitch ? pitch->x : 1;
-  surface.hy = pitch ? pitch->y : 1;
+  const auto pitch = pitch_argument(arguments.pitch, unit);
+  surface.hx = pitch ? pitch->x.in(unit) : 1;
+  surface.hy = pitch ? pitch->y.in(unit) : 1;
   const auto sizes = split(arguments.size ? std::string_view(*arguments.size) : "256", ',');
   if (sizes.size() > 2) throw Error("--size: " + in_quotes(*arguments.size) + " has more than two numbers, give N or NX,NY");
   surface.nx = whole_number("--size", sizes.front(), 1);
@@ -76,7 +78,7 @@ double* make_room(Surface& surface) {
   return surface.heights.data();
 }
 
-Surface midpoint_displacement(const GenerateArguments& arguments) {
+Surface midpoint_displacement(const GenerateArguments& arguments, double unit) {
   rc_surface_rmd_spec spec = RC_SURFACE_RMD_SPEC_INIT;
   spec.seed = seed(arguments);
   const std::int64_t levels = whole_or("--levels", arguments.levels, 1, spec.levels);
@@ -87,9 +89,9 @@ Surface midpoint_displacement(const GenerateArguments& arguments) {
   spec.levels = static_cast<int32_t>(levels);
   spec.additions = arguments.additions ? 1 : 0;
   spec.hurst = number_or("--hurst", arguments.hurst, spec.hurst);
-  spec.rms_height = positive_or("--rms-height", arguments.rms_height, 1);
+  spec.rms_height = length_or("--rms-height", arguments.rms_height, unit, 1);
 
-  Surface surface = empty_surface(arguments);
+  Surface surface = empty_surface(arguments, unit);
   // The pitch is the finest grid's; a coarser stage covers the same area.
   const double coarser = std::ldexp(1.0, static_cast<int>(levels - stage));
   surface.hx = *surface.hx * coarser;
@@ -99,8 +101,8 @@ Surface midpoint_displacement(const GenerateArguments& arguments) {
   return surface;
 }
 
-Surface self_affine(const GenerateArguments& arguments) {
-  Surface surface = empty_surface(arguments);
+Surface self_affine(const GenerateArguments& arguments, double unit) {
+  Surface surface = empty_surface(arguments, unit);
   if (arguments.rms_height && arguments.rms_slope) throw Error("give only one of --rms-height and --rms-slope");
   rc_surface_spectral_spec spec = RC_SURFACE_SPECTRAL_SPEC_INIT;
   spec.seed = seed(arguments);
@@ -109,25 +111,18 @@ Surface self_affine(const GenerateArguments& arguments) {
   spec.hx = *surface.hx;
   spec.hy = *surface.hy;
   spec.hurst = number_or("--hurst", arguments.hurst, spec.hurst);
-  spec.q_low = wave_number("--longest", arguments.longest);
-  spec.q_rolloff = wave_number("--rolloff", arguments.roll_off);
-  spec.q_high = wave_number("--shortest", arguments.shortest);
-  spec.rms_height = arguments.rms_height ? positive_number("--rms-height", *arguments.rms_height) : 0;
-  spec.rms_slope = arguments.rms_height ? 0 : positive_or("--rms-slope", arguments.rms_slope, 0.1);
+  spec.q_low = wave_number("--longest", arguments.longest, unit);
+  spec.q_rolloff = wave_number("--rolloff", arguments.roll_off, unit);
+  spec.q_high = wave_number("--shortest", arguments.shortest, unit);
+  spec.rms_height = length_or("--rms-height", arguments.rms_height, unit, 0);
+  spec.rms_slope = arguments.rms_height ? 0 : arguments.rms_slope ? positive_number("--rms-slope", *arguments.rms_slope) : 0.1;
   spec.fixed_amplitudes = arguments.fixed_amplitudes ? 1 : 0;
   check_surface(rc_surface_spectral(&spec, make_room(surface)));
   return surface;
 }
 
-// A period is a length, 0 for no waves along a direction.
-double period(std::string_view text) {
-  const double value = finite_number("--period", text);
-  if (value < 0) throw Error("--period: " + in_quotes(text) + " is negative");
-  return value;
-}
-
-Surface shape(const std::string& kind, const GenerateArguments& arguments) {
-  Surface surface = empty_surface(arguments);
+Surface shape(const std::string& kind, const GenerateArguments& arguments, double unit) {
+  Surface surface = empty_surface(arguments, unit);
   rc_surface_shape_spec spec = RC_SURFACE_SHAPE_SPEC_INIT;
   spec.seed = seed(arguments);
   spec.nx = surface.nx;
@@ -136,19 +131,21 @@ Surface shape(const std::string& kind, const GenerateArguments& arguments) {
   spec.hy = *surface.hy;
   if (kind == "sphere") {
     spec.shape = arguments.paraboloid ? RC_SURFACE_PARABOLOID : RC_SURFACE_SPHERE;
-    spec.radius = positive_needed("--radius", arguments.radius);
+    spec.radius = length_needed("--radius", arguments.radius, unit);
   } else if (kind == "noise") {
     spec.shape = RC_SURFACE_NOISE;
-    spec.height = positive_or("--rms-height", arguments.rms_height, 1);
+    spec.height = length_or("--rms-height", arguments.rms_height, unit, 1);
   } else {
     spec.shape = kind == "waves" ? RC_SURFACE_WAVES : RC_SURFACE_PYRAMIDS;
-    spec.height = positive_or("--height", arguments.height, 1);
+    spec.height = length_or("--height", arguments.height, unit, 1);
     if (!arguments.period) throw Error("--period is missing");
     const auto periods = split(*arguments.period, ',');
     if (periods.size() > 2)
       throw Error("--period: " + in_quotes(*arguments.period) + " has more than two numbers, give P or PX,PY");
-    spec.period_x = period(periods.front());
-    spec.period_y = period(periods.back());
+    const auto lengths = read_quantities("--period", periods, Dimension::length, unit);
+    spec.period_x = lengths.front().in(unit);
+    spec.period_y = lengths.back().in(unit);
+    if (spec.period_x < 0 || spec.period_y < 0) throw Error("--period: " + in_quotes(*arguments.period) + " is negative");
   }
   check_surface(rc_surface_shape(&spec, make_room(surface)));
   return surface;
@@ -163,9 +160,9 @@ void generate(const std::string& kind, const GenerateArguments& arguments) {
   if (extension != ".npy" && extension != ".gsf")
     throw Error("--output: " + in_quotes(arguments.output) + " must end in .npy or .gsf");
 
-  Surface surface = kind == "rmd"        ? midpoint_displacement(arguments)
-                    : kind == "spectral" ? self_affine(arguments)
-                                         : shape(kind, arguments);
+  Surface surface = kind == "rmd"        ? midpoint_displacement(arguments, unit)
+                    : kind == "spectral" ? self_affine(arguments, unit)
+                                         : shape(kind, arguments, unit);
   if (extension == ".gsf") {
     surface.hx = unit * *surface.hx;
     surface.hy = unit * *surface.hy;

@@ -55,13 +55,14 @@ pid_t spawn(int script, int picture, int complaints, int& error) {
 
 }  // namespace
 
-Gnuplot run_gnuplot(std::FILE* script, std::FILE* picture) {
-  const File complaints{std::tmpfile(), std::fclose};
-  if (!complaints || std::ferror(script) || std::fflush(script) != 0 || std::fseek(script, 0, SEEK_SET) != 0)
+Gnuplot run_gnuplot(const std::string& script, std::FILE* picture) {
+  const File input{std::tmpfile(), std::fclose}, complaints{std::tmpfile(), std::fclose};
+  if (!input || !complaints || std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
+      std::fflush(input.get()) != 0 || std::fseek(input.get(), 0, SEEK_SET) != 0)
     return {false, false, std::strerror(errno)};
 
   int error = 0;
-  const pid_t child = spawn(fileno(script), fileno(picture), fileno(complaints.get()), error);
+  const pid_t child = spawn(fileno(input.get()), fileno(picture), fileno(complaints.get()), error);
   if (error != 0) return {false, error == ENOENT, std::strerror(error)};
 
   int status = 0;

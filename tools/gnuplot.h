@@ -12,7 +12,7 @@ struct Gnuplot {
   std::string message;   // why it failed
 };
 
-// Runs gnuplot on a script with inline data, from the script's beginning. What it draws without `set output` goes to the picture.
-Gnuplot run_gnuplot(std::FILE* script, std::FILE* picture);
+// Runs gnuplot on a script with inline data. What it draws without `set output` goes to the picture.
+Gnuplot run_gnuplot(const std::string& script, std::FILE* picture);
 
 }  // namespace cli

@@ -10,7 +10,7 @@ namespace cli {
 double length_unit(const std::optional<std::string>& name) {
   if (!name) return 1;
   if (const auto metres = metres_per(*name)) return *metres;
-  throw Error("--unit: " + in_quotes(*name) + " is not a length unit, give m, mm, um, nm or pm");
+  throw Error("--unit: " + in_quotes(*name) + " is not a length unit, give " + units_of(Dimension::length));
 }
 
 std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit) {
@@ -18,7 +18,11 @@ std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, doub
   const auto parts = split(*text, ',');
   if (parts.size() > 2)
     throw Error("--pitch: " + in_quotes(*text) + " has " + std::to_string(parts.size()) + " numbers, give H or HX,HY");
-  return Pitch{unit * positive_number("--pitch", parts.front()), unit * positive_number("--pitch", parts.back())};
+  const auto given = read_quantities("--pitch", parts, Dimension::length, unit);
+  for (const Quantity& pitch : given) {
+    if (!(pitch.number > 0)) throw Error("--pitch: " + in_quotes(*text) + " is not positive");
+  }
+  return Pitch{given.front(), given.back()};
 }
 
 std::string settle_pitch(const std::optional<Pitch>& given, const std::string& file, Surface& surface) {
@@ -29,8 +33,8 @@ std::string settle_pitch(const std::optional<Pitch>& given, const std::string& f
     note = format("--pitch is used instead of the pitch %g m, %g m of the file", *surface.hx, *surface.hy);
   }
   if (given) {
-    surface.hx = given->x;
-    surface.hy = given->y;
+    surface.hx = given->x.si();
+    surface.hy = given->y.si();
   }
   return note;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "quantities.h"
 #include "surface.h"
 
 namespace cli {
@@ -12,10 +13,10 @@ namespace cli {
 double length_unit(const std::optional<std::string>& name);
 
 struct Pitch {
-  double x, y;
+  Quantity x, y;
 };
 
-// --pitch in metres.
+// --pitch, of which numbers alone are in `unit`.
 std::optional<Pitch> pitch_argument(const std::optional<std::string>& text, double unit);
 
 // Puts the given pitch into the surface, or checks that the file has one. Returns a note for the user, or "".

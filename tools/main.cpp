@@ -1,15 +1,16 @@
 // The command `roughcontact`: arguments in, exit code out.
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
-#include "analyze_command.h"
-#include "generate_command.h"
+#include "choices.h"
+#include "command_line.h"
+#include "completion.h"
 #include "interrupt.h"
 #include "list_commands.h"
 #include "solve_command.h"
@@ -18,178 +19,56 @@
 
 namespace {
 
-constexpr const char* solve_help = R"(
-Lengths on the command line, and in files that name no unit, are in --unit. Results are in metres and in the unit of the modulus:
-with E in Pa, pressures are in Pa and forces in N.
-
-A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; the approach is
-counted from there. The modulus E* is E/(1-nu^2), the other body being rigid.
-
-Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by
-their status), 130 interrupted (a second signal ends it at once). With --resume an interrupted history goes on.
-)";
-
 std::string version() {
   int32_t major = 0, minor = 0, patch = 0, abi = 0;
   rc_version(&major, &minor, &patch, &abi);
-  return cli::format("roughcontact %d.%d.%d (ABI %d)", major, minor, patch, abi);
+  return cli::format("roughcontact %d.%d.%d (library ABI %d, plugin ABI %d)", major, minor, patch, abi, RC_PLUGIN_ABI);
 }
 
-void add_surface(CLI::App* command, cli::SurfaceArguments& surface, const char* missing_help) {
-  command->add_option("SURFACE", surface.file, "File of heights, see roughcontact formats")->required();
-  const auto option = [command](const char* name, auto& value, const char* type, const char* help) {
-    command->add_option(name, value, help)->type_name(type)->group("Surface");
-  };
-  option("--format", surface.format, "NAME", "Format of the file, where contents and extension do not say it");
-  option("--pitch", surface.pitch, "H or HX,HY", "Cell size, where the file does not say it");
-  option("--unit", surface.unit, "UNIT", "Unit of lengths: m (default), mm, um, nm, pm");
-  option("--missing", surface.missing, "RULE", missing_help);
-  option("--remove", surface.remove, "FORM", "Least-squares form to take off: none (default), mean, plane or quadric");
-}
+// What is wrong with a command line, with the nearest word that would be right.
+std::string refusal(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  std::string place = at->get_display_name();
+  for (const CLI::App* up = at->get_parent(); up; up = up->get_parent()) place = up->get_display_name() + " " + place;
+  const std::string see = "; see " + place + " --help";
 
-void add_solve(CLI::App& app, cli::SolveArguments& arguments) {
-  CLI::App* solve = app.add_subcommand("solve", "Press a rough surface against a flat half-space");
-  solve->footer(solve_help);
-  add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
-
-  const auto option = [solve](const char* name, auto& value, const char* type, const char* help, const char* group) {
-    return solve->add_option(name, value, help)->type_name(type)->group(group);
-  };
-  option("--modulus", arguments.modulus, "E*", "Contact modulus", "Elasticity (--modulus, or --E and --nu)");
-  option("--E", arguments.young, "E", "Young's modulus", "Elasticity (--modulus, or --E and --nu)");
-  option("--nu", arguments.poisson, "NU", "Poisson's ratio", "Elasticity (--modulus, or --E and --nu)");
-
-  option("--hardness", arguments.hardness, "H", "Largest pressure; above it the surface yields. None: elastic",
-         "Elasticity (--modulus, or --E and --nu)");
-
-  option("--displacement", arguments.displacement, "TARGETS", "Approach from first touch of the highest point",
-         "Loading (one of)");
-  option("--load", arguments.load, "TARGETS", "Normal force", "Loading (one of)");
-  option("--pressure", arguments.pressure, "TARGETS", "Mean pressure over the whole surface", "Loading (one of)");
-
-  option("--boundary", arguments.boundary, "NAME", "free (default) or periodic", "Method");
-  option("--kernel", arguments.kernel, "NAME", "Influence kernel, see roughcontact kernels", "Method");
-  option("--solver", arguments.solver, "NAME", "Solver, see roughcontact solvers", "Method");
-  option("--backend", arguments.backend, "NAME", "Backend, see roughcontact backends", "Method");
-  option("--tol", arguments.tol, "TOL", "Largest relative residual of a certified step", "Method");
-  option("--threads", arguments.threads, "N", "Threads a backend may use", "Method");
-  option("--set", arguments.set, "KEY=VALUE", "Any option, see roughcontact options; may be repeated", "Method")
-      ->expected(1)
-      ->take_all();
-
-  option("--out", arguments.out, "DIR", "Folder for summary.json, pressure-K.npy, gap-K.npy and contact-K.png", "Output");
-  solve->add_flag("--resume", arguments.resume, "Go on after the steps that an earlier run into --out has finished")
-      ->group("Output");
-  solve->add_flag("--explain", arguments.explain, "Say why auto chose its solver and backend")->group("Output");
-  solve->add_flag("--quiet", arguments.quiet, "No table and no progress")->group("Output");
-}
-
-constexpr const char* generate_help = R"(
-Lengths are in --unit. A .gsf file is in metres (float32); a .npy file (float64) is in --unit and does not say its pitch: give the
-same --unit and --pitch where it is read. The same arguments give the same surface at every call.
-)";
-
-struct Setting {
-  const char* kinds;  // kinds of surfaces that have it; "": all
-  const char* name;
-  std::optional<std::string> cli::GenerateArguments::*value;
-  const char* type;
-  const char* help;
-};
-
-constexpr Setting generate_settings[] = {
-    {"spectral sphere waves pyramids noise", "--size", &cli::GenerateArguments::size, "N or NX,NY", "Points, 256"},
-    {"rmd", "--levels", &cli::GenerateArguments::levels, "K", "2^K points a side, 8"},
-    {"rmd", "--stage", &cli::GenerateArguments::stage, "S", "The coarser grid of 2^S points a side of the same surface"},
-    {"", "--pitch", &cli::GenerateArguments::pitch, "H or HX,HY", "Cell size, 1 (rmd: of the finest grid)"},
-    {"", "--unit", &cli::GenerateArguments::unit, "UNIT", "Unit of all lengths: m (default), mm, um, nm, pm"},
-    {"rmd spectral noise", "--seed", &cli::GenerateArguments::seed, "N", "Number of the surface, 1"},
-    {"rmd spectral", "--hurst", &cli::GenerateArguments::hurst, "H", "Hurst exponent, 0.7 (rmd) or 0.8 (spectral)"},
-    {"rmd spectral noise", "--rms-height", &cli::GenerateArguments::rms_height, "LENGTH", "rms height, 1 (rmd, noise)"},
-    {"spectral", "--rms-slope", &cli::GenerateArguments::rms_slope, "SLOPE", "rms slope, 0.1 without --rms-height"},
-    {"spectral", "--longest", &cli::GenerateArguments::longest, "LENGTH", "Longest wavelength; the surface's size"},
-    {"spectral", "--rolloff", &cli::GenerateArguments::roll_off, "LENGTH", "Wavelength above which the spectrum is flat; none"},
-    {"spectral", "--shortest", &cli::GenerateArguments::shortest, "LENGTH", "Shortest wavelength; two pitches"},
-    {"sphere", "--radius", &cli::GenerateArguments::radius, "LENGTH", "Radius"},
-    {"waves pyramids", "--height", &cli::GenerateArguments::height, "LENGTH", "Amplitude of waves, height of pyramids, 1"},
-    {"waves pyramids", "--period", &cli::GenerateArguments::period, "P or PX,PY", "Period; 0: none along this direction"},
-};
-
-constexpr std::pair<const char*, const char*> generate_kinds[] = {
-    {"rmd", "Random midpoint displacement, self-affine on all scales"},
-    {"spectral", "Periodic self-affine surface with cut-offs and roll-off"},
-    {"sphere", "A sphere or paraboloid about the centre"},
-    {"waves", "Sinusoidal waves along x, y or both"},
-    {"pyramids", "Square pyramids or ridges"},
-    {"noise", "Independent Gaussian heights"},
-};
-
-void add_generate(CLI::App& app, cli::GenerateArguments& arguments) {
-  CLI::App* generate = app.add_subcommand("generate", "Make a surface and write it to a file");
-  generate->require_subcommand(1);
-  generate->footer(generate_help);
-  for (const auto& [name, help] : generate_kinds) {
-    CLI::App* kind = generate->add_subcommand(name, help);
-    kind->footer(generate_help);
-    kind->add_option("--output", arguments.output, "File to write, .npy or .gsf")->type_name("FILE")->required();
-    for (const Setting& setting : generate_settings) {
-      const std::string_view kinds = setting.kinds;
-      if (!kinds.empty() && kinds.find(name) == std::string_view::npos) continue;
-      kind->add_option(setting.name, arguments.*setting.value, setting.help)->type_name(setting.type);
-    }
-    const std::string_view which = name;
-    if (which == "rmd") {
-      kind->add_flag("--vertices", arguments.vertices, "All 2^K + 1 points a side");
-      kind->add_flag("--additions", arguments.additions, "Random additions to all points at every stage");
-    }
-    if (which == "spectral") kind->add_flag("--fixed-amplitudes", arguments.fixed_amplitudes, "Only phases are random");
-    if (which == "sphere") kind->add_flag("--paraboloid", arguments.paraboloid, "z = -r^2/(2 R) instead of a sphere");
-  }
-}
-
-void add_analyze(CLI::App& app, cli::AnalyzeArguments& arguments) {
-  CLI::App* analyze = app.add_subcommand("analyze", "Roughness parameters and spectrum of a surface, and advice on cmr");
-  add_surface(analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
-  const auto option = [analyze](const char* name, auto& value, const char* type, const char* help) {
-    analyze->add_option(name, value, help)->type_name(type);
-  };
-  analyze->add_flag("--periodic", arguments.periodic, "The surface repeats: no window, only the mean is removed");
-  option("--levels", arguments.levels, "K", "Halvings of the grid to judge cmr for, 4");
-  option("--approach", arguments.approach, "LENGTH", "Approach to judge cmr for; half the highest point's height");
-  option("--json", arguments.json, "FILE", "Write all numbers and the spectrum");
-  option("--picture", arguments.picture, "FILE", "Draw the spectrum with the fitted range (PNG, needs gnuplot)");
+  const std::vector<std::string> extra = app.remaining(true);
+  const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) || dynamic_cast<const CLI::RequiredError*>(&error);
+  const auto found = std::find_if(argv + 1, argv + argc, [&](const char* word) { return std::ranges::count(extra, word) > 0; });
+  if (!unexpected || found == argv + argc) return error.what() + see;
+  const std::string word{*found, std::strcspn(*found, "=")};
+  if (word.starts_with("-") && word.size() > 1)
+    return place + " has no option " + cli::in_quotes(word) + cli::did_you_mean(word, cli::option_names(*at)) + see;
+  if (const auto names = cli::subcommand_names(*at); !names.empty())
+    return place + " has no command " + cli::in_quotes(word) + cli::did_you_mean(word, names) + see;
+  return cli::in_quotes(word) + " is not expected here" + see;
 }
 
 int run(int argc, char** argv) {
   CLI::App app{"Normal contact of rough surfaces on an elastic half-space, every answer certified", "roughcontact"};
   app.set_version_flag("--version", version());
-  app.require_subcommand(0, 1);
-  cli::SolveArguments arguments;
-  add_solve(app, arguments);
-  cli::GenerateArguments generate_arguments;
-  add_generate(app, generate_arguments);
-  cli::AnalyzeArguments analyze_arguments;
-  add_analyze(app, analyze_arguments);
-  app.add_subcommand("backends", "List the backends");
-  app.add_subcommand("solvers", "List the solvers");
-  app.add_subcommand("kernels", "List the influence kernels");
-  app.add_subcommand("options", "List every option with its type, default and range");
-  app.add_subcommand("formats", "List the formats of surface files");
+  cli::CommandLine line;
+  cli::add_commands(app, line);
+  if (argc > 1 && std::string_view(argv[1]) == "complete") {
+    cli::complete(app, {argv + 2, argv + argc});
+    return cli::exit_certified;
+  }
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    cli::report(std::string(error.what()) + "; see roughcontact --help or roughcontact COMMAND --help");
+    cli::report(refusal(app, argc, argv, error));
     return cli::exit_error;
   }
 
-  if (app.got_subcommand("solve")) return cli::run_solve(arguments);
+  if (app.got_subcommand("solve")) return cli::run_solve(line.solve);
   if (app.got_subcommand("generate")) {
-    cli::generate(app.get_subcommand("generate")->get_subcommands().front()->get_name(), generate_arguments);
+    cli::generate(app.get_subcommand("generate")->get_subcommands().front()->get_name(), line.generate);
   }
-  if (app.got_subcommand("analyze")) cli::analyze(analyze_arguments);
+  if (app.got_subcommand("analyze")) cli::analyze(line.analyze);
   if (app.got_subcommand("backends")) cli::list_backends();
   if (app.got_subcommand("solvers")) cli::list_solvers();
   if (app.got_subcommand("kernels")) cli::list_kernels();

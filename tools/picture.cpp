@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <memory>
 #include <numeric>
 #include <string>
-#include <utility>
 
+#include "picture_panel.h"
 #include "picture_raster.h"
 #include "text.h"
 #include "units.h"
@@ -17,219 +15,137 @@ namespace cli {
 
 namespace {
 
-// Lengths in pixels, x from the left and y from the top.
-constexpr double canvas_width = 1400, canvas_height = 700;
-constexpr double title_y = 30, panel_title_gap = 46, unit_gap = 22;
-constexpr double panel_width = 480, panel_height = 490, panel_centre_y = 360;
-constexpr double panel_lefts[] = {98, 798};
-constexpr double bar_gap = 16, bar_width = 20;
+constexpr Colour contact_colour{0xe6, 0x00, 0x2e}, excluded_colour{0xcc, 0xe0, 0xf5}, ring_colour{0x4d, 0xd2, 0xff};
+constexpr Colour open_colour{0x14, 0x14, 0x1c};  // on which the hottest spots stand out
 
-constexpr const char* contact_colour = "#e6002e";
-constexpr unsigned char contact_rgba[] = {0xe6, 0x00, 0x2e, 0xff}, transparent_rgba[] = {0, 0, 0, 0};
-constexpr const char* grey_palette = "0 '#262626', 1 '#f5f5f5'";
-// Samples of matplotlib's inferno (CC0), which is perceptually uniform, from where it leaves black.
-constexpr const char* pressure_palette =
-    "0 '#1b0c41', 1 '#4a0c6b', 2 '#781c6d', 3 '#a52c60', 4 '#cf4446', 5 '#ed6925', 6 '#fb9b06', 7 '#f7d13d', 8 '#fcffa4'";
+Palette greys() { return {{{0x26, 0x26, 0x26}, {0xf5, 0xf5, 0xf5}}}; }
 
-constexpr float not_drawn = std::numeric_limits<float>::quiet_NaN();
-
-double screen_x(double x) { return x / canvas_width; }
-double screen_y(double y) { return 1 - y / canvas_height; }
-
-// The largest of 1, 2, 5 times a power of ten that is not above the value.
-double round_down(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  const double digit = value / power;
-  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+// Samples of matplotlib's inferno (CC0), which is perceptually uniform, from where it is lighter than what is open.
+Palette inferno() {
+  return {{{0x78, 0x1c, 0x6d},
+           {0xa5, 0x2c, 0x60},
+           {0xcf, 0x44, 0x46},
+           {0xed, 0x69, 0x25},
+           {0xfb, 0x9b, 0x06},
+           {0xf7, 0xd1, 0x3d},
+           {0xfc, 0xff, 0xa4}}};
 }
 
-// One panel: its box on the canvas and the surface in the display unit of length.
-struct Panel {
-  double left, top, width, height;
-  double x_length, y_length;
-  Prefix length;
-  bool to_scale;
-
-  Size size() const { return {std::llround(width), std::llround(height)}; }
-};
-
-Panel make_panel(const Surface& surface, double left) {
-  const double x = *surface.hx * static_cast<double>(surface.nx), y = *surface.hy * static_cast<double>(surface.ny);
-  const double scale = std::min(panel_width / x, panel_height / y);
-  // A profile of one row would be too thin to see; it is drawn as a band.
-  const double width = std::max(std::round(scale * x), 120.0), height = std::max(std::round(scale * y), 150.0);
-  const Prefix length = prefix_for(std::max(x, y));
-  const bool to_scale = width < scale * x + 1 && height < scale * y + 1;
-  return {left + std::round((panel_width - width) / 2),
-          std::round(panel_centre_y - height / 2),
-          width,
-          height,
-          x / length.factor,
-          y / length.factor,
-          length,
-          to_scale};
+void append(const Colour& colour, std::string& bytes) {
+  for (const double part : {colour.red, colour.green, colour.blue})
+    bytes += static_cast<char>(static_cast<unsigned char>(std::lround(part)));
 }
 
-std::string frame(const Panel& panel) {
-  const double step_x = round_down(panel.x_length / std::max(panel.width / 90, 1.0));
-  const double step_y = round_down(panel.y_length / std::max(panel.height / 60, 1.0));
-  const double step = panel.to_scale ? std::max(step_x, step_y) : 0;
-  std::string text;
-  text += format("set lmargin at screen %.6f\nset rmargin at screen %.6f\n", screen_x(panel.left),
-                 screen_x(panel.left + panel.width));
-  text +=
-      format("set tmargin at screen %.6f\nset bmargin at screen %.6f\n", screen_y(panel.top), screen_y(panel.top + panel.height));
-  // Row 0 is at the top, as in Gwyddion.
-  text += format("set xrange [0:%.9g]\nset yrange [%.9g:0]\n", panel.x_length, panel.y_length);
-  text += format("set xtics out nomirror %.9g offset 0,0.2\nset ytics out nomirror %.9g offset 0.4,0\n", std::max(step, step_x),
-                 std::max(step, step_y));
-  text += format("set xlabel 'x [%sm]' offset 0,0.3\nset ylabel 'y [%sm]%s' offset 1.8,0\n", panel.length.symbol.c_str(),
-                 panel.length.symbol.c_str(), panel.to_scale ? "" : ", stretched");
-  return text;
-}
-
-std::string colour_bar(const Panel& panel, const char* palette, double low, double high, const std::string& unit) {
-  const double left = panel.left + panel.width + bar_gap;
-  std::string text = format("set palette defined (%s)\nset cbrange [%.9g:%.9g]\n", palette, low, high);
-  text += format("set colorbox vertical user origin screen %.6f,%.6f size screen %.6f,%.6f front\n", screen_x(left),
-                 screen_y(panel.top + panel.height), bar_width / canvas_width, panel.height / canvas_height);
-  text += format("set cbtics out nomirror %.9g offset -0.5,0\n", round_down((high - low) / (panel.height / 100)));
-  text += format("set label 3 '%s' at screen %.6f,%.6f left\n", unit.c_str(), screen_x(left), screen_y(panel.top - unit_gap));
-  return text;
-}
-
-std::string panel_title(const Panel& panel, const std::string& title) {
-  return format("set label 1 '%s' at screen %.6f,%.6f left\n", title.c_str(), screen_x(panel.left),
-                screen_y(panel.top - panel_title_gap));
-}
-
-// Below the colour bar, where it hides nothing.
-std::string scale_bar(const Panel& panel) {
-  const double length = round_down(0.3 * panel.x_length);
-  const double right = panel.left + panel.width + bar_gap + bar_width + 35, left = right - length / panel.x_length * panel.width;
-  const double y = panel.top + panel.height + 73;
-  const Prefix prefix = prefix_for(length * panel.length.factor);
-  std::string text = format("set arrow 1 from screen %.6f,%.6f to screen %.6f,%.6f nohead linewidth 6 linecolor rgb 'black'\n",
-                            screen_x(left), screen_y(y), screen_x(right), screen_y(y));
-  text += format("set label 2 '%g %sm' at screen %.6f,%.6f center\n", length * panel.length.factor / prefix.factor,
-                 prefix.symbol.c_str(), screen_x((left + right) / 2), screen_y(y - 17));
-  return text;
-}
-
-// Where gnuplot is to put the cells of a raster, as options of `plot '-' binary`.
-std::string placement(const Panel& panel, const Raster& raster) {
-  const double dx = panel.x_length / static_cast<double>(raster.nx), dy = panel.y_length / static_cast<double>(raster.ny);
-  return format("array=(%lld,%lld) dx=%.9g dy=%.9g origin=(%.9g,%.9g)", static_cast<long long>(raster.nx),
-                static_cast<long long>(raster.ny), dx, dy, dx / 2, dy / 2);
-}
-
-std::string bytes(const std::vector<float>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
-}
-
-// Contact cells in the contact colour, all others transparent.
-std::string contact_overlay(const Raster& pressure) {
-  std::string rgba;
-  for (const float p : pressure.values) {
-    const bool contact = p > 0;
-    rgba.append(reinterpret_cast<const char*>(contact ? contact_rgba : transparent_rgba), 4);
-  }
-  return rgba;
-}
-
-std::string title(const Picture& picture) {
+std::string title(const Picture& picture, const Layout& layout) {
   const rc_result& r = picture.step.result;
-  const bool good = r.status == RC_OK || r.status == RC_WITHIN_GOAL;
-  const char* const status = r.status == RC_OK ? "certified" : good ? "within accuracy" : rc_status_name(r.status);
+  const char* const status = r.status == RC_OK ? "certified" : picture.step.good() ? "within accuracy" : rc_status_name(r.status);
   const std::string margin =
       r.status == RC_WITHIN_GOAL ? format(" +- %.2g %% of it", 100 * picture.step.accuracy.area_estimate) : "";
-  const Prefix force = prefix_for(r.load), length = prefix_for(r.approach);
-  return format(
-      "set label 10 'step %d of %zu    approach %.3g %sm    load %.3g %sN    contact area %.3g %%%s    %s' "
-      "at screen 0.5,%.6f center font ',20' noenhanced textcolor rgb '%s'\n",
-      picture.step.number, picture.steps, r.approach / length.factor, length.symbol.c_str(), r.load / force.factor,
-      force.symbol.c_str(), 100 * picture.step.area_fraction(), margin.c_str(), status, screen_y(title_y),
-      good ? "black" : contact_colour);
+  const double middle = static_cast<double>(layout.canvas().width) / 2;
+  const auto line = [&](int number, const std::string& text, double y, const std::string& colour) {
+    return format("set label %d '%s' at screen %s center font ',20' noenhanced textcolor rgb '%s'\n", number, text.c_str(),
+                  layout.screen(middle, y).c_str(), colour.c_str());
+  };
+  return line(10, format("step %d of %zu, %s", picture.step.number, picture.steps, status), 28,
+              picture.step.good() ? "black" : contact_colour.text()) +
+         line(11,
+              "load " + with_prefix(r.load, "N") + "    mean pressure " + with_prefix(r.mean_pressure, "Pa") + "    approach " +
+                  with_prefix(r.approach, "m") + format("    contact area %.3g %%", 100 * picture.step.area_fraction()) + margin,
+              60, "black");
 }
 
 // The value that this fraction of all values does not exceed.
-float quantile(std::vector<float> values, double fraction) {
+double quantile(std::vector<double> values, double fraction) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
 
-// Excluded points have no height.
-template <class Number> std::vector<Number> without_nan(const std::vector<Number>& values) {
-  std::vector<Number> present;
-  std::ranges::copy_if(values, std::back_inserter(present), [](Number value) { return !std::isnan(value); });
-  return present;
-}
-
-std::string height_panel(const Surface& surface, const Raster& pressure) {
-  const Panel panel = make_panel(surface, panel_lefts[0]);
-  const std::vector<double> present = without_nan(surface.heights);
-  const double mean = std::accumulate(present.begin(), present.end(), 0.0) / static_cast<double>(present.size());
-  const auto [lowest, highest] = std::ranges::minmax(present);
-  const Prefix prefix = prefix_for(highest - lowest);
-  std::vector<double> relative;
-  relative.reserve(surface.heights.size());
-  for (const double z : surface.heights) relative.push_back((z - mean) / prefix.factor);
-  const Raster heights = block_mean(relative, surface.nx, surface.ny, panel.size());
-
+// Heights in grey, and over them each pixel's share of contact in red.
+std::string height_panel(const Surface& surface, const Layout& layout, const std::vector<double>& contact) {
+  const auto means = [&](auto value) { return pixel_means(surface.nx, surface.ny, layout.panel(), value); };
+  const std::vector<double> present = means([&](std::size_t i) { return std::isnan(surface.heights[i]) ? 0 : 1; });
+  const std::vector<double> sums = means([&](std::size_t i) { return std::isnan(surface.heights[i]) ? 0 : surface.heights[i]; });
+  std::vector<double> shown;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (present[i] > 0) shown.push_back(sums[i] / present[i]);
+  }
+  const double mean = std::accumulate(shown.begin(), shown.end(), 0.0) / static_cast<double>(shown.size());
   // A few outliers must not take all the contrast.
-  const std::vector<float> shown = without_nan(heights.values);
-  const float dark = quantile(shown, 0.002), bright = quantile(shown, 0.998);
-  const float margin = bright > dark ? 0.0f : 1.0f;
+  double dark = quantile(shown, 0.002) - mean, bright = quantile(shown, 0.998) - mean;
+  const Prefix prefix = prefix_for(bright - dark);
+  if (!(bright > dark)) {
+    dark -= prefix.factor;
+    bright += prefix.factor;
+  }
 
-  std::string text = frame(panel) + scale_bar(panel) + panel_title(panel, "height above mean, {/:Bold contact in red}");
-  text += colour_bar(panel, grey_palette, dark - margin, bright + margin, prefix.symbol + "m");
-  text += "plot '-' binary " + placement(panel, heights) + " format='%float32' with image notitle, '-' binary " +
-          placement(panel, pressure) + " format='%uchar%uchar%uchar%uchar' using 1:2:3:4 with rgbalpha notitle\n";
-  return text + bytes(heights.values) + contact_overlay(pressure);
+  const Palette palette = greys();
+  std::string bytes;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double height = present[i] > 0 ? sums[i] / present[i] - mean : 0;
+    const Colour ground = excluded_colour.mixed(palette.at((height - dark) / (bright - dark)), present[i]);
+    append(ground.mixed(contact_colour, contact[i]), bytes);
+  }
+  return layout.frame(0, "height above mean [" + prefix.symbol + "m], {/:Bold contact in red}" +
+                             (present.size() == shown.size() ? "" : ", excluded in blue")) +
+         layout.colour_bar(0, palette, dark / prefix.factor, bright / prefix.factor) + layout.image() + bytes;
 }
 
 // The colours end below the maximum, because a few cells on a sharp edge may be far above all others.
-double bright_pressure(const Raster& pressure) {
-  std::vector<float> contacts;
-  std::ranges::copy_if(pressure.values, std::back_inserter(contacts), [](float p) { return p > 0; });
-  return contacts.empty() ? 1 : static_cast<double>(quantile(contacts, 0.99));
+double bright_pressure(const std::vector<double>& pressure) {
+  std::vector<double> contacts;
+  std::ranges::copy_if(pressure, std::back_inserter(contacts), [](double p) { return p > 0; });
+  return contacts.empty() ? 1 : quantile(std::move(contacts), 0.99);
 }
 
-std::string pressure_panel(const Surface& surface, Raster pressure, double largest) {
-  const Panel panel = make_panel(surface, panel_lefts[1]);
-  const double bright = bright_pressure(pressure);
-  const Prefix prefix = prefix_for(bright), largest_prefix = prefix_for(largest);
-  for (float& p : pressure.values) p = p > 0 ? static_cast<float>(static_cast<double>(p) / prefix.factor) : not_drawn;
-  const std::string title =
-      largest > 0 ? format("pressure, maximum %.3g %sPa", largest / largest_prefix.factor, largest_prefix.symbol.c_str())
-                  : "pressure: no contact";
+// A ring around the largest pressure, which may be of a single point.
+std::string ring(const Surface& surface, const Layout& layout, std::size_t point) {
+  const std::int64_t x = static_cast<std::int64_t>(point) % surface.nx, y = static_cast<std::int64_t>(point) / surface.nx;
+  const auto place = [](std::int64_t i, std::int64_t count, std::int64_t pixels) {
+    return (static_cast<double>(i) + 0.5) / static_cast<double>(count) * static_cast<double>(pixels);
+  };
+  const Layout::Place corner = layout.corner(1);
+  return format(
+      "set object 1 circle at screen %s size screen %.6f fillstyle empty border rgb '%s' linewidth 2 front\n",
+      layout.screen(corner.x + place(x, surface.nx, layout.panel().width), corner.y + place(y, surface.ny, layout.panel().height))
+          .c_str(),
+      12.0 / static_cast<double>(layout.canvas().width), ring_colour.text().c_str());
+}
 
-  std::string text = frame(panel) + scale_bar(panel) + panel_title(panel, title);
-  text += colour_bar(panel, pressure_palette, 0, bright / prefix.factor, prefix.symbol + "Pa");
-  text += "plot '-' binary " + placement(panel, pressure) + " format='%float32' with image notitle\n";
-  return text + bytes(pressure.values);
+// Each pixel's mean pressure of its points in contact, faded by their share of the pixel.
+std::string pressure_panel(const Picture& picture, const Layout& layout, const std::vector<double>& contact) {
+  const Surface& surface = picture.surface;
+  const std::vector<double> sums =
+      pixel_means(surface.nx, surface.ny, layout.panel(), [&](std::size_t i) { return picture.pressure[i]; });
+  const double bright = bright_pressure(picture.pressure);
+  const Palette palette = inferno();
+  std::string bytes;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double pressure = contact[i] > 0 ? sums[i] / contact[i] : 0;
+    append(open_colour.mixed(palette.at(pressure / bright), contact[i]), bytes);
+  }
+  const auto largest = std::ranges::max_element(picture.pressure);
+  const Prefix prefix = prefix_for(bright);
+  std::string text =
+      layout.frame(1, *largest > 0 ? "pressure [" + prefix.symbol + "Pa], largest " + with_prefix(*largest, "Pa") + " in the ring"
+                                   : "pressure: no contact");
+  if (*largest > 0) text += ring(surface, layout, static_cast<std::size_t>(largest - picture.pressure.begin()));
+  return text + layout.colour_bar(1, palette, 0, bright / prefix.factor) + layout.image() + bytes;
 }
 
 }  // namespace
 
 Gnuplot draw_picture(const Picture& picture, std::FILE* file) {
-  const Surface& surface = picture.surface;
-  const Size size = make_panel(surface, 0).size();
-  Raster pressure = block_max(picture.pressure, surface.nx, surface.ny, size);
-  grow_small_spots(pressure, size);
-  const double largest = *std::ranges::max_element(picture.pressure);
-
-  std::string script =
-      format("set terminal pngcairo size %.0f,%.0f font 'Sans,16' background rgb 'white'\n", canvas_width, canvas_height);
-  script += "set encoding utf8\nset border linewidth 1.2\nset multiplot\n" + title(picture);
-  script +=
-      height_panel(surface, pressure) + "unset label 10\n" + pressure_panel(surface, pressure, largest) + "unset multiplot\n";
-
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::tmpfile(), std::fclose};
-  if (!stream) return {false, false, "no temporary file"};
-  std::fwrite(script.data(), 1, script.size(), stream.get());
-  return run_gnuplot(stream.get(), file);
+  const Layout layout{picture.surface};
+  const std::vector<double> contact = pixel_means(picture.surface.nx, picture.surface.ny, layout.panel(),
+                                                  [&](std::size_t i) { return picture.pressure[i] > 0 ? 1 : 0; });
+  const std::string script =
+      format("set terminal pngcairo size %lld,%lld font 'Sans,16' background rgb 'white'\n",
+             static_cast<long long>(layout.canvas().width), static_cast<long long>(layout.canvas().height)) +
+      "set encoding utf8\nset border back\nset multiplot\n" + title(picture, layout) +
+      height_panel(picture.surface, layout, contact) + "unset label 10\nunset label 11\n" +
+      pressure_panel(picture, layout, contact) + "unset multiplot\n";
+  return run_gnuplot(script, file);
 }
 
 }  // namespace cli

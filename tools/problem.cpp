@@ -1,7 +1,9 @@
 #include "problem.h"
 
+#include "choices.h"
 #include "error.h"
 #include "numbers.h"
+#include "quantities.h"
 #include "targets.h"
 #include "text.h"
 
@@ -9,41 +11,50 @@ namespace cli {
 
 namespace {
 
-double contact_modulus(const SolveArguments& arguments) {
-  if (arguments.modulus && (arguments.young || arguments.poisson)) throw Error("give either --modulus or --E and --nu, not both");
-  if (arguments.modulus) return positive_number("--modulus", *arguments.modulus);
-  if (!arguments.young && !arguments.poisson) throw Error("the elastic modulus is missing, give --modulus or --E and --nu");
-  if (!arguments.young || !arguments.poisson) {
-    throw Error(std::string(arguments.young ? "--nu" : "--E") + " is missing, --E and --nu go together");
-  }
+using Text = std::optional<std::string>;
 
-  const double young = positive_number("--E", *arguments.young);
-  const double poisson = finite_number("--nu", *arguments.poisson);
-  if (!(poisson > -1 && poisson <= 0.5)) throw Error("--nu: " + in_quotes(*arguments.poisson) + " is not in (-1, 0.5]");
+// E/(1 - nu^2) of one body; `which`: "" or "2", after the options' names.
+double plane_modulus(const std::string& which, const Text& young_text, const Text& poisson_text) {
+  const std::string young_name = "--E" + which, poisson_name = "--nu" + which;
+  if (!young_text || !poisson_text) {
+    throw Error((young_text ? poisson_name : young_name) + " is missing, " + young_name + " and " + poisson_name +
+                " go together");
+  }
+  const double young = read_positive(young_name, *young_text, Dimension::pressure).si();
+  const double poisson = finite_number(poisson_name, *poisson_text);
+  if (!(poisson > -1 && poisson <= 0.5)) throw Error(poisson_name + ": " + in_quotes(*poisson_text) + " is not in (-1, 0.5]");
   return young / (1 - poisson * poisson);
 }
 
+double contact_modulus(const SolveArguments& arguments) {
+  const bool one = arguments.young || arguments.poisson, other = arguments.young2 || arguments.poisson2;
+  if (arguments.modulus && (one || other)) throw Error("give either --modulus or --E and --nu, not both");
+  if (arguments.modulus) return read_positive("--modulus", *arguments.modulus, Dimension::pressure).si();
+  if (!one && !other) throw Error("the elastic modulus is missing, give --modulus or --E and --nu");
+  const double first = plane_modulus("", arguments.young, arguments.poisson);
+  return other ? 1 / (1 / first + 1 / plane_modulus("2", arguments.young2, arguments.poisson2)) : first;
+}
+
 int32_t boundary(const std::optional<std::string>& name) {
-  if (!name || *name == "free") return RC_BOUNDARY_FREE;
-  if (*name == "periodic") return RC_BOUNDARY_PERIODIC;
-  throw Error("--boundary: " + in_quotes(*name) + " is not known, give free or periodic");
+  return name && choice("--boundary", *name, boundary_names) == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
 }
 
 void set_targets(const SolveArguments& arguments, double unit, Problem& problem) {
   struct Control {
     const char* name;
     const std::optional<std::string>& text;
-    double scale;
+    Dimension dimension;
+    double unit;
   };
-  const Control controls[] = {
-      {"displacement", arguments.displacement, unit}, {"load", arguments.load, 1}, {"pressure", arguments.pressure, 1}};
+  const Control controls[] = {{"displacement", arguments.displacement, Dimension::length, unit},
+                              {"load", arguments.load, Dimension::force, 1},
+                              {"pressure", arguments.pressure, Dimension::pressure, 1}};
 
-  for (const auto& [name, text, scale] : controls) {
+  for (const auto& [name, text, dimension, alone] : controls) {
     if (!text) continue;
     if (!problem.control.empty()) throw Error("give only one of --" + problem.control + " and --" + name);
     problem.control = name;
-    problem.targets = parse_targets("--" + problem.control, *text);
-    for (double& target : problem.targets) target *= scale;
+    problem.targets = parse_targets("--" + problem.control, *text, dimension, alone);
   }
   if (problem.control.empty()) throw Error("what to press with is missing, give --displacement, --load or --pressure");
 }
@@ -81,7 +92,7 @@ Problem make_problem(const SolveArguments& arguments) {
   problem.system = RC_SYSTEM_INIT;
   const double unit = unit_of(arguments.surface);
   problem.system.modulus = contact_modulus(arguments);
-  if (arguments.hardness) problem.system.hardness = positive_number("--hardness", *arguments.hardness);
+  if (arguments.hardness) problem.system.hardness = read_positive("--hardness", *arguments.hardness, Dimension::pressure).si();
   problem.system.boundary = boundary(arguments.boundary);
   set_targets(arguments, unit, problem);
   set_options(arguments, problem);

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,11 @@
 
 namespace cli {
 
+inline constexpr std::string_view boundary_names[] = {"free", "periodic"};
+
 struct SolveArguments {
   SurfaceArguments surface;
-  std::optional<std::string> young, poisson, modulus, hardness;
+  std::optional<std::string> young, poisson, young2, poisson2, modulus, hardness;
   std::optional<std::string> displacement, load, pressure;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value

@@ -3,10 +3,14 @@
 #include <roughcontact/history.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 
+#include "conclusion.h"
+#include "cores.h"
 #include "error.h"
 #include "interrupt.h"
 #include "library.h"
@@ -24,6 +28,7 @@ Options make_options(const Context& context, const Problem& problem) {
   rc_options* handle = nullptr;
   check(rc_options_create(context.get(), &handle), "");
   Options options{handle};
+  check(rc_options_set_int(handle, RC_OPT_THREADS, usable_cores()), "");
   for (const auto& [key, text] : problem.options) check(rc_options_parse(handle, key.c_str(), text.c_str()), "");
   return options;
 }
@@ -54,7 +59,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   step.mask = first && !problem.input.mask.empty() ? problem.input.mask.data() : nullptr;
   step.borrow = 1;
 
-  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}};
+  StepRecord record{number, RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
   record.result.p = fields.pressure.data();
   record.result.gap = fields.gap.data();
   const rc_status status = rc_contact_solve(contact, &step, &record.result);
@@ -62,6 +67,7 @@ StepRecord solve_step(rc_contact* contact, const Problem& problem, int number, b
   check(status, format("step %d", number));
   check(rc_contact_accuracy(contact, &record.accuracy), "");
   if (!fields.indentation.empty()) check(rc_contact_indentation(contact, fields.indentation.data()), "");
+  record.measures = measure(problem, fields);
   return record;
 }
 
@@ -85,6 +91,14 @@ void restore(rc_contact* contact, const Problem& problem, const std::vector<doub
   if (!indentation.empty()) state.indentation = indentation.data();
   check(rc_contact_restore(contact, &state), "--resume");
   report(format("--resume: %d of %zu steps are finished", files.finished(), problem.targets.size()));
+}
+
+// What the library finds doubtful, with the option that helps.
+std::string remarks(const StepRecord& step) {
+  constexpr std::string_view doubt = "level them";
+  std::string text = step.result.note;
+  if (const auto place = text.find(doubt); place != std::string::npos) text.insert(place + doubt.size(), " with --remove plane");
+  return text;
 }
 
 void report_choice(rc_contact* contact) {
@@ -123,6 +137,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   const int finished = files ? files->finished() : 0;
   if (finished > 0) restore(contact.get(), problem, gap, *files);
 
+  std::string remarked, last;
   ExitCode code = files && !files->all_certified() ? exit_uncertified : exit_certified;
   for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
     const bool first = number == finished + 1;
@@ -134,15 +149,20 @@ ExitCode run_solve(const SolveArguments& arguments) {
     for (const std::string& note : problem.input.notes) {
       if (first) report(note);
     }
-    const bool good = step.result.status == RC_OK || step.result.status == RC_WITHIN_GOAL;
-    if (!good) code = exit_uncertified;
+    if (!step.good()) code = exit_uncertified;
     if (!arguments.quiet && first) print_table_head(problem);
     if (!arguments.quiet) print_table_row(problem, step);
-    if (!good || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
+    if (!step.good() || (!arguments.quiet && !bar.enabled())) report_step(step, problem.targets.size());
     if (arguments.explain) report_choice(contact.get());
+    const std::string said = remarks(step);
+    if (!said.empty() && said != remarked) report("remark: " + said);
+    remarked = said;
     if (files) files->write(step, fields);
+    last = conclusion(problem, step);
     if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
   }
+  if (files && !interrupt.requested()) files->write_history();
+  if (!arguments.quiet && !last.empty()) std::printf("%s\n", last.c_str());
   return interrupt.requested() ? exit_cancelled : code;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "text.h"
@@ -29,10 +28,7 @@ std::string quoted(const std::string& text) {
 
 double power_law(const rc_surface_power_law& law, double q) { return law.prefactor * std::pow(q, law.slope); }
 
-std::string length_text(double q) {
-  const Prefix prefix = prefix_for(wavelength(q));
-  return format("%.3g %sm", wavelength(q) / prefix.factor, prefix.symbol.c_str());
-}
+std::string length_text(double q) { return with_prefix(wavelength(q), "m"); }
 
 // A line across the picture; spectra fall, so there is room beside its upper end.
 std::string mark(int number, double q, const char* text, double height) {
@@ -94,10 +90,7 @@ Gnuplot draw_spectrum(const Analysis& analysis, std::FILE* file) {
   }
   script += "\n";
 
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::tmpfile(), std::fclose};
-  if (!stream) return {false, false, "no temporary file"};
-  std::fwrite(script.data(), 1, script.size(), stream.get());
-  return run_gnuplot(stream.get(), file);
+  return run_gnuplot(script, file);
 }
 
 }  // namespace cli

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
+#include <string_view>
 
 #include "error.h"
 #include "npy_writer.h"
@@ -15,6 +17,7 @@ namespace cli {
 namespace {
 
 constexpr const char* summary_name = "summary.json";
+constexpr const char* history_name = "history.png";
 
 std::string step_name(const char* stem, std::size_t number, const char* extension) {
   return format("%s-%zu.%s", stem, number, extension);
@@ -23,6 +26,16 @@ std::string step_name(const char* stem, std::size_t number, const char* extensio
 std::vector<std::string> step_names(std::size_t number) {
   return {step_name("pressure", number, "npy"), step_name("gap", number, "npy"), step_name("indentation", number, "npy"),
           step_name("contact", number, "png")};
+}
+
+HistoryPoint history_point(const EarlierStep& step) {
+  const auto number = [&step](std::string_view field) {
+    for (const auto& [place, value] : step.fields) {
+      if (place.ends_with(field) && value.is_number()) return value.get<double>();
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  return {step.load, number("/area_fraction"), number("/corrected_area"), number("/mean_gap"), number("/stiffness")};
 }
 
 // The number of the step that a file of this name belongs to; 0: of none.
@@ -60,7 +73,7 @@ StepFiles::~StepFiles() {
 void StepFiles::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
     const std::string target{target_of_temporary(name)};
-    if (target == summary_name || step_of(target) > 0) folder_.remove(name);
+    if (target == summary_name || target == history_name || step_of(target) > 0) folder_.remove(name);
   }
 }
 
@@ -68,7 +81,8 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
   const std::size_t own = earlier_ ? earlier_->own_steps() : 0;
   for (const std::string& name : present) {
     const std::size_t step = step_of(name);
-    if (name == summary_name ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
+    if (name == summary_name || name == history_name ? earlier_.has_value() : step <= own || step > problem_.targets.size())
+      continue;
     throw Error("--out: " + in_quotes(folder_.path(name).native()) +
                 " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
@@ -81,6 +95,7 @@ void StepFiles::take_up(const EarlierRun& now) {
   check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).native()));
   for (const EarlierStep& step : steps) {
     summary_.add(step.fields);
+    history_.push_back(history_point(step));
     all_certified_ = all_certified_ && step.certified();
   }
   finished_ = static_cast<int>(steps.size());
@@ -117,6 +132,7 @@ void StepFiles::begin() {
   begun_ = true;
   const std::size_t kept = static_cast<std::size_t>(finished_), own = earlier_ ? earlier_->own_steps() : 0;
   write_summary(summary_.text(own > kept ? own : 0));
+  if (own > 0) folder_.remove(history_name);
   for (std::size_t k = kept + 1; k <= own; ++k) {
     for (const std::string& name : step_names(k)) folder_.remove(name);
   }
@@ -136,22 +152,32 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   folder_.write(step_name("pressure", number, "npy"), array(fields.pressure));
   folder_.write(step_name("gap", number, "npy"), array(fields.gap));
   if (!fields.indentation.empty()) folder_.write(step_name("indentation", number, "npy"), array(fields.indentation));
-  if (can_draw_) draw(step, fields);
+  if (can_draw_) {
+    draw(step_name("contact", number, "png"), [&](std::FILE* file) {
+      return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
+    });
+  }
+  history_.push_back(
+      {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
 
   summary_.add(step);
   write_summary(summary_.text());
   unfinished_ = 0;
 }
 
-void StepFiles::draw(const StepRecord& step, const Fields& fields) {
-  const std::string picture = step_name("contact", static_cast<std::size_t>(step.number), "png");
-  folder_.write(picture, [&](std::FILE* file) {
-    const Gnuplot outcome = draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
+void StepFiles::write_history() {
+  if (history_.size() < 2 || !can_draw_) return;
+  draw(history_name, [this](std::FILE* file) { return draw_history(problem_, history_, file); });
+}
+
+void StepFiles::draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture) {
+  folder_.write(name, [&](std::FILE* file) {
+    const Gnuplot outcome = picture(file);
     can_draw_ = !outcome.missing;
     if (outcome.missing) {
-      report("gnuplot not found: contact-K.png not drawn");
+      if (name != history_name) report("gnuplot not found: contact-K.png not drawn");  // else told before
     } else if (!outcome.drawn) {
-      report(picture + " not drawn, gnuplot failed: " + outcome.message);
+      report(name + " not drawn, gnuplot failed: " + outcome.message);
     }
     return outcome.drawn;
   });

@@ -1,23 +1,20 @@
 // The files of `roughcontact solve --out`: those of every step and summary.json. It also reads those of an earlier run to resume.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "contact_measures.h"
 #include "earlier_run.h"
+#include "history_picture.h"
 #include "output_folder.h"
 #include "problem.h"
 #include "step_record.h"
 #include "summary.h"
 
 namespace cli {
-
-// Pressures and deformed gaps of a step and, where there is a hardness, the plastic indentation after it.
-struct Fields {
-  Fields(std::size_t points, bool yields) : pressure(points), gap(points), indentation(yields ? points : 0) {}
-  std::vector<double> pressure, gap, indentation;
-};
 
 // A certified step of an earlier run.
 struct CertifiedStep {
@@ -43,6 +40,8 @@ class StepFiles {
   std::vector<double> indentation() const;
 
   void write(const StepRecord& step, const Fields& fields);
+  // Draws all steps so far, where there are two or more.
+  void write_history();
 
  private:
   std::vector<double> values(const char* stem, std::size_t number) const;
@@ -51,7 +50,7 @@ class StepFiles {
   void take_up(const EarlierRun& now);
   void begin();
   void write_summary(const std::string& text);
-  void draw(const StepRecord& step, const Fields& fields);
+  void draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
 
   OutputFolder folder_;
   const Problem& problem_;
@@ -59,6 +58,7 @@ class StepFiles {
   std::optional<EarlierRun> earlier_;
   int finished_ = 0;
   bool all_certified_ = true, begun_ = false, can_draw_ = true;
+  std::vector<HistoryPoint> history_;
   std::size_t unfinished_ = 0;  // the step whose files are being written; 0: none
 };
 

@@ -6,14 +6,18 @@
 #include <algorithm>
 #include <string>
 
+#include "contact_measures.h"
+
 namespace cli {
 
 struct StepRecord {
   int number;  // 1, 2, ...
   rc_result result;
   rc_accuracy accuracy;
+  ContactMeasures measures;
   std::string message;  // why the step is not certified; "" if it is
 
+  bool good() const { return result.status == RC_OK || result.status == RC_WITHIN_GOAL; }
   double area_fraction() const { return static_cast<double>(result.contacts) / static_cast<double>(result.points); }
   double worst_residual() const {
     return std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control});

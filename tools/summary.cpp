@@ -32,9 +32,7 @@ std::string checksum(const std::vector<double>& heights) {
 Summary::Summary(const Problem& problem) : hardness_(problem.system.hardness > 0) {
   const rc_system& system = problem.system;
   document_.begin("units");
-  document_.add({{"length", "m"},
-                 {"pressure", "the unit of the modulus: Pa if it was given in Pa"},
-                 {"force", "pressure m^2: N if the modulus was given in Pa"}});
+  document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}});
   document_.end();
   document_.begin("input");
   document_.add({{"file", problem.input.file},
@@ -51,6 +49,8 @@ Summary::Summary(const Problem& problem) : hardness_(problem.system.hardness > 0
                  {"boundary", system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free"},
                  {"control", problem.control}});
   if (hardness_) document_.add("hardness", system.hardness);
+  if (!problem.input.against.empty()) document_.add("against", problem.input.against);
+  if (!problem.input.shape.empty()) document_.add("shape", problem.input.shape);
   document_.add("targets", problem.targets);
   document_.begin("options");
   for (auto option = problem.options.begin(); option != problem.options.end(); ++option) {
@@ -71,6 +71,13 @@ void Summary::add(const StepRecord& step) {
                  {"load", r.load},
                  {"mean_pressure", r.mean_pressure},
                  {"area_fraction", step.area_fraction()},
+                 {"max_pressure", step.measures.max_pressure},
+                 {"mean_gap", step.measures.mean_gap},
+                 {"corrected_area", step.measures.corrected_area},
+                 {"patches", step.measures.patches},
+                 {"largest_patch", step.measures.largest_patch},
+                 {"contact_crosses", step.measures.contact.text()},
+                 {"gap_crosses", step.measures.gap.text()},
                  {"contacts", r.contacts},
                  {"candidates", r.candidates},
                  {"stiffness", r.stiffness},

@@ -4,27 +4,34 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "surface.h"
 
 namespace cli {
 
+inline constexpr std::string_view missing_rule_names[] = {"reject", "fill", "exclude"};
+
 struct SurfaceArguments {
   std::string file;
   std::optional<std::string> format, pitch, unit, missing, remove;
+  std::optional<std::string> against, shape;
 };
 
 struct SurfaceInput {
   std::string file;
   Surface surface;                 // with its pitch; excluded points have the height NaN
+  std::string against;             // file of the other body's heights, which were added; "" if it is flat
+  std::string shape;               // that was added, as given; "" if none
   std::string removed;             // "none", "mean", "plane" or "quadric"
   std::int64_t missing = 0;        // points
   std::string missing_rule;        // what was done with them: "reject" (there are none), "fill" or "exclude"
   std::vector<std::uint8_t> mask;  // 0: excluded; empty where no point is
   std::vector<std::string> notes;  // what the user should know about the choices made
 
-  // ", plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if nothing.
+  // ", against other.gsf, plane removed, 12 missing points filled": what was done to the heights, for a line of text; "" if
+  // nothing.
   std::string preparation() const;
 };
 

@@ -16,18 +16,19 @@ void print_table_head(const Problem& problem) {
               system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free", problem.input.preparation().c_str());
   if (system.hardness > 0)
     std::printf("hardness %.6g: pressures are at most that, the overlap there is plastic\n", system.hardness);
-  std::printf("%4s %12s %12s %13s %9s %12s %8s %10s %8s %10s %8s  %-20s %s\n", "step", "approach", "load", "mean pressure",
-              "area", "stiffness", "residual", "iterations", "products", "candidates", "seconds", "solver/backend", "status");
+  std::printf("%4s %12s %12s %13s %12s %9s %12s %12s %8s %10s %8s %10s %8s  %-20s %s\n", "step", "approach", "load",
+              "mean pressure", "max pressure", "area", "mean gap", "stiffness", "residual", "iterations", "products",
+              "candidates", "seconds", "solver/backend", "status");
   std::fflush(stdout);
 }
 
 void print_table_row(const Problem& problem, const StepRecord& step) {
   const rc_result& r = step.result;
   const std::string names = std::string(r.solver) + "/" + r.backend;
-  std::printf("%4d %12.6g %12.6g %13.6g %9.6f %12.6g %8.1e %10lld %8lld %10lld %8.3g  %-20s %s\n", step.number, r.approach,
-              r.load, r.mean_pressure, step.area_fraction(), r.stiffness, step.worst_residual(),
-              static_cast<long long>(r.iterations), static_cast<long long>(r.applications), static_cast<long long>(r.candidates),
-              r.seconds, names.c_str(), rc_status_name(r.status));
+  std::printf("%4d %12.6g %12.6g %13.6g %12.6g %9.6f %12.6g %12.6g %8.1e %10lld %8lld %10lld %8.3g  %-20s %s\n", step.number,
+              r.approach, r.load, r.mean_pressure, step.measures.max_pressure, step.area_fraction(), step.measures.mean_gap,
+              r.stiffness, step.worst_residual(), static_cast<long long>(r.iterations), static_cast<long long>(r.applications),
+              static_cast<long long>(r.candidates), r.seconds, names.c_str(), rc_status_name(r.status));
   if (r.status == RC_WITHIN_GOAL)
     std::printf("%4s estimated errors: %.2g %% of what accuracy is of, %.2g %% of the area\n", "",
                 100 * step.accuracy.error_estimate, 100 * step.accuracy.area_estimate);

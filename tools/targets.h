@@ -1,12 +1,15 @@
-// The points of a loading sequence: one number, a list "a,b,c" or a range "a:b:n" of n equidistant points, both ends included.
+// The points of a loading sequence: one number, a list "a,b,c" or a range "a:b:n" of n equidistant points, both ends included;
+// every number may have a unit.
 #pragma once
 
 #include <string_view>
 #include <vector>
 
+#include "units.h"
+
 namespace cli {
 
-// `option` is named in errors. Negative and non-finite targets are errors.
-std::vector<double> parse_targets(std::string_view option, std::string_view text);
+// In SI units; numbers alone count in `unit`. `option` is named in errors. Negative and non-finite targets are errors.
+std::vector<double> parse_targets(std::string_view option, std::string_view text, Dimension dimension, double unit = 1);
 
 }  // namespace cli

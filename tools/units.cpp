@@ -3,15 +3,46 @@
 #include <cmath>
 #include <utility>
 
+#include "formats/units.h"
+#include "text.h"
+
 namespace cli {
 
 namespace {
+
+struct Symbol {
+  std::string_view text;
+  Dimension dimension;
+};
+constexpr Symbol symbols[] = {
+    {"m", Dimension::length}, {"Pa", Dimension::pressure}, {"N", Dimension::force}, {"rad", Dimension::angle}};
 
 constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G", 1e9},   {"M", 1e6},         {"k", 1e3},
                                                              {"", 1},      {"m", 1e-3},  {"\xc2\xb5", 1e-6}, {"n", 1e-9},
                                                              {"p", 1e-12}, {"f", 1e-15}, {"a", 1e-18}};
 
 }  // namespace
+
+std::optional<Unit> find_unit(std::string_view name) {
+  if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
+  for (const auto& [symbol, dimension] : symbols) {
+    if (!name.ends_with(symbol)) continue;
+    if (const auto factor = prefix_factor(name.substr(0, name.size() - symbol.size()))) return Unit{dimension, *factor};
+  }
+  return std::nullopt;
+}
+
+const char* name_of(Dimension dimension) {
+  if (dimension == Dimension::length) return "a length";
+  if (dimension == Dimension::pressure) return "a pressure";
+  return dimension == Dimension::force ? "a force" : "an angle";
+}
+
+const char* units_of(Dimension dimension) {
+  if (dimension == Dimension::length) return "m with an SI prefix (mm, um, nm)";
+  if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa)";
+  return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";
+}
 
 Prefix prefix_for(double magnitude) {
   if (!(std::abs(magnitude) > 0) || !std::isfinite(magnitude)) return {1, ""};
@@ -20,6 +51,11 @@ Prefix prefix_for(double magnitude) {
     if (std::abs(magnitude) >= 0.9995 * factor) return {factor, symbol};
   }
   return {1e-18, "a"};
+}
+
+std::string with_prefix(double value, const char* unit, int digits) {
+  const Prefix prefix = prefix_for(value);
+  return format("%.*g %s%s", digits, value / prefix.factor, prefix.symbol.c_str(), unit);
 }
 
 }  // namespace cli

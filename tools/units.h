@@ -1,9 +1,26 @@
-// SI prefixes for labels.
+// Units named by text, and SI prefixes for labels.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace cli {
+
+enum class Dimension { length, pressure, force, angle };
+
+struct Unit {
+  Dimension dimension;
+  double factor;  // SI units (m, Pa, N, rad) in one of these
+};
+
+// m, Pa, N or rad with any SI prefix, or deg. Capitals count: mN and MN, mPa and MPa differ. Micro is u, U+00B5, U+03BC or
+// Latin-1. Nothing if the text is no such unit.
+std::optional<Unit> find_unit(std::string_view name);
+
+// "a pressure", "Pa with an SI prefix (kPa, MPa, GPa)".
+const char* name_of(Dimension dimension);
+const char* units_of(Dimension dimension);
 
 // The prefix under which a value of this magnitude has one to three digits before the point.
 struct Prefix {
@@ -11,5 +28,8 @@ struct Prefix {
   std::string symbol;
 };
 Prefix prefix_for(double magnitude);
+
+// "39 nm", "2.56 GPa": to this number of digits, under the prefix that suits it.
+std::string with_prefix(double value, const char* unit, int digits = 3);
 
 }  // namespace cli

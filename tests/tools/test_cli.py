@@ -113,11 +113,11 @@ class Output(CommandTest):
     def test_table_has_a_row_a_step(self):
         done = self.hertz("--displacement", "1e-8,2e-8")
         lines = done.stdout.splitlines()
-        self.assertEqual(len(lines), 4)
+        self.assertEqual(len(lines), 5)
         self.assertRegex(lines[0], r"surface.npy, 24 x 24 .*1e-06 m x 1e-06 m.*1e\+09")
         for word in ("approach", "load", "mean pressure", "area", "stiffness", "residual", "iterations", "seconds", "status"):
             self.assertIn(word, lines[1])
-        for number, line in enumerate(lines[2:], 1):
+        for number, line in enumerate(lines[2:4], 1):
             self.assertRegex(line, r"^ +%d .* RC_OK$" % number)
         self.assertEqual(done.stderr.count("\n"), 2)
 
@@ -169,8 +169,46 @@ class Output(CommandTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             for word in words:
                 self.assertIn(word, done.stdout)
-        self.assertRegex(self.run_command("--version").stdout, r"^roughcontact \d+\.\d+\.\d+ ")
+        self.assertRegex(self.run_command("--version").stdout, r"^roughcontact \d+\.\d+\.\d+ \(library ABI \d+, plugin ABI \d+\)\n$")
         self.assertIn("--displacement", self.run_command("solve", "--help").stdout)
+
+
+    def test_last_line_says_what_was_learned(self):
+        last = self.hertz("--displacement", "1e-8,2e-8").stdout.splitlines()[-1]
+        self.assertRegex(last, r"^step 2 of 2: [\d.]+ % of the area carries [\d.]+ uN; largest pressure [\d.]+ MPa$".replace("uN", "\u00b5N"))
+        steel = ["--E", "210GPa", "--nu", "0.3", "--pitch", "1um"]
+        last = self.solve(self.npy(rough()), *steel, "--pressure", "3GPa").stdout.splitlines()[-1]
+        self.assertRegex(last, r"^[\d.]+ % of the area carries [\d.]+ N; largest pressure [\d.]+ GPa, above the hardness of any steel")
+        last = self.solve(self.npy(rough()), "--modulus", "10MPa", "--pitch", "0.1um", "--pressure", "5MPa").stdout.splitlines()[-1]
+        self.assertRegex(last, r"largest pressure [\d.]+ MPa, [\d.]+ E\*: strains are large")
+        yielding = [self.npy(rough()), *steel, "--pressure", "3GPa", "--out", "out", "--hardness"]
+        last = self.solve(*yielding, "20GPa").stdout.splitlines()[-1]
+        said = re.fullmatch(r"[\d.]+ % of the area carries [\d.]+ N; ([\d.]+) % of the contact is at the hardness of 20 GPa and carries ([\d.]+) % of the load", last)
+        self.assertTrue(said, last)
+        pressure = np.load(self.folder / "out/pressure-1.npy")
+        capped = pressure[pressure == 20e9]
+        np.testing.assert_allclose([float(share) for share in said.groups()],
+                                   [100 * len(capped) / (pressure > 0).sum(), 100 * capped.sum() / pressure.sum()], rtol=6e-3)
+        last = self.solve(*yielding, "1TPa").stdout.splitlines()[-1]
+        self.assertRegex(last, r"; largest pressure [\d.]+ GPa, below the hardness of 1 TPa$")
+        self.assertEqual(self.hertz("--load", "0").stdout.splitlines()[-1], "nothing carries pressure")
+        last = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "2e-7", "--solver", "polonsky-keer", "--set", "max_iter=1", code=2)
+        self.assertTrue(last.stdout.splitlines()[-1].startswith("not certified (RC_STOP_MAX_ITER): "))
+
+    def test_remarks_are_told(self):
+        tilted = rough() + np.linspace(0, 2e-6, 56)
+        for quiet in ([], ["--quiet"]):
+            done = self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7,2e-7", *quiet)
+            self.assertRegex(done.stderr, r"(?m)^roughcontact: remark: a plane is \d+ % of the heights' variance: level them with --remove plane$")
+            self.assertEqual(done.stderr.count("remark"), 1)  # once for both steps
+        for arguments, says in ((["--pressure", "0.5GPa"], "mean pressure 0.5 E*: check the units"), (["--displacement", "1mm"], "approach above the grid's side: check the units"),
+                                (["--load", "1e-15"], "one point in contact: check the pitch")):
+            done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", *arguments)
+            self.assertIn("roughcontact: remark: ", done.stderr)
+            self.assertIn(says, done.stderr)
+        done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", "--load", "1e-15,1e-4,1e-15", "--quiet")
+        self.assertEqual(done.stderr, 2 * "roughcontact: remark: one point in contact: check the pitch\n")
+        self.assertNotIn("remark", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7", "--remove", "plane").stderr)
 
 
 class WrongInput(CommandTest):
@@ -181,7 +219,7 @@ class WrongInput(CommandTest):
         ({"--modulus": "-5"}, ["--modulus", "-5", "positive"]),
         ({"--modulus": "0"}, ["--modulus", "positive"]),
         ({"--modulus": "nan"}, ["--modulus", "finite"]),
-        ({"--modulus": "1e9x"}, ["--modulus", "1e9x", "not a number"]),
+        ({"--modulus": "1e9x"}, ["--modulus", "1e9x", "unit", "Pa"]),
         ({"--modulus": None}, ["--modulus", "--E"]),
         ({"--E": "1e9"}, ["--modulus", "--E", "not both"]),
         ({"--modulus": None, "--E": "1e9"}, ["--nu is missing"]),

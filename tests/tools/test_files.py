@@ -109,12 +109,12 @@ class Writing(CommandTest):
     def test_files_of_a_sequence(self):
         z = rough()
         self.solve(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "deep/out")
-        self.assertEqual(self.names("deep/out"), sorted(["summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
+        self.assertEqual(self.names("deep/out"), sorted(["history.png", "summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
         for name in ("gap-1.npy", "pressure-2.npy"):
             array = np.load(self.folder / "deep/out" / name)
             self.assertEqual((array.dtype.str, array.shape, array.flags.c_contiguous), ("<f8", z.shape, True))
         picture = (self.folder / "deep/out/contact-2.png").read_bytes()
-        self.assertEqual((picture[:8], struct.unpack(">II", picture[16:24])), (b"\x89PNG\r\n\x1a\n", (1400, 700)))
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
         self.assertTrue(picture.endswith(b"IEND\xaeB`\x82"))
 
     def test_steps_of_an_earlier_run_go(self):

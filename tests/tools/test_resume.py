@@ -83,7 +83,7 @@ class Resume(CommandTest):
         self.file("cut/summary.json", json.dumps(summary))
         done = self.press("1e-7,2e-7,3e-7", "cut", "--resume")
         self.assertIn("1 of 3 steps are finished", done.stderr)
-        self.assertEqual(len(done.stdout.splitlines()), 4)
+        self.assertEqual(len(done.stdout.splitlines()), 5)  # two of head, two steps, the conclusion
         assert_same_results(self, self.folder / "cut", self.folder / "whole")
 
     def test_nothing_to_go_on_from_is_a_beginning(self):

@@ -1,0 +1,126 @@
+"""The pictures that the command draws, looked at pixel by pixel. Skipped without gnuplot."""
+import ctypes
+import json
+import shutil
+import sys
+
+import harness
+from harness import CommandTest, np, rough, without_gnuplot
+
+CONTACT = np.array([0xE6, 0x00, 0x2E])
+EXCLUDED = np.array([0xCC, 0xE0, 0xF5])
+OPEN = np.array([0x14, 0x14, 0x1C])
+
+
+def cairo():
+    """gnuplot's own drawing library, here to read its pictures."""
+    library = ctypes.CDLL("libcairo.so.2")
+    for name, result in (("create_from_png", ctypes.c_void_p), ("get_data", ctypes.c_void_p), ("get_width", ctypes.c_int), ("get_height", ctypes.c_int),
+                         ("get_stride", ctypes.c_int)):
+        getattr(library, "cairo_image_surface_" + name).restype = result
+    return library
+
+
+def pixels(file):
+    """Red, green and blue of a picture, shape (height, width, 3)."""
+    library = cairo()
+    surface = ctypes.c_void_p(library.cairo_image_surface_create_from_png(str(file).encode()))
+    width, height, stride = (getattr(library, "cairo_image_surface_get_" + name)(surface) for name in ("width", "height", "stride"))
+    data = ctypes.string_at(library.cairo_image_surface_get_data(surface), height * stride)
+    library.cairo_surface_destroy(surface)
+    words = np.frombuffer(data, np.uint32).reshape(height, stride // 4)[:, :width]
+    return np.stack([words >> 16 & 255, words >> 8 & 255, words & 255], axis=2).astype(float)
+
+
+def runs(flags):
+    """(begin, end) of every run of true."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], flags.astype(int), [0]))))
+    return list(zip(edges[::2], edges[1::2]))
+
+
+def panels(image):
+    """The two panels, without their borders."""
+    inked = image.min(axis=2) < 250
+    columns = [run for run in runs(inked.mean(axis=0) > 0.3) if run[1] - run[0] > 60]
+    found = []
+    for left, right in columns:
+        for top, bottom in runs(inked[:, left:right].mean(axis=1) > 0.95):
+            if bottom - top > 60:
+                found.append(image[top + 1:bottom - 1, left + 1:right - 1])
+    return found
+
+
+def drawn_contact(panel):
+    """The share of a panel of greys that is mixed with the colour of contact."""
+    return ((panel[:, :, 0] - panel[:, :, 1]) / (CONTACT[0] - CONTACT[1])).mean()
+
+
+class Pictures(CommandTest):
+    def press(self, z, pressures, pitch="1um", **settings):
+        self.solve(self.npy(z), "--pitch", pitch, "--modulus", "1GPa", "--boundary", "periodic", "--tol", "1e-4", "--pressure", pressures, "--out", "out",
+                   "--quiet", **settings)
+        steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
+        for k, step in enumerate(steps, 1):
+            yield step, np.load(self.folder / ("out/pressure-%d.npy" % k)), pixels(self.folder / ("out/contact-%d.png" % k))
+
+    def test_the_area_drawn_is_the_area_stated(self):
+        for z, pressures in ((rough(64, 64), "0.1MPa,1MPa,10MPa,60MPa"), (rough(1000, 1000, rms=1e-6), "0.02MPa,3MPa"), (rough(2048, 2048, rms=3e-6), "0.3MPa"),
+                             (rough(64, 512, rms=1e-6), "3MPa"), (rough(512, 64, rms=1e-6), "3MPa")):
+            for step, pressure, image in self.press(z, pressures):
+                with self.subTest(shape=z.shape, area=step["area_fraction"]):
+                    heights, _ = panels(image)
+                    self.assertAlmostEqual(drawn_contact(heights) / step["area_fraction"], 1, delta=0.01)
+
+    def test_the_canvas_is_used(self):
+        for shape in ((64, 64), (64, 512), (512, 64), (1, 300)):
+            ((_, _, image),) = self.press(rough(*shape) if min(shape) > 1 else rough(2, 300)[:1], "1MPa")
+            found = panels(image)
+            self.assertEqual(len(found), 2)
+            self.assertGreater(sum(panel.shape[0] * panel.shape[1] for panel in found) / (image.shape[0] * image.shape[1]), 0.18)
+            self.assertLess(max(image.shape), 2500)
+
+    def test_rows_go_down_and_the_hottest_spot_stands_out(self):
+        for shape in ((64, 64), (32, 128)):
+            ((step, pressure, image),) = self.press(rough(*shape, seed=3), "1MPa")
+            heights, hot = panels(image)
+            y, x = np.unravel_index(pressure.argmax(), pressure.shape)
+            at = [int((i + 0.5) / n * m) for i, n, m in zip((y, x), shape, hot.shape)]
+            self.assertGreater(np.abs(hot[at[0], at[1]] - OPEN).sum(), 300)
+            self.assertGreater((heights[at[0], at[1]] - CONTACT)[0], -30)
+            drawn = np.abs(hot - OPEN).sum(axis=2) > 60
+            cells = np.array([[drawn[int((j + 0.5) / shape[0] * hot.shape[0]), int((i + 0.5) / shape[1] * hot.shape[1])] for i in range(shape[1])] for j in range(shape[0])])
+            self.assertGreater((cells == (pressure > 0)).mean(), 0.97)  # but for the ring
+            self.assertLess((cells[::-1] == (pressure > 0)).mean(), 0.95)
+
+    def test_excluded_points_are_blue(self):
+        z = rough(64, 64)
+        z[:20, :20] = np.nan
+        self.solve(self.npy(z), "--pitch", "1um", "--modulus", "1GPa", "--missing", "exclude", "--pressure", "1MPa", "--out", "out", "--quiet")
+        heights, _ = panels(pixels(self.folder / "out/contact-1.png"))
+        self.assertEqual(np.abs(heights[20:150, 20:150] - EXCLUDED).max(), 0)
+        self.assertGreater(np.abs(heights[300:, 300:] - EXCLUDED).sum(axis=2).min(), 30)
+
+    def test_history(self):
+        list(self.press(rough(32, 32), "1MPa"))
+        self.assertNotIn("history.png", self.names("out"))
+        list(self.press(rough(32, 32), "1MPa:20MPa:4"))
+        whole = (self.folder / "out/history.png").read_bytes()
+        self.assertGreater((np.abs(pixels(self.folder / "out/history.png") - CONTACT).sum(axis=2) < 9).sum(), 500)
+        common = [self.npy(rough(32, 32)), "--pitch", "1um", "--modulus", "1GPa", "--boundary", "periodic", "--tol", "1e-4", "--out", "cut", "--quiet"]
+        targets = "1000000.0,%r,%r,20000000.0" % (22e6 / 3, 41e6 / 3)
+        self.solve(*common, "--pressure", ",".join(targets.split(",")[:2]))
+        self.solve(*common, "--pressure", targets, "--resume")
+        self.assertEqual(pixels(self.folder / "cut/history.png").shape, pixels(self.folder / "out/history.png").shape)
+        self.assertEqual((self.folder / "cut/history.png").read_bytes(), whole)
+
+    def test_history_of_others_is_kept(self):
+        (self.folder / "out").mkdir()
+        self.file("out/history.png", "mine")
+        self.assert_fails("solve", self.npy(rough(32, 32)), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1e5,1e6", "--out", "out", says="history.png", env=without_gnuplot())
+
+
+if __name__ == "__main__":
+    if not shutil.which("gnuplot"):
+        print("skipped: gnuplot is not installed")
+        sys.exit(77)
+    harness.main()

@@ -1,0 +1,119 @@
+#include "completion.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <span>
+#include <string_view>
+
+#include "formats/form.h"
+#include "formats/registry.h"
+#include "library.h"
+#include "problem.h"
+
+namespace cli {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+template <class Count, class Describe> Names components(Count count, Describe describe) {
+  const Context context;
+  Names names{"auto"};
+  for (int64_t i = 0, n = count(context.get()); i < n; ++i) {
+    rc_component component = RC_COMPONENT_INIT;
+    check(describe(context.get(), i, &component), "");
+    names.emplace_back(component.name);
+  }
+  return names;
+}
+
+Names keys() {
+  const Context context;
+  Names names;
+  for (int64_t i = 0, n = rc_options_count(context.get()); i < n; ++i) {
+    rc_option_spec option = RC_OPTION_SPEC_INIT;
+    check(rc_options_describe(context.get(), i, &option), "");
+    names.push_back(std::string(option.key) + "=");
+  }
+  return names;
+}
+
+Names texts(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
+
+// What may stand after an option, by its name, or after KEY= in --set.
+Names values(std::string_view option) {
+  while (option.starts_with('-')) option.remove_prefix(1);
+  if (option == "solver") return components(rc_solver_count, rc_solver_describe);
+  if (option == "backend") return components(rc_backend_count, rc_backend_describe);
+  if (option == "kernel") return components(rc_kernel_count, rc_kernel_describe);
+  if (option == "boundary") return texts(boundary_names);
+  if (option == "missing") return texts(missing_rule_names);
+  if (option == "remove") return texts(form_names);
+  if (option == "unit") return {"m", "mm", "um", "nm", "pm"};
+  if (option == "shape") return {"sphere:R=", "cylinder:R=", "wedge:angle="};
+  if (option == "set") return keys();
+  Names names;
+  if (option == "format") {
+    for (const Format& format : surface_formats()) names.emplace_back(format.name);
+  }
+  return names;
+}
+
+// bash takes KEY=VALUE apart.
+void join_at_equals(std::vector<std::string>& words) {
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    if (words[k] != "=" && !words[k - 1].ends_with('=')) continue;
+    words[k - 1] += words[k];
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k--));
+  }
+}
+
+bool takes_value(const CLI::App& app, const std::string& word) {
+  const CLI::Option* option = word.starts_with("-") ? app.get_option_no_throw(word) : nullptr;
+  return option && option->get_type_size() > 0 && option->get_items_expected_max() > 0;
+}
+
+// What may stand at the place of the last word.
+Names candidates(CLI::App& app, const std::vector<std::string>& words) {
+  CLI::App* at = &app;
+  std::string waiting;  // the option whose value comes next
+  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+    const auto below = at->get_subcommands([&](CLI::App* each) { return waiting.empty() && each->get_name() == words[k]; });
+    waiting = waiting.empty() && takes_value(*at, words[k]) ? words[k] : "";
+    if (!below.empty()) at = below.front();
+  }
+  const std::string& word = words.back();
+  if (const auto equals = word.find('='); equals != std::string::npos) {
+    Names found;
+    for (const std::string& value : values(word.substr(0, equals))) found.push_back(word.substr(0, equals + 1) + value);
+    return found;
+  }
+  if (!waiting.empty()) return values(waiting);
+  return word.starts_with("-") ? option_names(*at) : subcommand_names(*at);
+}
+
+}  // namespace
+
+Names subcommand_names(const CLI::App& app) {
+  Names names;
+  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(below->get_name());
+  return names;
+}
+
+Names option_names(const CLI::App& app) {
+  Names names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+void complete(CLI::App& app, Names words) {
+  join_at_equals(words);
+  if (words.empty()) words.emplace_back();
+  for (const std::string& each : candidates(app, words)) {
+    if (each.starts_with(words.back())) std::printf("%s\n", each.c_str());
+  }
+}
+
+}  // namespace cli

@@ -1,0 +1,29 @@
+// Physical quantities given on the command line: "39nm", "210 GPa", or a number alone.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "units.h"
+
+namespace cli {
+
+struct Quantity {
+  double number;
+  double unit;  // SI units that the number counts
+
+  double si() const { return unit * number; }
+  // As a multiple of another unit of the same dimension; exact where it is the same unit.
+  double in(double other) const { return unit == other ? number : unit * number / other; }
+};
+
+// `unit`: what a number alone counts. The Error for a text that is no number, not finite, or has a unit that is unknown or of
+// another dimension names the option and says what was expected.
+Quantity read_quantity(std::string_view option, std::string_view text, Dimension dimension, double unit = 1);
+Quantity read_positive(std::string_view option, std::string_view text, Dimension dimension, double unit = 1);
+
+// Several of them. Numbers with and without a unit in one list are refused, because either reading may be meant; 0 needs none.
+std::vector<Quantity> read_quantities(std::string_view option, const std::vector<std::string_view>& texts, Dimension dimension,
+                                      double unit = 1);
+
+}  // namespace cli
