@@ -39,10 +39,10 @@ template <class Real> class Split {
   // visit(k, q, z, mirror) for the waves W k + q up to n/2: addresses of the real parts of the wave and of wave n - W k - q.
   template <class Visit> void for_each_wave(Real* scratch, const Visit& visit) const;
 
-  std::int64_t part_;              // m
-  Fourier<Real> across_, along_;   // of length W, and of length m
-  std::vector<std::int64_t> rows_; // of the scratch, of each wave along
-  std::vector<Real> turns_;        // exp(-2 pi i jq/n): [j / W][q], W real parts and W imaginary parts
+  std::int64_t part_;               // m
+  Fourier<Real> across_, along_;    // of length W, and of length m
+  std::vector<std::int64_t> rows_;  // of the scratch, of each wave along
+  std::vector<Real> turns_;         // exp(-2 pi i jq/n): [j / W][q], W real parts and W imaginary parts
 };
 
 }  // namespace rc_fft

@@ -97,8 +97,7 @@ template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
 
 template <class Real> template <class Other> void Transform<Real>::load(const Transform<Other>& source) {
   for (std::int64_t x = 0; x < axes_.x->waves(); ++x)
-    for (std::int64_t y = 0; y < axes_.y->waves(); ++y)
-      *eigenvalue(x, y) = static_cast<Real>(*source.eigenvalue(x, y));
+    for (std::int64_t y = 0; y < axes_.y->waves(); ++y) *eigenvalue(x, y) = static_cast<Real>(*source.eigenvalue(x, y));
 }
 
 template <class Real>

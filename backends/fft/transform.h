@@ -64,9 +64,9 @@ template <class Real> class Transform {
   Axes<Real> axes_;
   std::unique_ptr<const Split<Real>> split_;  // where there are few lines, all in one group; with it waves are in their order
   std::vector<std::int64_t> wave_;            // of each rank along x; likewise
-  std::int64_t group_;    // spectra of most_lines lines [reals]
-  std::int64_t line_;     // a line [reals]
-  std::int64_t scratch_;  // of a thread: of a transform, and lines [reals]
+  std::int64_t group_;                        // spectra of most_lines lines [reals]
+  std::int64_t line_;                         // a line [reals]
+  std::int64_t scratch_;                      // of a thread: of a transform, and lines [reals]
   Workspace& workspace_;
   const rc_team& team_;
   bool parallel_;
