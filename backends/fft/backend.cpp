@@ -1,13 +1,13 @@
 // Products with H by fast Fourier transforms on the bounding box of the points that may carry pressure.
 #include <roughcontact/plugin.hpp>
 
-#include "operator.h"
+#include "turned.h"
 
 namespace rc_fft {
 
 namespace {
 
-using Functions = roughcontact::Functions<Operator>;
+using Functions = roughcontact::Functions<Turned>;
 
 const rc_option_spec precision = {.struct_size = sizeof(rc_option_spec),
                                   .key = "fft.precision",

@@ -14,13 +14,6 @@ namespace {
 // parts are no longer than that.
 constexpr std::int64_t resident = 512;
 
-// No prime factor above 7.
-bool has_small_factors(std::int64_t length) {
-  for (const int p : {2, 3, 5, 7})
-    while (length % p == 0) length /= p;
-  return length == 1;
-}
-
 // Of the circular convolution that transforms another length, see Chirp.
 std::int64_t convolution_length(std::int64_t length) { return fast_length(2 * length - 1); }
 

@@ -24,6 +24,12 @@ std::int64_t exact_length(std::int64_t begin, std::int64_t count, std::int64_t e
   return std::max(2 * reach, extent);
 }
 
+bool has_small_factors(std::int64_t length) {
+  for (const int p : {2, 3, 5, 7})
+    while (length % p == 0) length /= p;
+  return length == 1;
+}
+
 std::int64_t fast_length(std::int64_t at_least) {
   if (at_least <= 1) return 1;
   std::int64_t fastest = 0;

@@ -21,6 +21,9 @@ inline constexpr std::int64_t longest_axis = (std::int64_t{1} << 29) - 1;
 // at [begin, begin + count) and targets at [0, extent).
 std::int64_t exact_length(std::int64_t begin, std::int64_t count, std::int64_t extent);
 
+// No prime factor above 7.
+bool has_small_factors(std::int64_t length);
+
 // The length >= at_least that is expected to be transformed fastest: 1, or even with no prime factor above 7.
 std::int64_t fast_length(std::int64_t at_least);
 

@@ -17,10 +17,7 @@ class Operator {
   static constexpr roughcontact::Component component = rc_fft::component;
 
   Operator(const rc_host* host, const rc_operator_spec& spec);
-  Operator(const Operator&) = delete;
-  Operator& operator=(const Operator&) = delete;
 
-  static void score(const rc_facts&, rc_estimate&);
   const rc_host* host() const { return host_; }
   std::int64_t modelled() const { return box_.points(); }
 

@@ -63,6 +63,11 @@ Transform<Real>::Transform(Lengths lengths, std::int64_t rows, Workspace& worksp
   reserve(rows);
   spectrum_.reserve<Real>(blocks() * width<Real>, lengths.y / 2 + 1, lengths);
   axes_ = Axes<Real>(lengths);
+  if (!Split<Real>::suits(lengths)) return;
+  split_ = std::make_unique<const Split<Real>>(lengths.x);
+  wave_.resize(static_cast<std::size_t>(axes_.x->waves()));
+  for (std::int64_t k = 0; k < axes_.x->waves(); ++k) wave_[static_cast<std::size_t>(axes_.x->rank(k))] = k;
+  std::fill_n(spectrum_.data<Real>(), blocks() * width<Real> * (lengths.y / 2 + 1), Real{0});
 }
 
 template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
@@ -76,6 +81,11 @@ template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
     constexpr std::int64_t parts = Eigenvalues::columns / width<Real>;
     const std::int64_t first = wide * parts, last = std::min(first + parts, blocks());
     source.along_y(wide, thread, [&](std::int64_t rank, const double* values) {
+      if (split_) {
+        const std::int64_t begin = wide * Eigenvalues::columns, end = std::min(begin + Eigenvalues::columns, axes_.x->waves());
+        for (std::int64_t x = begin; x < end; ++x) *eigenvalue(x, rank) = static_cast<Real>(factor * values[x - begin]);
+        return;
+      }
       for (std::int64_t block = first; block < last; ++block) {
         Real* const to = eigenvalues(block, rank);
         const double* const from = values + (block - first) * width<Real>;
@@ -87,9 +97,7 @@ template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
 
 template <class Real> template <class Other> void Transform<Real>::load(const Transform<Other>& source) {
   for (std::int64_t x = 0; x < axes_.x->waves(); ++x)
-    for (std::int64_t y = 0; y < axes_.y->waves(); ++y)
-      eigenvalues(x / width<Real>, y)[x % width<Real>] =
-          static_cast<Real>(source.eigenvalues(x / width<Other>, y)[x % width<Other>]);
+    for (std::int64_t y = 0; y < axes_.y->waves(); ++y) *eigenvalue(x, y) = static_cast<Real>(*source.eigenvalue(x, y));
 }
 
 template <class Real>
@@ -129,6 +137,12 @@ void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::
       std::fill_n(spectra(group), blocks() * most_lines<Real> * row_size<Real>, Real{0});
       return;
     }
+    if (split_) {
+      for (std::int64_t l = 0; l < y0 + sources.rows(); l += 2)
+        split_->forward(given[l], given[l + 1], x0 + sources.nx(), scratch(thread), room(thread), spectra(0) + l * row_size<Real>,
+                        most_lines<Real> * row_size<Real>);
+      return;
+    }
     const Fourier<Real>& along = *axes_.x;
     LineSource<Real> source(along.passes(), given, x0 + sources.nx());
     along.forward(source, scratch(thread));
@@ -159,10 +173,16 @@ void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conve
       if constexpr (std::is_same_v<Real, Outer>) wanted[i] = targets.row(begin + i, y);
       if (!wanted[i]) wanted[i] = lines(thread) + i * line_;
     }
-    const Fourier<Real>& along = *axes_.x;
-    along.passes().from_spectra(spectra(group), rows, along.rows(), along.waves(), scratch(thread));
-    LineSink<Real> sink(along.passes(), wanted, targets.nx());
-    along.backward(scratch(thread), sink);
+    if (split_) {
+      for (std::int64_t l = 0; l < rows; l += 2)
+        split_->backward(spectra(0) + l * row_size<Real>, most_lines<Real> * row_size<Real>, l + 1 < rows, scratch(thread),
+                         room(thread), wanted[l], wanted[l + 1], targets.nx());
+    } else {
+      const Fourier<Real>& along = *axes_.x;
+      along.passes().from_spectra(spectra(group), rows, along.rows(), along.waves(), scratch(thread));
+      LineSink<Real> sink(along.passes(), wanted, targets.nx());
+      along.backward(scratch(thread), sink);
+    }
     for (std::int64_t i = 0; i < rows; ++i)
       if (wanted[i] == lines(thread) + i * line_) targets.gather(begin + i, wanted[i], y, convert);
   });

@@ -2,13 +2,16 @@
 // forward, columns go through a scratch that stays in the cache, and only rows with targets are transformed back.
 #pragma once
 
+#include <memory>
 #include <roughcontact/plugin.hpp>
+#include <vector>
 
 #include "buffer.h"
 #include "fourier.h"
 #include "lengths.h"
 #include "points.h"
 #include "spectrum.h"
+#include "split.h"
 
 namespace rc_fft {
 
@@ -33,11 +36,19 @@ template <class Real> class Transform {
   template <class Other> friend class Transform;
 
   std::int64_t blocks() const { return lengths_.x / 2 / width<Real> + 1; }
+  // Of the wave along x of this rank, its place in the spectra.
+  std::int64_t place(std::int64_t rank) const { return split_ ? wave_[static_cast<std::size_t>(rank)] : rank; }
+  Real* eigenvalue(std::int64_t rank_x, std::int64_t rank_y) const {
+    const std::int64_t at = place(rank_x);
+    return eigenvalues(at / width<Real>, rank_y) + at % width<Real>;
+  }
   void reserve(std::int64_t rows);
   // Spectra of lines most_lines * group and following, see Passes.
   Real* spectra(std::int64_t group) const { return workspace_.rows.data<Real>() + group * group_; }
   Real* scratch(std::int64_t thread) const { return workspace_.scratch.data<Real>() + thread * scratch_; }
   Real* lines(std::int64_t thread) const { return scratch(thread) + scratch_ - most_lines<Real> * line_; }
+  // For lines that are split, of which there are at most half as many.
+  Real* room(std::int64_t thread) const { return lines(thread) + most_lines<Real> / 2 * line_; }
   double scale() const { return 0.5 / points(lengths_); }
   // Eigenvalues of the wave along y of this rank, and of the waves along x of a block.
   Real* eigenvalues(std::int64_t block, std::int64_t rank) const {
@@ -51,9 +62,11 @@ template <class Real> class Transform {
 
   Lengths lengths_;
   Axes<Real> axes_;
-  std::int64_t group_;    // spectra of most_lines lines [reals]
-  std::int64_t line_;     // a line [reals]
-  std::int64_t scratch_;  // of a thread: of a transform, and lines [reals]
+  std::unique_ptr<const Split<Real>> split_;  // where there are few lines, all in one group; with it waves are in their order
+  std::vector<std::int64_t> wave_;            // of each rank along x; likewise
+  std::int64_t group_;                        // spectra of most_lines lines [reals]
+  std::int64_t line_;                         // a line [reals]
+  std::int64_t scratch_;                      // of a thread: of a transform, and lines [reals]
   Workspace& workspace_;
   const rc_team& team_;
   bool parallel_;

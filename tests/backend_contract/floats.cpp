@@ -21,7 +21,8 @@ Vector exact_vector(std::size_t n, unsigned seed, double scale = 1) {
 }  // namespace
 
 void float_products_agree_with_double_ones(const rc_backend& backend) {
-  constexpr std::int64_t sizes[][2] = {{1, 1}, {1, 12}, {12, 1}, {2, 2}, {5, 7}, {17, 17}, {6, 15}, {31, 8}, {40, 21}};
+  constexpr std::int64_t sizes[][2] = {{1, 1},   {1, 12},  {12, 1}, {2, 2},   {5, 7},  {17, 17}, {6, 15}, {31, 8},
+                                       {40, 21}, {128, 3}, {72, 2}, {121, 1}, {65, 5}, {3, 128}, {1, 121}};
   for (const auto& [nx, ny] : sizes)
     for_each_problem(backend, nx, ny, 1.0, 0.6, [&](const Problem& problem) {
       StandInHost host(backend);

@@ -10,7 +10,8 @@ namespace contract {
 
 namespace {
 
-constexpr std::int64_t sizes[][2] = {{1, 1}, {1, 12}, {12, 1}, {2, 2}, {3, 3}, {5, 7}, {17, 17}, {6, 15}, {31, 8}};
+constexpr std::int64_t sizes[][2] = {{1, 1},  {1, 12},  {12, 1}, {2, 2},   {3, 3},  {5, 7},   {17, 17}, {6, 15},
+                                     {31, 8}, {128, 3}, {72, 2}, {121, 1}, {65, 5}, {3, 128}, {1, 121}};
 
 Vector random_for(const Index& domain, unsigned seed = 1) { return random_vector(domain.size(), seed); }
 
