@@ -7,7 +7,7 @@ namespace rc_fft {
 
 namespace {
 
-constexpr std::int64_t least_length = 64;  // below, all sizes take next to no time
+constexpr std::int64_t least_turned = 64;  // below, all sizes take next to no time
 constexpr std::int64_t most_columns = 4;   // which, as lines, are split in either precision
 
 rc_system turned(rc_system system) {
@@ -22,7 +22,7 @@ rc_operator_spec with(rc_operator_spec spec, const rc_system& system) {
 }
 
 bool is_narrow(const rc_system& system) {
-  return system.op == RC_OPERATOR_HALFSPACE && system.nx <= most_columns && system.ny >= least_length &&
+  return system.op == RC_OPERATOR_HALFSPACE && system.nx <= most_columns && system.ny >= least_turned &&
          system.ny <= longest_axis;
 }
 
