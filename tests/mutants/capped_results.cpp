@@ -77,9 +77,10 @@ void figures_of_capped_results(Figures& figures) {
                   for (std::size_t i = 0; i < p.size(); ++i)
                     if (!masked || mask[i]) {
                       const double sign = way == 0 ? -1 : way == 1 ? 1 : i % 2 == 0 ? 1 : -1;
-                      p[i] += sign * wrong * c * scale * (i % 3 == 0 ? 1.0 : 0.2);
+                      p[i] += sign * wrong * std::min(c, 1.0) * scale * (i % 3 == 0 ? 1.0 : 0.2);
                       if (way < 2) p[i] = std::clamp(p[i], 0.0, c * scale);
                     }
+                  if (way == 0) p[3] = 0.03 * std::min(c, 1.0) * scale;  // no load fits
                   r = {};
                   r.struct_size = sizeof r;
                   r.p = p.data();

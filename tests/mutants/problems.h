@@ -60,11 +60,11 @@ struct Small {
 // One of each kernel, boundary and shape.
 std::vector<Small> systems();
 
-// Writes a section with the bounds.
 class Figures;
 // Writes the figures of a result. solved: the residual and the bounds are left out, which are round-off.
 void put(Figures& figures, rc_contact* contact, rc_status status, const rc_result& result, const std::vector<double>& p,
          const std::vector<double>& gap, bool solved);
+// Writes a section with the bounds.
 rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc::ProvenSets* sets = nullptr);
 
 }  // namespace mutants
