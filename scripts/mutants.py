@@ -156,7 +156,7 @@ class Workshop:
         self.folder = build / "mutants"
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir()
-        self.compiler = [os.environ.get("CXX", "g++"), "-std=c++20", "-w", *TRAPS, f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}", f"-I{TESTS}"]
+        self.compiler = [os.environ.get("CXX", "g++"), "-std=c++20", "-w", *TRAPS, f"-I{ROOT}/include", f"-I{ROOT}/src", f"-I{ROOT}", f"-I{ROOT}/tests", f"-I{TESTS}"]
         self.library = build / "lib/libroughcontact.a"
         if not self.library.exists():
             sys.exit(f"{self.library} is missing: build it first")

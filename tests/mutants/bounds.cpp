@@ -1,5 +1,3 @@
-#include "contact/proof/bounds.h"
-
 #include <cmath>
 #include <limits>
 
@@ -8,12 +6,10 @@
 
 namespace mutants {
 
-namespace {
-
-void put(Figures& figures, const std::string& name, const Small& small) {
+rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc::ProvenSets* sets) {
   const rc::System system = small.system();
   const rc::StepSurface surface = small.surface();
-  const rc::Bounds bounds = prove_bounds(system, spectrum_of(system), surface, small.compression, small.answer);
+  const rc::Bounds bounds = prove_bounds(system, spectrum_of(system), surface, small.compression, small.answer, sets);
   figures.section(name);
   figures.exact("gap", bounds.duality_gap);
   figures.exact("lower", bounds.load_lower);
@@ -23,6 +19,7 @@ void put(Figures& figures, const std::string& name, const Small& small) {
   figures.exact("contacts", static_cast<double>(bounds.proven_contacts));
   figures.exact("open", static_cast<double>(bounds.proven_open));
   figures.exact("undecided", static_cast<double>(bounds.undecided));
+  return bounds;
 }
 
 std::vector<Small> systems() {
@@ -44,6 +41,8 @@ std::vector<Small> systems() {
   all.back().make_dense(1e-3);
   return all;
 }
+
+namespace {
 
 // What a certificate meets, at every size of the residual, down to nothing but round-off.
 void residuals_of_all_sizes(Figures& figures) {

@@ -77,6 +77,8 @@ int main(int argc, char** argv) {
   figures_of_spectra(figures);
   figures_of_bounds(figures);
   figures_of_results(figures);
+  figures_of_hardness(figures);
+  figures_of_capped_results(figures);
   if (argc == 3) {
     figures.write(argv[2]);
     return 0;

@@ -46,6 +46,16 @@ void Small::list(const std::vector<std::int64_t>& listed, double beyond) {
   answer = part;
 }
 
+void Small::cap(double hardness) {
+  given.hardness = hardness;
+  for (std::size_t i = 0; i < points(); ++i) {
+    double& p = answer.pressures.p[i];
+    if (!(p > hardness)) continue;
+    answer.product[i] -= 0.5 * (p - hardness) / given.modulus;
+    p = hardness;
+  }
+}
+
 void Small::make_dense(double weakest) {
   const auto n = static_cast<std::int64_t>(points());
   matrix.assign(static_cast<std::size_t>(n * n), 0.0);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/pressures.h"
+#include "contact/proof/bounds.h"
 #include "contact/step_surface.h"
 #include "contact/system.h"
 #include "core/thread_team.h"
@@ -52,6 +53,18 @@ struct Small {
   // Only these points are listed; the others are apart by `beyond`.
   void list(const std::vector<std::int64_t>& points, double beyond);
   void make_dense(double weakest);
+  // The hardness, which the pressures do not exceed: where they did, the gap is less by what that pressure deflects.
+  void cap(double hardness);
 };
+
+// One of each kernel, boundary and shape.
+std::vector<Small> systems();
+
+class Figures;
+// Writes the figures of a result. solved: the residual and the bounds are left out, which are round-off.
+void put(Figures& figures, rc_contact* contact, rc_status status, const rc_result& result, const std::vector<double>& p,
+         const std::vector<double>& gap, bool solved);
+// Writes a section with the bounds.
+rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc::ProvenSets* sets = nullptr);
 
 }  // namespace mutants

@@ -8,19 +8,14 @@ namespace mutants {
 
 namespace {
 
-std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagonal) {
-  double sum = 0;
-  for (std::int64_t i = 0; i < n; ++i) sum += x[i];
-  for (std::int64_t i = 0; i < n; ++i) y[i] = *static_cast<double*>(diagonal) * x[i] + 0.1 * sum;
-  return 0;
-}
-
 // A number that differs between texts.
 double sum_of(const char* text) {
   double sum = 0;
   for (const char* c = text; *c; ++c) sum = std::fmod(31 * sum + *c, 1e9);
   return sum;
 }
+
+}  // namespace
 
 void put(Figures& figures, rc_contact* contact, rc_status status, const rc_result& r, const std::vector<double>& p,
          const std::vector<double>& gap, bool solved) {
@@ -71,6 +66,15 @@ void put(Figures& figures, rc_contact* contact, rc_status status, const rc_resul
   figures.exact("proven_contacts", static_cast<double>(r.proven_contacts));
   figures.exact("proven_open", static_cast<double>(r.proven_open));
   figures.exact("undecided", static_cast<double>(r.undecided));
+}
+
+namespace {
+
+std::int32_t product_of(const double* x, double* y, std::int64_t n, void* diagonal) {
+  double sum = 0;
+  for (std::int64_t i = 0; i < n; ++i) sum += x[i];
+  for (std::int64_t i = 0; i < n; ++i) y[i] = *static_cast<double*>(diagonal) * x[i] + 0.1 * sum;
+  return 0;
 }
 
 // What an earlier result left in a struct.
