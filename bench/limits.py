@@ -199,8 +199,8 @@ class ColdSolve:
         self.control, self.target, self.result = 'load', light_load(percent / 100), None
 
     def seconds(self, threads, **more):
-        """Seconds of a whole call, its set-up included, with these options besides the scene's."""
-        self.result, seconds, _ = cold_call(unit_square(self.n), self.gap, {**self.options, 'threads': threads, **more}, self.control,
+        """Seconds of a whole call, its set-up included, with these options besides the scene's. cpu: its processor time."""
+        self.result, seconds, self.cpu = cold_call(unit_square(self.n), self.gap, {**self.options, 'threads': threads, **more}, self.control,
                                             self.target, self.pressure)
         if status_of(self.result) != OK:
             raise Failure('not certified: ' + self.result.note)
@@ -256,6 +256,20 @@ def busy(request):
 CHOICES = {'1': {'deterministic': 1}, '0': {'deterministic': 0}}
 
 
+def first(request):
+    def work(n):
+        solve = ColdSolve(n, request.percent, request.tol)
+        return [1e3 * solve.cpu for _ in range(2) if solve.seconds(1)]
+    rows = []
+    for n in request.sizes:
+        runs = [checked(in_child(lambda n=n: work(n))) for _ in range(request.repeats)]
+        rows.append({'n': n, 'first': median(run[0] for run in runs), 'second': median(run[1] for run in runs),
+                     'more': median(run[0] - run[1] for run in runs)})
+    Store(request.json, 'first', 1).save(rows=rows)
+    print('Processor time [ms] of the first solve of a process and of the same again, medians')
+    show('grid={n}²; first={first:.2f}; second={second:.2f}; difference={more:.2f}', rows)
+
+
 def deterministic(request):
     store, solve, rows, one_thread = Store(request.json, 'deterministic', THREADS), scene_of(request), [], {}
 
@@ -291,6 +305,9 @@ SCENE = {'points': (side, 1024, 'points per side'), 'percent': (percent, 10, 'co
 QUICK = {'points': 256, 'repeats': 3}, '256^2, three repeats'
 question('busy', 'a solve alone, and beside other processes at full load', busy, {
     **SCENE, 'threads': (listed(threads), [1, 2], 'threads'), 'others': (ranged(int, 0, 1024), 2, 'processes at full load; 0: none')}, *QUICK)
+question('first', 'what the first solve of a process takes more than the second', first, {
+    'sizes': (listed(side), [16, 32, 64, 128], 'points per side'), 'percent': SCENE['percent'], 'tol': SCENE['tol'],
+    'repeats': (ranged(int, 1, 1000), 15, 'processes for each size')}, {'sizes': [32], 'repeats': 3}, '32^2, three processes')
 question('deterministic', 'what bitwise repeatable results cost', deterministic, {
     **SCENE, 'threads': (threads, THREADS, 'threads, against one')}, *QUICK)
 

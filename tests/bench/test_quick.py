@@ -39,6 +39,9 @@ assert limits['bandwidth'][0]['gigabytes_per_second'] > 0 and len(limits['transf
 busy = run('busy', '--quick', '--points', '64', '--threads', '1', '--repeats', '1')
 assert busy['busy'][0]['ratio'] > 0 and len(busy['busy'][0]['busy']) == 1
 
+begun = run('first', '--quick')
+assert begun['rows'][0]['first'] > begun['rows'][0]['second'] > 0
+
 repeated = run('deterministic', '--quick', '--points', '64', '--threads', '2', '--repeats', '2')
 for row in repeated['deterministic']:
     assert row['choice'] != '1' or row['same_as_one_thread'] == row['same_again'] == 'yes', row

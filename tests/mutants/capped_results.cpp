@@ -80,7 +80,7 @@ void figures_of_capped_results(Figures& figures) {
                       p[i] += sign * wrong * std::min(c, 1.0) * scale * (i % 3 == 0 ? 1.0 : 0.2);
                       if (way < 2) p[i] = std::clamp(p[i], 0.0, c * scale);
                     }
-                  if (way == 0) p[3] = 0.03 * std::min(c, 1.0) * scale;  // no load fits
+                  if (way == 0) p[3] = 0.03 * std::min(c, 1.0) * scale;  // no approach fits all
                   r = {};
                   r.struct_size = sizeof r;
                   r.p = p.data();

@@ -11,9 +11,9 @@ def flooded(inside, periodic):
     left = set(zip(*np.nonzero(inside)))
     while left:
         start = left.pop()
-        met, todo = {start: {(0, 0)}}, [(*start, 0, 0)]
-        while todo:
-            y, x, sy, sx = todo.pop()
+        met, border = {start: {(0, 0)}}, [(*start, 0, 0)]
+        while border:
+            y, x, sy, sx = border.pop()
             for y1, x1 in ((y + 1, x), (y - 1, x), (y, x + 1), (y, x - 1)):
                 ty, tx = sy + y1 // ny, sx + x1 // nx
                 if not periodic and (ty, tx) != (0, 0):
@@ -22,7 +22,7 @@ def flooded(inside, periodic):
                 if not inside[point] or abs(ty) > 2 or abs(tx) > 2 or (ty, tx) in met.setdefault(point, set()):
                     continue
                 met[point].add((ty, tx))
-                todo.append((*point, ty, tx))
+                border.append((*point, ty, tx))
                 left.discard(point)
         yield {point: places for point, places in met.items() if places}
 
