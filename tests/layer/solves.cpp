@@ -261,6 +261,27 @@ void products_are_hardly_more_than_on_a_half_space(void**) {
   assert_true(good);
 }
 
+// A layer thicker than the grid is a half-space of its modulus: a load in proportion brings the same points into contact.
+void a_thick_layer_takes_the_products_of_a_half_space(void**) {
+  const Context context;
+  const Surface surface = rough(128, RC_BOUNDARY_PERIODIC);
+  const Settings pair{{RC_OPT_SOLVER, "haar-cg"}, {RC_OPT_BACKEND, "fft"}};
+  double mean = 0;
+  for (const double each : surface.gap) mean += each / static_cast<double>(surface.gap.size());
+  const rc_result pressed = context.solve(surface, pair, 0.97 * mean);
+  if (pressed.status == RC_ERR_NO_BACKEND) skip();
+  const rc_result plain = context.solve(surface, pair, pressed.load, RC_CONTROL_LOAD);
+  for (const double modulus : {0.1, 10.0}) {
+    const rc_result thick = context.solve(surface, with(settings_of({1e4 * surface.cell * 128, modulus}), pair),
+                                          modulus * pressed.load, RC_CONTROL_LOAD);
+    assert_int_equal(thick.status, RC_OK);
+    print_message("E1/E2 %g: %ld products, half-space %ld, contacts %ld and %ld\n", modulus,
+                  static_cast<long>(thick.applications), static_cast<long>(plain.applications), static_cast<long>(thick.contacts),
+                  static_cast<long>(plain.contacts));
+    assert_true(thick.applications <= plain.applications * 3 / 2);
+  }
+}
+
 }  // namespace
 
 const std::vector<CMUnitTest> solve_tests = {
@@ -271,6 +292,7 @@ const std::vector<CMUnitTest> solve_tests = {
     cmocka_unit_test(units_do_not_matter),
     cmocka_unit_test(an_accuracy_goal_is_kept),
     cmocka_unit_test(products_are_hardly_more_than_on_a_half_space),
+    cmocka_unit_test(a_thick_layer_takes_the_products_of_a_half_space),
 };
 
 }  // namespace layer
