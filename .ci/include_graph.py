@@ -10,9 +10,10 @@ import sys
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'registry')}
 PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
+    'platform': {'platform'},
     'core': {'core'},
     'kernel': {'kernel'},
-    'registry': {'registry', 'core', 'kernel'},
+    'registry': {'registry', 'core', 'kernel', 'platform'},
     'operator': {'operator', 'registry', 'core'},
     'grid': {'grid'},
     'analysis': {'analysis', 'core'},
@@ -20,7 +21,7 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'solvers/common': {'solvers', 'solvers/common', 'core'},
     'solvers/haar_cg': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'grid', 'core'},
     'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'core'},
-    'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core'},
+    'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
     'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
@@ -43,9 +44,9 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
 }
-# What a folder outside src takes from it: headers alone, but for grid and core/text.h.
+# What a folder outside src takes from it: headers alone, but for grid, platform and core/text.h.
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE, 'tools': {'core/text.h'}}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'}}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 
@@ -67,12 +68,12 @@ def allowed(root, file, include, quoted):
     beside = root / file.parent / include
     if beside.exists() and beside.resolve().is_relative_to((root / top / folder).resolve()):
         return True  # a file of its own
+    if BORROWED.get(top, set()) & {include, include.split('/')[0]}:
+        return True
     if top == 'backends' and quoted and include.startswith('common/'):
         return (root / 'backends' / include).exists()
     if top == 'backends':  # a dependency, never another folder of this tree
         return not quoted and not include.startswith(('rc', '..')) and not (root / 'src' / include).exists()
-    if BORROWED.get(top, set()) & {include, include.split('/')[0]}:
-        return True
     return not include.startswith('..') and not (root / 'src' / include).exists()
 
 

@@ -18,10 +18,11 @@ function(rc_add_backend name)
     # All sources but the entry; tests link them, too.
     list(REMOVE_ITEM ARG_SOURCES backend.cpp)
     add_library(rcb_${name}_objects OBJECT ${ARG_SOURCES})
-    target_include_directories(rcb_${name}_objects PUBLIC ${PROJECT_SOURCE_DIR}/include ${ARG_INCLUDES} ${CMAKE_CURRENT_SOURCE_DIR})
+    target_include_directories(rcb_${name}_objects PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${ARG_INCLUDES}
+      ${CMAKE_CURRENT_SOURCE_DIR})
     target_compile_options(rcb_${name}_objects PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
     target_link_libraries(rcb_${name}_objects PRIVATE rc_compile PUBLIC ${ARG_LIBRARIES} ${ARG_LINK})
-    add_library(rcb_${name} MODULE backend.cpp $<TARGET_OBJECTS:rcb_${name}_objects>)
+    add_library(rcb_${name} MODULE backend.cpp $<TARGET_OBJECTS:rcb_${name}_objects> $<TARGET_OBJECTS:rc_platform_memory>)
     set_target_properties(rcb_${name} PROPERTIES PREFIX ""
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/roughcontact/abi-${RC_PLUGIN_ABI})
     install(TARGETS rcb_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/roughcontact/abi-${RC_PLUGIN_ABI}
@@ -37,7 +38,7 @@ function(rc_add_backend name)
       target_sources(rcb_${name} PRIVATE $<TARGET_OBJECTS:rc_backend_common>)
     endif()
   endif()
-  target_include_directories(rcb_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include ${ARG_INCLUDES})
+  target_include_directories(rcb_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${ARG_INCLUDES})
   target_compile_options(rcb_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_link_libraries(rcb_${name} PRIVATE rc_compile ${ARG_LIBRARIES} ${ARG_LINK})
 endfunction()

@@ -1,20 +1,13 @@
 #include "common/memory_limit.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <limits>
 #include <string>
+
+#include "platform/memory.h"
 
 namespace rc_common {
 
 namespace {
-
-double machine_bytes() {
-  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(pages) * static_cast<double>(page);
-}
 
 std::int64_t whole(double bytes) { return static_cast<std::int64_t>(std::min(bytes, 9e18)); }
 
@@ -25,7 +18,7 @@ MemoryLimit::MemoryLimit(const rc_host* host, const rc_operator_spec& spec, cons
     : component_(component),
       key_(key),
       mebibytes_(roughcontact::option_real(host, spec.options, key)),
-      machine_(machine_bytes()),
+      machine_(rc_platform::machine_bytes()),
       limit_(std::min(mebibytes_ * 1048576.0, machine_)),
       grid_(spec.system->op == RC_OPERATOR_HALFSPACE) {}
 

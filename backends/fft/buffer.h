@@ -1,8 +1,6 @@
 // Aligned memory without a type, for arrays of either precision.
 #pragma once
 
-#include <sys/mman.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,6 +8,7 @@
 
 #include "failure.h"
 #include "lengths.h"
+#include "platform/memory.h"
 
 namespace rc_fft {
 
@@ -42,11 +41,8 @@ class Buffer {
       fail(RC_ERR_MEMORY, "cannot allocate ", bytes, " bytes for a ", transform.x, "x", transform.y,
            " transform; use a coarser grid or fewer threads");
     size_ = bytes;
-#ifdef MADV_HUGEPAGE
-    // A block of columns touches every row: with small pages each row costs an address look-up. The system may refuse the
-    // advice.
-    if (bytes >= huge_page) madvise(data_.get(), bytes, MADV_HUGEPAGE);
-#endif
+    // A block of columns touches every row: with small pages each row costs an address look-up.
+    if (bytes >= huge_page) rc_platform::prefer_large_pages(data_.get(), bytes);
   }
 
   template <class T> T* data() const { return reinterpret_cast<T*>(data_.get()); }

@@ -1,13 +1,12 @@
 #include "contact/step/auto_choice.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <limits>
 #include <string_view>
 #include <tuple>
 
 #include "core/error.h"
+#include "platform/memory.h"
 
 namespace rc {
 
@@ -43,11 +42,6 @@ std::string describe(const std::vector<std::string>& reasons) {
 
 bool contains(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-double machine_bytes() {
-  const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  return bytes > 0 ? bytes : std::numeric_limits<double>::infinity();
 }
 
 // A pair, or a backend that no solver can use.
@@ -182,8 +176,8 @@ struct Question {
     if (refuses && !solver) return leave(list, &by, backend, last_message());
     if (!known) whole.seconds = given.backend->seconds + usual_products * given.backend->product + given.backend->field;
     whole.bytes += given.backend->bytes;
-    if (any_backend && whole.bytes > machine_bytes())
-      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ", machine_bytes());
+    if (any_backend && whole.bytes > rc_platform::machine_bytes())
+      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ", rc_platform::machine_bytes());
     if (!(whole.seconds >= 0)) return leave(list, &by, backend, "its estimate on ", backend.name, " is not a time");
     const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic;
     list.push_back({&by, &backend, whole.seconds, whole.bytes, scored && known, repeats, {}});

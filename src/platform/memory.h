@@ -1,0 +1,14 @@
+// What the system says of the machine's memory.
+#pragma once
+
+#include <cstddef>
+
+namespace rc_platform {
+
+// Bytes of the machine's memory; infinity where the system does not say.
+double machine_bytes();
+
+// Advises large pages for bytes that begin at the start of one. The system may take no notice.
+void prefer_large_pages(void* begin, std::size_t bytes);
+
+}  // namespace rc_platform
