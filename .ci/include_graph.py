@@ -46,7 +46,7 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 }
 # What a folder outside src takes from it: headers alone, but for grid, platform and core/text.h.
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'}}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'}}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 

@@ -14,6 +14,7 @@
 #include "formats/registry.h"
 #include "formats/units.h"
 #include "formats/wording.h"
+#include "platform/files.h"
 
 namespace rc::formats {
 
@@ -27,7 +28,7 @@ std::string contents(const fs::path& path) {
   if (type == fs::file_type::directory) throw Error("is a folder, give a file");
   if (type == fs::file_type::character || type == fs::file_type::block) throw Error("is a device, give a file");
 
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(path.c_str(), "rbe"), std::fclose};
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{rc_platform::open_to_read(path), std::fclose};
   if (!stream) throw Error(std::strerror(errno));
 
   std::string bytes;

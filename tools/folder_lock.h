@@ -4,19 +4,17 @@
 
 #include <filesystem>
 
+#include "platform/files.h"
+
 namespace cli {
 
 class FolderLock {
  public:
   // Throws an Error that names the process that holds the lock. If the file system has no locks, reports that and goes on.
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  std::filesystem::path path_;
-  int descriptor_ = -1;
+  rc_platform::LockFile file_;
 };
 
 }  // namespace cli

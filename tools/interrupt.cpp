@@ -1,8 +1,8 @@
 #include "interrupt.h"
 
 #include <atomic>
-#include <csignal>
 
+#include "platform/terminal.h"
 #include "whole_file.h"
 
 namespace cli {
@@ -20,21 +20,12 @@ void on_signal(int number) {
     return;
   }
   remove_unfinished_file();
-  std::signal(number, SIG_DFL);
-  std::raise(number);
+  rc_platform::end_by(number);
 }
 
 }  // namespace
 
-void handle_signals() {
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
-    action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART;
-    sigaction(number, &action, nullptr);
-  }
-}
+void handle_signals() { rc_platform::when_asked_to_end(on_signal); }
 
 Interrupt::Interrupt(rc_contact* contact) { watched = contact; }
 

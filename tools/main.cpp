@@ -13,6 +13,7 @@
 #include "completion.h"
 #include "interrupt.h"
 #include "list_commands.h"
+#include "platform/terminal.h"
 #include "solve_command.h"
 #include "standard_streams.h"
 #include "text.h"
@@ -86,7 +87,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::open_standard_streams();
+  rc_platform::open_standard_streams();
   cli::handle_signals();
   int code = cli::exit_error;
   try {

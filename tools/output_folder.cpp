@@ -1,7 +1,5 @@
 #include "output_folder.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include <system_error>
 
 #include "error.h"
+#include "platform/files.h"
 #include "text.h"
 #include "whole_file.h"
 
@@ -22,10 +21,10 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexi
     created_.push_back(missing);
   }
   fs::create_directories(path_, error);
-  if (error) throw Error("--out: cannot create folder " + in_quotes(path.native()) + ": " + error.message());
-  if (!fs::is_directory(path_)) throw Error("--out: " + in_quotes(path.native()) + " is not a folder");
-  if (access(path_.c_str(), W_OK | X_OK) != 0) {
-    throw Error("--out: folder " + in_quotes(path.native()) + " is not writable: " + std::strerror(errno));
+  if (error) throw Error("--out: cannot create folder " + in_quotes(path.string()) + ": " + error.message());
+  if (!fs::is_directory(path_)) throw Error("--out: " + in_quotes(path.string()) + " is not a folder");
+  if (!rc_platform::may_write_into(path_)) {
+    throw Error("--out: folder " + in_quotes(path.string()) + " is not writable: " + std::strerror(errno));
   }
   lock_.emplace(path_);
 }
@@ -49,8 +48,8 @@ std::vector<std::string> OutputFolder::names() const {
   std::vector<std::string> found;
   std::error_code error;
   for (fs::directory_iterator entry{path_, error}, end; !error && entry != end; entry.increment(error))
-    found.push_back(entry->path().filename().native());
-  if (error) throw Error("--out: cannot list folder " + in_quotes(path_.native()) + ": " + error.message());
+    found.push_back(entry->path().filename().string());
+  if (error) throw Error("--out: cannot list folder " + in_quotes(path_.string()) + ": " + error.message());
   return found;
 }
 

@@ -1,13 +1,11 @@
 #include "progress_bar.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "platform/terminal.h"
 #include "text.h"
 
 namespace cli {
@@ -16,11 +14,6 @@ namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
 constexpr int bar_width = 30;
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
 
 }  // namespace
 
@@ -49,7 +42,7 @@ void ProgressBar::draw(long long iteration, double residual, double seconds) {
       std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(bar_width - filled), '.');
   std::string line =
       format("step %d/%zu [%s] iteration %lld  residual %.1e  %.1f s", step_, steps_, bar.c_str(), iteration, residual, seconds);
-  line.resize(std::min(line.size(), terminal_width() - 1));  // a wrapped line could not be overwritten
+  line.resize(std::min(line.size(), rc_platform::terminal_width() - 1));  // a wrapped line could not be overwritten
   std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
   std::fflush(stderr);
   visible_ = true;

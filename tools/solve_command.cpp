@@ -1,8 +1,6 @@
 #include "solve_command.h"
 
 #include <roughcontact/history.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <optional>
 #include <sstream>
@@ -13,6 +11,7 @@
 #include "cores.h"
 #include "error.h"
 #include "interrupt.h"
+#include "platform/terminal.h"
 #include "library.h"
 #include "progress_bar.h"
 #include "step_files.h"
@@ -128,7 +127,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
 
   Context context;
   const Options options = make_options(context, problem);
-  ProgressBar bar{!arguments.quiet && isatty(STDERR_FILENO) == 1, tolerance(options), problem.targets.size()};
+  ProgressBar bar{!arguments.quiet && rc_platform::is_terminal(stderr), tolerance(options), problem.targets.size()};
   const Contact contact = make_contact(problem, options);
   check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");
   const Interrupt interrupt{contact.get()};

@@ -1,8 +1,5 @@
 #include "standard_streams.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -10,16 +7,6 @@
 #include "text.h"
 
 namespace cli {
-
-void open_standard_streams() {
-  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(number, F_GETFD) != -1 || errno != EBADF) continue;
-    // The lowest free number is taken, which is this one; as in the C library's start of privileged programs, nothing can be read
-    // from the input or written to the others.
-    const int opened = open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-    if (opened != number && opened >= 0) close(opened);
-  }
-}
 
 bool finish_standard_output() {
   const bool failed_before = std::ferror(stdout) != 0;

@@ -83,7 +83,7 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
     const std::size_t step = step_of(name);
     if (name == summary_name || name == history_name ? earlier_.has_value() : step <= own || step > problem_.targets.size())
       continue;
-    throw Error("--out: " + in_quotes(folder_.path(name).native()) +
+    throw Error("--out: " + in_quotes(folder_.path(name).string()) +
                 " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
 }
@@ -92,7 +92,7 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
 void StepFiles::take_up(const EarlierRun& now) {
   std::vector<EarlierStep>& steps = earlier_->steps;
   if (!steps.empty() && steps.back().status == "RC_STOP_CANCELLED") steps.pop_back();
-  check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).native()));
+  check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).string()));
   for (const EarlierStep& step : steps) {
     summary_.add(step.fields);
     history_.push_back(history_point(step));

@@ -1,0 +1,21 @@
+// Programs that this one starts.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace rc_platform {
+
+struct Ended {
+  int code = -1;         // what the program returned; -1 if it did not run or was killed
+  bool missing = false;  // there is no such program
+  std::string error;     // why it did not run; "" if it did
+};
+
+// Runs a program found as a shell finds it, with these open files as its standard streams, to its end. What is typed to interrupt
+// this program does not reach it.
+Ended run(const std::string& program, const std::vector<std::string>& arguments, std::FILE* input, std::FILE* output,
+          std::FILE* errors);
+
+}  // namespace rc_platform

@@ -1,0 +1,185 @@
+#include "platform/libraries.h"
+
+#include <windows.h>
+// windows.h comes first
+#include <aclapi.h>
+#include <sddl.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "platform/windows/text.h"
+
+namespace rc_platform {
+
+const std::string_view library_suffix = ".dll", own_library = "libroughcontact-";
+const char path_separator = ';';
+
+namespace {
+
+struct FreeLocal {
+  void operator()(void* p) const { LocalFree(p); }
+};
+template <class T> using Local = std::unique_ptr<T, FreeLocal>;
+
+struct CloseAnyHandle {
+  void operator()(void* handle) const { CloseHandle(handle); }
+};
+using Handle = std::unique_ptr<void, CloseAnyHandle>;
+
+std::string name_of(PSID user) {
+  wchar_t* text = nullptr;
+  if (!ConvertSidToStringSidW(user, &text)) return "unknown";
+  const Local<wchar_t> owned(text);
+  return to_utf8(text);
+}
+
+bool is_well_known(PSID user, std::initializer_list<WELL_KNOWN_SID_TYPE> kinds) {
+  return std::any_of(kinds.begin(), kinds.end(), [user](WELL_KNOWN_SID_TYPE kind) { return IsWellKnownSid(user, kind); });
+}
+
+// TrustedInstaller, who owns what Windows itself brings.
+bool installs_windows(PSID user) {
+  return name_of(user) == "S-1-5-80-956008885-3418522649-1831038044-1853292631-2271478464";
+}
+
+bool is_current_user(PSID user) {
+  HANDLE opened = nullptr;
+  if (!OpenProcessToken(GetCurrentProcess(), TOKEN_QUERY, &opened)) return false;
+  const Handle token(opened);
+  alignas(TOKEN_USER) unsigned char buffer[sizeof(TOKEN_USER) + SECURITY_MAX_SID_SIZE];
+  DWORD length = 0;
+  return GetTokenInformation(opened, TokenUser, buffer, sizeof buffer, &length) &&
+         EqualSid(user, reinterpret_cast<const TOKEN_USER*>(buffer)->User.Sid);
+}
+
+// What others can write to is not loaded; "" if only its owner, the system and its administrators can.
+std::string distrust(const std::string& path) {
+  PSID owner = nullptr;
+  PACL rights = nullptr;
+  PSECURITY_DESCRIPTOR descriptor = nullptr;
+  std::wstring wide = to_wide(path);
+  const DWORD error = GetNamedSecurityInfoW(wide.data(), SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION | DACL_SECURITY_INFORMATION,
+                                            &owner, nullptr, &rights, nullptr, &descriptor);
+  if (error != ERROR_SUCCESS) return "plugin refused: the owner of " + path + " cannot be read: " + error_text(error);
+  const Local<void> owned(descriptor);
+  const auto trusted = [](PSID user) {
+    return is_well_known(user, {WinLocalSystemSid, WinBuiltinAdministratorsSid, WinCreatorOwnerSid}) || installs_windows(user) ||
+           is_current_user(user);
+  };
+  if (!owner || !trusted(owner))
+    return "plugin refused: " + path + " is owned by " + (owner ? name_of(owner) : "nobody") +
+           ", neither the system, its administrators nor the current user";
+  if (!rights) return "plugin refused: everybody can write to " + path + "; take that right away";
+  constexpr DWORD writes = FILE_WRITE_DATA | FILE_APPEND_DATA | WRITE_DAC | WRITE_OWNER | GENERIC_WRITE | GENERIC_ALL;
+  for (DWORD i = 0; i < rights->AceCount; ++i) {
+    void* entry = nullptr;
+    if (!GetAce(rights, i, &entry)) continue;
+    const auto& allowed = *static_cast<const ACCESS_ALLOWED_ACE*>(entry);
+    const bool applies = allowed.Header.AceType == ACCESS_ALLOWED_ACE_TYPE && (allowed.Header.AceFlags & INHERIT_ONLY_ACE) == 0;
+    const auto user = const_cast<DWORD*>(&allowed.SidStart);
+    if (applies && (allowed.Mask & writes) != 0 && !trusted(user))
+      return "plugin refused: " + name_of(user) + " can write to " + path + "; take that right away";
+  }
+  return {};
+}
+
+// The parts that the headers of a library promise must be in the file.
+std::string flaw(HANDLE file, const std::string& path) {
+  LARGE_INTEGER size{};
+  GetFileSizeEx(file, &size);
+  const auto available = static_cast<std::uint64_t>(size.QuadPart);
+  const auto read = [file](std::uint64_t at, void* into, DWORD bytes) {
+    OVERLAPPED place{};
+    place.Offset = static_cast<DWORD>(at);
+    place.OffsetHigh = static_cast<DWORD>(at >> 32);
+    DWORD done = 0;
+    return ReadFile(file, into, bytes, &done, &place) && done == bytes;
+  };
+  IMAGE_DOS_HEADER dos{};
+  IMAGE_NT_HEADERS header{};
+  if (!read(0, &dos, sizeof dos) || dos.e_magic != IMAGE_DOS_SIGNATURE || dos.e_lfanew < 0 ||
+      !read(static_cast<std::uint64_t>(dos.e_lfanew), &header, sizeof header) || header.Signature != IMAGE_NT_SIGNATURE ||
+      header.OptionalHeader.Magic != IMAGE_NT_OPTIONAL_HDR_MAGIC || (header.FileHeader.Characteristics & IMAGE_FILE_DLL) == 0)
+    return "plugin refused: " + path + " is not a library of this machine";
+  std::uint64_t at = static_cast<std::uint64_t>(dos.e_lfanew) + offsetof(IMAGE_NT_HEADERS, OptionalHeader) +
+                     header.FileHeader.SizeOfOptionalHeader;
+  for (int i = 0; i < header.FileHeader.NumberOfSections; ++i, at += sizeof(IMAGE_SECTION_HEADER)) {
+    IMAGE_SECTION_HEADER section{};
+    if (!read(at, &section, sizeof section) || section.PointerToRawData + std::uint64_t{section.SizeOfRawData} > available)
+      return "plugin refused: " + path + " is incomplete, it has only " + std::to_string(available) + " bytes; copy it again";
+  }
+  return {};
+}
+
+// Why a plugin's file is not opened; "" if nothing speaks against it.
+std::string obstacle(const std::string& path) {
+  const std::string directory = path.substr(0, path.find_last_of("/\\"));
+  if (!exists(directory)) return "plugin directory " + directory + ": " + error_text(GetLastError());
+  if (std::string reason = distrust(directory); !reason.empty()) return reason;
+  const HANDLE opened = CreateFileW(to_wide(path).c_str(), GENERIC_READ, FILE_SHARE_READ, nullptr, OPEN_EXISTING, 0, nullptr);
+  if (opened == INVALID_HANDLE_VALUE) return "plugin " + path + " cannot be opened: " + error_text(GetLastError());
+  const Handle file(opened);
+  if (GetFileType(opened) != FILE_TYPE_DISK) return "plugin refused: " + path + " is not a regular file";
+  if (std::string reason = distrust(path); !reason.empty()) return reason;
+  return flaw(opened, path);
+}
+
+}  // namespace
+
+bool is_absolute(std::string_view path) {
+  const auto slash = [](char c) { return c == '/' || c == '\\'; };
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return path.size() > 2 && letter(path[0]) && path[1] == ':' && slash(path[2]);
+}
+
+const char* trusted_environment(const char* name) { return std::getenv(name); }
+
+std::string file_of(const void* code) {
+  HMODULE module = nullptr;
+  wchar_t path[32768];
+  if (!GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_PIN, static_cast<const wchar_t*>(code),
+                          &module))
+    return {};
+  const DWORD length = GetModuleFileNameW(module, path, std::size(path));
+  return length > 0 && length < std::size(path) ? to_utf8(path) : std::string();
+}
+
+bool exists(const std::string& path) { return GetFileAttributesW(to_wide(path).c_str()) != INVALID_FILE_ATTRIBUTES; }
+
+std::vector<std::string> names_in(const std::string& folder) {
+  std::vector<std::string> names;
+  WIN32_FIND_DATAW entry{};
+  const HANDLE search = FindFirstFileW(to_wide(folder + "\\*").c_str(), &entry);
+  if (search == INVALID_HANDLE_VALUE) return names;
+  try {
+    do names.push_back(to_utf8(entry.cFileName));
+    while (FindNextFileW(search, &entry));
+  } catch (...) {
+    FindClose(search);
+    throw;
+  }
+  FindClose(search);
+  return names;
+}
+
+OpenedPlugin open_plugin(const std::string& path) {
+  OpenedPlugin opened{nullptr, obstacle(path)};
+  if (!opened.error.empty()) return opened;
+  const HMODULE code = LoadLibraryExW(to_wide(path).c_str(), nullptr, LOAD_LIBRARY_SEARCH_DEFAULT_DIRS | LOAD_LIBRARY_SEARCH_DLL_LOAD_DIR);
+  if (!code) {
+    opened.error = "plugin " + path + " cannot be loaded: " + error_text(GetLastError());
+    return opened;
+  }
+  opened.code = reinterpret_cast<void*>(code);
+  return opened;
+}
+
+void* symbol_of(void* code, const char* name) {
+  return reinterpret_cast<void*>(GetProcAddress(static_cast<HMODULE>(code), name));
+}
+
+}  // namespace rc_platform
