@@ -10,6 +10,7 @@ function(rc_export target map)
       file(READ ${file} text)
       string(REGEX MATCHALL "RC_API [^;(]*[ *](rc_[a-z0-9_]+)\\(" found "${text}")
       list(TRANSFORM found REPLACE ".*[ *](rc_[a-z0-9_]+)\\(" "\\1")
+      list(REMOVE_ITEM found rc_plugin_query)  # of plugins
       list(APPEND names ${found})
     endforeach()
     list(JOIN names "\n" names)
