@@ -66,7 +66,7 @@ def test_what_is_refused(tmp_path, map_file):
     refused(FileNotFoundError, "absent", rc.read, tmp_path / "absent.txt")
     refused(IsADirectoryError, "directory", rc.read, tmp_path)
     refused(rc.ArgumentError, "V", rc.read, map_file, unit="V")
-    refused(rc.ArgumentError, "pfu", rc.read, map_file, format="pfu")
+    refused(rc.ArgumentError, 'did you mean "x3p"', rc.read, map_file, format="x3")
     (tmp_path / "cut.txt").write_text("1 2\n3\n")
     refused(rc.ArgumentError, "cut.txt: row 2 has 1 values", rc.read, tmp_path / "cut.txt")
 
