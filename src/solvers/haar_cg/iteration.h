@@ -284,9 +284,12 @@ template <Machine M> class HaarIteration {
     violation_ = violation;
   }
 
+  // Worse than no pressure at all: on a periodic surface steps raise the load without end.
+  bool runs_away() const { return now_.merit > 0 && task_.periodic_mean > 0 && !follows() && !mean_tried_; }
+
   // After a bound: whether the merit rose, or the residual has not halved for `patience` bounds.
   bool in_trouble() {
-    bool trouble = !follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit);
+    bool trouble = runs_away() || (!follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit));
     merit_before_ = now_.merit;
     ++since_best_;
     ++stalled_;
@@ -305,6 +308,7 @@ template <Machine M> class HaarIteration {
   void safeguard() {
     ++rises_;
     if (rises_ > tolerated_rises && mean_ > 0 && !task_.by_load) return drop_mean();
+    if (runs_away()) return add_mean();
     if (rises_ <= 1) return;
     if (task_.periodic_mean > 0 && !follows() && !mean_tried_) return add_mean();
     interval_ = std::min(longest_interval, 2 * interval_);
