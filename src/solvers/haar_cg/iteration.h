@@ -34,7 +34,7 @@ template <Machine M> class HaarIteration {
   static constexpr int first_interval = 2, longest_interval = 16;
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
   // The same where points are at the cap; added after a bound at which the violation rose, taken off after any other.
-  static constexpr double capped_admission = 0.3, capped_rise = 0.3, capped_relief = 0.1;
+  static constexpr double capped_admission = 0.3, capped_rise = 0.3, capped_relief = 0.2;
   static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
   static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
 
