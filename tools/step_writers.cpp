@@ -1,0 +1,39 @@
+#include "step_writers.h"
+
+#include <dlfcn.h>
+
+#include "choices.h"
+#include "error.h"
+#include "numbers.h"
+#include "text.h"
+
+namespace cli {
+
+namespace {
+
+// Modules that have the writers; null: the command itself.
+constexpr const char* modules[] = {nullptr, "roughcontact-write-netcdf.so", "roughcontact-write-hdf5.so"};
+
+// The libraries of NetCDF and HDF5 bring dozens of others, which take some 40 ms to load: only a run that writes such files does.
+StepWriter loaded(const char* name, std::string_view format) {
+  void* const module = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  void* const found = module ? dlsym(module, "rc_write_step") : nullptr;
+  if (!found) {
+    throw Error("--write: " + std::string(format) + " was not built in (" + dlerror() + "): build with its library (Debian: lib" +
+                std::string(format) + "-dev), or give vti");
+  }
+  return reinterpret_cast<StepWriter>(found);
+}
+
+}  // namespace
+
+StepWriters find_step_writers(std::string_view formats) {
+  StepWriters found;
+  for (const std::string_view format : split(formats, ',')) {
+    const std::size_t k = choice("--write", format, step_formats);
+    found.push_back({step_extensions[k], modules[k] ? loaded(modules[k], format) : write_vti});
+  }
+  return found;
+}
+
+}  // namespace cli
