@@ -2,6 +2,9 @@
 
 #include <dlfcn.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "choices.h"
 #include "error.h"
 #include "numbers.h"
@@ -9,14 +12,18 @@
 
 namespace cli {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 // Modules that have the writers; null: the command itself.
-constexpr const char* modules[] = {nullptr, "roughcontact-write-netcdf.so", "roughcontact-write-hdf5.so"};
+constexpr const char* modules[] = {nullptr, "write-netcdf.so", "write-hdf5.so"};
 
 // The libraries of NetCDF and HDF5 bring dozens of others, which take some 40 ms to load: only a run that writes such files does.
 StepWriter loaded(const char* name, std::string_view format) {
-  void* const module = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  std::error_code unknown;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path() / RC_LIBRARY_FROM_BIN / "roughcontact";
+  void* const module = dlopen((folder / name).c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const found = module ? dlsym(module, "rc_write_step") : nullptr;
   if (!found) {
     throw Error("--write: " + std::string(format) + " was not built in (" + dlerror() + "): build with its library (Debian: lib" +

@@ -1,6 +1,7 @@
 """What a report tells, without the packages that make a page of it."""
 
 import math
+import pathlib
 
 import numpy as np
 import pytest
@@ -154,6 +155,10 @@ def test_missing_points_and_a_plane(tmp_path, rough):
     assert not any("plane" in doubt for doubt in wording.doubts(level)) and level.missing == 1 and level.statistics is None
     assert np.isnan(level.maps.heights).sum() == 1 and level.maps.pressure[3, 4] == 0
     assert "1 missing points were kept out of contact." in wording.assumptions(level)
+
+
+def test_the_template_is_in_the_package():
+    assert (pathlib.Path(page.__file__).parent / "page.html.j2").exists()
 
 
 def test_nothing_in_contact(file):
