@@ -139,8 +139,35 @@ def test_words(file):
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
     yielding = collected(file, "--pressure", "5GPa", "--hardness", "8GPa")
-    assert "of the contact is at the hardness of 8 GPa" in wording.conclusion(yielding) and yielding.steps[-1].mean_gap >= 0
+    assert (
+        "of the contact is at the hardness of 8 GPa and carries" in wording.conclusion(yielding)
+        and yielding.steps[-1].mean_gap >= 0
+    )
     assert "no hardness" not in " ".join(wording.assumptions(yielding))
+
+
+def test_a_goal_for_the_accuracy(tmp_path):
+    np.save(
+        tmp_path / "smooth.npy",
+        rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, hurst=1, q_high=2 * np.pi / 32e-6).heights,
+    )
+    goal = [
+        str(tmp_path / "smooth.npy"),
+        "--pitch",
+        "1um",
+        *STEEL,
+        "--boundary",
+        "periodic",
+        "--pressure",
+        "50MPa,100MPa",
+        "--accuracy",
+        "0.2",
+    ]
+    content = collect(read_request(goal))
+    assert content.certified and [step.result.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
+    assert "2 were solved on a coarser grid" in wording.certificate(content)
+    assert "% of the area carries" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
+    assert all("points solved" in row[-2] for row in wording.proof_rows(content))
 
 
 def test_missing_points_and_a_plane(tmp_path, rough):
