@@ -138,6 +138,15 @@ def test_words(file):
     assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
+    soft = collect(
+        read_request(
+            [file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"]
+        )
+    )
+    assert "E*: strains are large" in wording.conclusion(soft)
+    assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
+        "below the hardness of 1 TPa."
+    )
     yielding = collected(file, "--pressure", "5GPa", "--hardness", "8GPa")
     assert (
         "of the contact is at the hardness of 8 GPa and carries" in wording.conclusion(yielding)

@@ -9,7 +9,7 @@ from .content import Content, Step
 from .quantities import with_prefix
 
 Rows = Sequence[Tuple[str, str]]
-HARDEST_STEEL = 10e9  # Pa, as the command has it
+HARDEST_STEEL, SMALL_STRAIN = 10e9, 0.2  # [Pa], largest pressure over E*; as the command has them
 
 
 def status(step: Step) -> str:
@@ -39,8 +39,12 @@ def conclusion(content: Content) -> str:
             + f"{share:.3g} % of the contact is at the hardness of {with_prefix(hardness, 'Pa')} and carries {carried:.3g} % of the load."
         )
     line += f"the largest pressure is {with_prefix(last.max_pressure, 'Pa')}"
-    if not hardness and last.max_pressure > HARDEST_STEEL:
+    if hardness:
+        return line + f", below the hardness of {with_prefix(hardness, 'Pa')}."
+    if last.max_pressure > HARDEST_STEEL:
         line += ", above the hardness of any steel: most bodies yield there, and this answer is elastic. --hardness bounds it"
+    elif last.max_pressure > SMALL_STRAIN * content.request.modulus:
+        line += f", {last.max_pressure / content.request.modulus:.2g} E*: strains are large, and the answer is of small ones"
     return line + "."
 
 
