@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "error.h"
 #include "npy_writer.h"
@@ -29,8 +30,10 @@ std::string step_name(const char* stem, std::size_t number, const char* extensio
 }
 
 std::vector<std::string> step_names(std::size_t number) {
-  return {step_name("pressure", number, "npy"), step_name("gap", number, "npy"), step_name("indentation", number, "npy"),
-          step_name("contact", number, "png")};
+  std::vector<std::string> names = {step_name("pressure", number, "npy"), step_name("gap", number, "npy"),
+                                    step_name("indentation", number, "npy"), step_name("contact", number, "png")};
+  for (const char* extension : step_extensions) names.push_back(step_name("step", number, extension));
+  return names;
 }
 
 HistoryPoint history_point(const EarlierStep& step) {
@@ -54,8 +57,12 @@ std::size_t step_of(const std::string& name) {
 
 }  // namespace
 
-StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume)
-    : folder_(folder), problem_(problem), summary_(problem), earlier_(read_earlier_run(folder_.read(summary_name))) {
+StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers)
+    : folder_(folder),
+      writers_(std::move(writers)),
+      problem_(problem),
+      summary_(problem),
+      earlier_(read_earlier_run(folder_.read(summary_name))) {
   const std::vector<std::string> present = folder_.names();
   remove_unfinished(present);
   refuse_foreign(present);
@@ -160,6 +167,13 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   folder_.write(step_name("pressure", number, "npy"), array(fields.pressure));
   folder_.write(step_name("gap", number, "npy"), array(fields.gap));
   if (!fields.indentation.empty()) folder_.write(step_name("indentation", number, "npy"), array(fields.indentation));
+  const std::vector<JsonEntry> values = step_fields(step, problem_.system.hardness > 0);
+  for (const NamedWriter& writer : writers_) {
+    folder_.write(step_name("step", number, writer.extension), [&](std::FILE* file) {
+      writer.write(make_image(problem_, values, fields), file);
+      return true;
+    });
+  }
   if (can_draw_) {
     draw(step_name("contact", number, "png"), [&](std::FILE* file) {
       return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
@@ -168,7 +182,7 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   history_.push_back(
       {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
 
-  add(step_fields(step, problem_.system.hardness > 0));
+  add(values);
   write_whole_file(folder_.path(table_name), table_.text());
   write_whole_file(folder_.path(summary_name), summary_.text());
   unfinished_ = 0;

@@ -15,6 +15,7 @@
 #include "problem.h"
 #include "step_record.h"
 #include "step_table.h"
+#include "step_writers.h"
 #include "summary.h"
 
 namespace cli {
@@ -28,8 +29,8 @@ struct CertifiedStep {
 class StepFiles {
  public:
   // Throws if the folder has files with names that this run would write and that no summary.json lists. resume: continues after
-  // the steps that an earlier run of the same problem has finished, if there was one.
-  StepFiles(const std::string& folder, const Problem& problem, bool resume);
+  // the steps that an earlier run of the same problem has finished, if there was one. writers: of more files of each step.
+  StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers);
   // Removes the files of a step if not all of them could be written.
   ~StepFiles();
   StepFiles(const StepFiles&) = delete;
@@ -56,6 +57,7 @@ class StepFiles {
   void draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
 
   OutputFolder folder_;
+  StepWriters writers_;
   const Problem& problem_;
   Summary summary_;
   StepTable table_;

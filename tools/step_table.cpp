@@ -26,13 +26,13 @@ std::string cell(const JsonValue& value) {
 }  // namespace
 
 void StepTable::add(std::span<const JsonEntry> step) {
-  std::string head = "step", row = std::to_string(++rows_);
+  std::string header = "step", row = std::to_string(++rows_);
   for (const JsonEntry& field : step) {
     const std::string name{name_of(field)}, unit{unit_of(name)};
-    head += format(unit.empty() ? ",%s" : ",%s [%s]", name.c_str(), unit.c_str());
+    header += format(unit.empty() ? ",%s" : ",%s [%s]", name.c_str(), unit.c_str());
     row.append(1, ',').append(cell(field.value));
   }
-  if (text_.empty()) text_ = head + "\n";
+  if (text_.empty()) text_ = header + "\n";
   text_ += row + "\n";
 }
 

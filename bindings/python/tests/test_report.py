@@ -1,6 +1,7 @@
 """What a report tells, without the packages that make a page of it."""
 
 import math
+import pathlib
 
 import numpy as np
 import pytest
@@ -137,9 +138,45 @@ def test_words(file):
     assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
     assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
     assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
+    soft = collect(
+        read_request(
+            [file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"]
+        )
+    )
+    assert "E*: strains are large" in wording.conclusion(soft)
+    assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
+        "below the hardness of 1 TPa."
+    )
     yielding = collected(file, "--pressure", "5GPa", "--hardness", "8GPa")
-    assert "of the contact is at the hardness of 8 GPa" in wording.conclusion(yielding) and yielding.steps[-1].mean_gap >= 0
+    assert (
+        "of the contact is at the hardness of 8 GPa and carries" in wording.conclusion(yielding)
+        and yielding.steps[-1].mean_gap >= 0
+    )
     assert "no hardness" not in " ".join(wording.assumptions(yielding))
+
+
+def test_a_goal_for_the_accuracy(tmp_path):
+    np.save(
+        tmp_path / "smooth.npy",
+        rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, hurst=1, q_high=2 * np.pi / 32e-6).heights,
+    )
+    goal = [
+        str(tmp_path / "smooth.npy"),
+        "--pitch",
+        "1um",
+        *STEEL,
+        "--boundary",
+        "periodic",
+        "--pressure",
+        "50MPa,100MPa",
+        "--accuracy",
+        "0.2",
+    ]
+    content = collect(read_request(goal))
+    assert content.certified and [step.result.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
+    assert "2 were solved on a coarser grid" in wording.certificate(content)
+    assert "% of the area carries" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
+    assert all("points solved" in row[-2] for row in wording.proof_rows(content))
 
 
 def test_missing_points_and_a_plane(tmp_path, rough):
@@ -154,6 +191,10 @@ def test_missing_points_and_a_plane(tmp_path, rough):
     assert not any("plane" in doubt for doubt in wording.doubts(level)) and level.missing == 1 and level.statistics is None
     assert np.isnan(level.maps.heights).sum() == 1 and level.maps.pressure[3, 4] == 0
     assert "1 missing points were kept out of contact." in wording.assumptions(level)
+
+
+def test_the_template_is_in_the_package():
+    assert (pathlib.Path(page.__file__).parent / "page.html.j2").exists()
 
 
 def test_nothing_in_contact(file):

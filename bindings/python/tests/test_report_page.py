@@ -3,7 +3,9 @@
 import base64
 import gzip
 import json
+import pathlib
 import re
+import shlex
 import shutil
 import struct
 import subprocess
@@ -19,6 +21,7 @@ for name in ("jinja2", "plotly"):
     pytest.importorskip(name)
 
 EVERY = ["area", "gap", "stiffness", "approach", "pressure", "heights", "gaps", "pressures", "patches", "spectrum", "bearing"]
+DOCUMENT = pathlib.Path(__file__).resolve().parents[3] / "docs" / "python.md"
 BROWSER = shutil.which("chromium") or shutil.which("google-chrome")
 
 
@@ -59,6 +62,22 @@ def test_one_page_that_holds_all(tmp_path, capsys):
     names = [trace.get("name") for trace in figures["area"]["data"]]
     assert "steps" in names and any("Persson" in each for each in names if each)
     assert not list(tmp_path.glob(".page*"))
+
+
+def test_the_documented_command(tmp_path, monkeypatch):
+    shown = (
+        re.search(r"^python3 -m roughcontact (report .*)$", DOCUMENT.read_text(encoding="utf-8"), re.M)
+        if DOCUMENT.exists()
+        else None
+    )
+    if shown is None:
+        pytest.skip("docs/python.md is not beside the tests")
+    monkeypatch.chdir(tmp_path)
+    heights = rc.surface.noise((24, 24), rms_height=1e-7).heights.astype("<f4")
+    header = b"Gwyddion Simple Field 1.0\nXRes = 24\nYRes = 24\nXReal = 2.4e-5\nYReal = 2.4e-5\nXYUnits = m\nZUnits = m\n"
+    (tmp_path / "surface.gsf").write_bytes(header + b"\0" * (4 - len(header) % 4) + heights.tobytes())
+    assert command.main(shlex.split(shown[1])) == 0
+    assert shown[0].replace("python3 -m roughcontact report", "") in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
 def test_large_maps_stay_small_pages(tmp_path):

@@ -159,7 +159,7 @@ def _maps(surface: Surface, result: Result) -> Maps:
 
 
 def _options(request: Request) -> Dict[str, Any]:
-    named = {"tol": request.tol, "threads": request.threads}
+    named = {"tol": request.tol, "accuracy": request.accuracy, "threads": request.threads}
     return {"stiffness": 1, **{name: value for name, value in named.items() if value is not None}}
 
 

@@ -7,8 +7,9 @@ import numpy as np
 
 from .._arrays import Doubles
 from .._pictures import COLOURS, GROUND
-from .content import Content, Step
+from .content import Content
 from .quantities import prefix_for
+from .wording import status
 
 RED, BLUE, BLACK = "#e6002e", "#3070c0", "#303030"
 SPREAD = 30  # loads whose largest is that many times the least have a logarithmic axis
@@ -61,7 +62,7 @@ class Figures:
         y = np.array(values, float)
         y[~np.isfinite(y)] = np.nan
         force, factor = prefix_for(self.loads.max()), prefix_for(np.nanmax(np.abs(y), initial=0)) if unit != "%" else (1.0, "")
-        text = [f"step {k}, {_status(step)}" for k, step in enumerate(self.content.steps, 1)]
+        text = [f"step {k}, {status(step)}" for k, step in enumerate(self.content.steps, 1)]
         points = self.graph.Scatter(
             x=self.loads / force[0],
             y=y / factor[0],
@@ -266,10 +267,6 @@ class Figures:
         line = self.graph.Scatter(x=100 * shares, y=heights / factor, mode="lines", line={"color": RED}, hovertemplate=hover)
         told = "The share of the undeformed surface that lies higher (Abbott and Firestone)."
         return Figure("bearing", "Bearing curve", told, self._figure([line], "share [%]", f"height above mean [{prefix}m]"))
-
-
-def _status(step: Step) -> str:
-    return "certified" if step.result.certified else step.result.status.name
 
 
 def figures_of(content: Content) -> Tuple[List[Figure], str]:

@@ -34,6 +34,7 @@ class Request:
     targets: List[float]
     curve: bool
     tol: Optional[float]
+    accuracy: Optional[float]
     threads: Optional[int]
     command: str
 
@@ -71,6 +72,9 @@ def parser() -> Parser:
     made.add_argument("--pressure", metavar="TARGETS", help="mean pressure; or")
     made.add_argument("--displacement", metavar="TARGETS", help="approach from first touch")
     made.add_argument("--tol", metavar="TOL", help="largest relative residual of a certified step")
+    made.add_argument(
+        "--accuracy", metavar="GOAL", help="relative error that the load may have: a coarser grid is solved where that will do"
+    )
     made.add_argument("--threads", metavar="N", help="threads; all cores")
     return made
 
@@ -159,6 +163,7 @@ def read_request(arguments: Sequence[str]) -> Request:
         targets=steps,
         curve=curve,
         tol=None if given.tol is None else _number("--tol", given.tol),
+        accuracy=None if given.accuracy is None else _number("--accuracy", given.accuracy),
         threads=None if given.threads is None else _threads(given.threads),
         command=shlex.join(["python3", "-m", "roughcontact", "report", *arguments]),
     )

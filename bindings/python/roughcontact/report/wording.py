@@ -4,15 +4,22 @@ from typing import List, Sequence, Tuple
 
 import numpy as np
 
+from .._status import Status
 from .content import Content, Step
 from .quantities import with_prefix
 
 Rows = Sequence[Tuple[str, str]]
-HARDEST_STEEL = 10e9  # Pa, as the command has it
+HARDEST_STEEL, SMALL_STRAIN = 10e9, 0.2  # [Pa], largest pressure over E*; as the command has them
 
 
 def status(step: Step) -> str:
+    if step.result.status == Status.WITHIN_GOAL:
+        return "within accuracy"
     return "certified" if step.result.certified else step.result.status.name
+
+
+def good(step: Step) -> bool:
+    return step.result.status in (Status.OK, Status.WITHIN_GOAL)
 
 
 def conclusion(content: Content) -> str:
@@ -20,15 +27,24 @@ def conclusion(content: Content) -> str:
     last = content.steps[-1]
     if not last.result.contacts:
         return "Nothing carries pressure."
-    line = "" if last.result.certified else f"Not certified ({status(last)}): "
+    line = "" if good(last) else f"Not certified ({status(last)}): "
     line += f"{100 * last.fraction:.3g} % of the area carries {with_prefix(last.result.load, 'N')}; "
     hardness = content.request.hardness
     if hardness and last.result.capped:
         share = 100 * last.result.capped / last.result.contacts
-        return line + f"{share:.3g} % of the contact is at the hardness of {with_prefix(hardness, 'Pa')}."
+        cell = content.surface.pitch[0] * content.surface.pitch[1]
+        carried = 100 * last.result.capped * hardness * cell / last.result.load
+        return (
+            line
+            + f"{share:.3g} % of the contact is at the hardness of {with_prefix(hardness, 'Pa')} and carries {carried:.3g} % of the load."
+        )
     line += f"the largest pressure is {with_prefix(last.max_pressure, 'Pa')}"
-    if not hardness and last.max_pressure > HARDEST_STEEL:
+    if hardness:
+        return line + f", below the hardness of {with_prefix(hardness, 'Pa')}."
+    if last.max_pressure > HARDEST_STEEL:
         line += ", above the hardness of any steel: most bodies yield there, and this answer is elastic. --hardness bounds it"
+    elif last.max_pressure > SMALL_STRAIN * content.request.modulus:
+        line += f", {last.max_pressure / content.request.modulus:.2g} E*: strains are large, and the answer is of small ones"
     return line + "."
 
 
@@ -72,8 +88,17 @@ PROOF_HEAD = (
     "load proven between",
     "area proven between",
     "points proven in contact, open, undecided",
+    "estimated error of load, area",
     "by",
 )
+
+
+def _errors(step: Step) -> str:
+    """Of a coarser grid that was solved for the goal of --accuracy."""
+    accuracy = step.result.accuracy
+    if step.result.status != Status.WITHIN_GOAL or accuracy is None:
+        return "this grid was solved"
+    return f"{100 * accuracy.error_estimate:.2g} %, {100 * accuracy.area_estimate:.2g} % ({accuracy.model_nx} × {accuracy.model_ny} points solved)"
 
 
 def proof_rows(content: Content) -> List[Tuple[str, ...]]:
@@ -94,6 +119,7 @@ def proof_rows(content: Content) -> List[Tuple[str, ...]]:
                     else "not known"
                 ),
                 f"{r.proven_contacts}, {r.proven_open}, {r.undecided}" if r.proven_contacts >= 0 else "not known",
+                _errors(step),
                 f"{r.solver} on {r.backend}, {r.iterations} iterations",
             )
         )
@@ -176,12 +202,18 @@ def doubts(content: Content) -> List[str]:
 
 
 def certificate(content: Content) -> str:
-    good = sum(step.result.certified for step in content.steps)
-    return (
-        f"{good} of {len(content.steps)} steps are certified: a fresh product with the influence matrix has shown that every "
+    certified = sum(step.result.certified for step in content.steps)
+    within = sum(step.result.status == Status.WITHIN_GOAL for step in content.steps)
+    told = (
+        f"{certified} of {len(content.steps)} steps are certified: a fresh product with the influence matrix has shown that every "
         "residual of the conditions of contact (no tension, no overlap, pressure only where the gap is closed, the load) is within "
         "the limit. The intervals hold the exact load and contact area of this grid at the approach found."
     )
+    if within:
+        told += (
+            f" {within} were solved on a coarser grid, within the goal of --accuracy: their errors are estimates, not proven."
+        )
+    return told
 
 
 CITATION = (
