@@ -31,6 +31,8 @@ HEADERS = {
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
 }
+# Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
+FROM_PLUGIN = ["rc_context_register"]
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
@@ -258,13 +260,13 @@ def python_structs(interface: Interface) -> str:
     return "\n".join(lines).strip("\n")
 
 
-def python_functions(libraries: Dict[str, Tuple[str, Interface]]) -> str:
-    """libraries: {class: (summary, Interface)}"""
+def python_functions(libraries: Dict[str, Tuple[str, Interface, Dict[str, Function]]]) -> str:
+    """libraries: {class: (summary, Interface, its functions and those of others that belong to this library)}"""
     signatures, classes = [], []
-    for title, (summary, interface) in libraries.items():
+    for title, (summary, interface, functions) in libraries.items():
         classes += ["", "", f"class {title}(Protocol):", f'    """{summary}"""', ""]
-        for names in alike(interface.functions):
-            function = interface.functions[names[0]]
+        for names in alike(functions):
+            function = functions[names[0]]
             arguments = ", ".join(python_type(kind, interface) for _, kind in function.arguments)
             signature = f"Callable[[{arguments}], {python_type(function.result, interface)}]"
             if len(names) > 1 and len(signature) > 80:
@@ -317,6 +319,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
     surface, formats = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats"))
+    plugin = read(["roughcontact/plugin.h"], include, cc, contact)
+    added = {name: plugin.functions[name] for name in FROM_PLUGIN}
     known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
     if unknown:
@@ -400,9 +404,9 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             "The functions of the headers.",
             python_functions(
                 {
-                    "ContactFunctions": ("libroughcontact", contact),
-                    "SurfaceFunctions": ("libroughcontact-surface", surface),
-                    "FormatsFunctions": ("libroughcontact-formats", formats),
+                    "ContactFunctions": ("libroughcontact", contact, {**contact.functions, **added}),
+                    "SurfaceFunctions": ("libroughcontact-surface", surface, surface.functions),
+                    "FormatsFunctions": ("libroughcontact-formats", formats, formats.functions),
                 }
             ),
             after=["_c", "_structs"],

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "npy_writer.h"
 #include "picture.h"
+#include "step_fields.h"
 #include "surface.h"
 #include "text.h"
 #include "whole_file.h"
@@ -18,6 +19,10 @@ namespace {
 
 constexpr const char* summary_name = "summary.json";
 constexpr const char* history_name = "history.png";
+constexpr const char* table_name = "steps.csv";
+
+// Whether a file of this name is of the whole history.
+bool of_all_steps(std::string_view name) { return name == summary_name || name == history_name || name == table_name; }
 
 std::string step_name(const char* stem, std::size_t number, const char* extension) {
   return format("%s-%zu.%s", stem, number, extension);
@@ -73,7 +78,7 @@ StepFiles::~StepFiles() {
 void StepFiles::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
     const std::string target{target_of_temporary(name)};
-    if (target == summary_name || target == history_name || step_of(target) > 0) folder_.remove(name);
+    if (of_all_steps(target) || step_of(target) > 0) folder_.remove(name);
   }
 }
 
@@ -81,8 +86,7 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
   const std::size_t own = earlier_ ? earlier_->own_steps() : 0;
   for (const std::string& name : present) {
     const std::size_t step = step_of(name);
-    if (name == summary_name || name == history_name ? earlier_.has_value() : step <= own || step > problem_.targets.size())
-      continue;
+    if (of_all_steps(name) ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
     throw Error("--out: " + in_quotes(folder_.path(name).native()) +
                 " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
@@ -94,7 +98,7 @@ void StepFiles::take_up(const EarlierRun& now) {
   if (!steps.empty() && steps.back().status == "RC_STOP_CANCELLED") steps.pop_back();
   check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).native()));
   for (const EarlierStep& step : steps) {
-    summary_.add(step.fields);
+    add(step.fields);
     history_.push_back(history_point(step));
     all_certified_ = all_certified_ && step.certified();
   }
@@ -131,14 +135,18 @@ std::vector<double> StepFiles::values(const char* stem, std::size_t number) cons
 void StepFiles::begin() {
   begun_ = true;
   const std::size_t kept = static_cast<std::size_t>(finished_), own = earlier_ ? earlier_->own_steps() : 0;
-  write_summary(summary_.text(own > kept ? own : 0));
+  write_whole_file(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
   if (own > 0) folder_.remove(history_name);
+  if (own > 0) folder_.remove(table_name);
   for (std::size_t k = kept + 1; k <= own; ++k) {
     for (const std::string& name : step_names(k)) folder_.remove(name);
   }
 }
 
-void StepFiles::write_summary(const std::string& text) { write_whole_file(folder_.path(summary_name), text); }
+void StepFiles::add(std::span<const JsonEntry> step) {
+  summary_.add(step);
+  table_.add(step);
+}
 
 void StepFiles::write(const StepRecord& step, const Fields& fields) {
   const auto number = unfinished_ = static_cast<std::size_t>(step.number);
@@ -160,8 +168,9 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   history_.push_back(
       {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
 
-  summary_.add(step);
-  write_summary(summary_.text());
+  add(step_fields(step, problem_.system.hardness > 0));
+  write_whole_file(folder_.path(table_name), table_.text());
+  write_whole_file(folder_.path(summary_name), summary_.text());
   unfinished_ = 0;
 }
 

@@ -82,7 +82,5 @@ def register(context: Any, name: str, symbol: Symbol, summary: str) -> None:
     plugin = rc_plugin()
     plugin.abi_major, plugin.abi_minor, plugin.name, plugin.version = ABI_MAJOR, ABI_MINOR, known, b""
     plugin.n_kernels, plugin.kernels = 1, kernels
-    add = contact_library().rc_context_register
-    add.restype, add.argtypes = ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(rc_plugin)]
-    check(add(context, plugin))
+    check(contact_library().rc_context_register(context, ctypes.byref(plugin)))
     _registered.append((kernel, kernels, plugin))

@@ -7,7 +7,6 @@ from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Pitch
 from ._errors import ArgumentError
 from .context import Context, Options, options as all_options
 from .system import System
@@ -68,12 +67,7 @@ def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], displaceme
     return np.asarray(pressure, float) * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1])
 
 
-def refuse_one_row(array: Any, name: str, pitch: Optional[Pitch]) -> None:
-    """One-dimensional arrays are one row of cells, whose width has to be said."""
-    one_axis = (
-        array.ndim == 1 if isinstance(array, np.ndarray) else isinstance(array, (list, tuple)) and np.isscalar((*array, "")[0])
-    )
-    if one_axis and pitch is not None and np.ndim(pitch) == 0:
-        raise ArgumentError(
-            f"{name} has one axis: give pitch=(hx, hy), hy being the width of that row of points, or an array [ny, nx]"
-        )
+def refuse_beside_system(**given: Any) -> None:
+    twice = [name for name, value in given.items() if value is not None]
+    if twice:
+        raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")

@@ -4,11 +4,11 @@ from typing import Any, Callable, Optional, Tuple
 
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, refuse_one_row
 from ._errors import ArgumentError
-from ._handle import Progress
+from ._handle import Watch
 from ._history import path_on
-from ._keywords import Constant, load_of, modulus_of, options_of, refuse_one_row
+from ._keywords import Constant, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
 from .contact import Contact, control_and_target, gap_and_mask
 from .context import Context, Options
@@ -32,16 +32,12 @@ def system_for(
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     if system is not None:
-        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
-        twice = [name for name, value in given.items() if value is not None]
-        if twice:
-            raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
-        found, mask_array = gap_and_mask(system.shape, heights, undeformed_gap, mask, missing)
+        refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, unit=unit, hardness=hardness)
+        found, mask_array = gap_and_mask(system, heights, undeformed_gap, mask, missing)
         assert found is not None
         return system, found, mask_array
     if modulus is None:
         raise ArgumentError("modulus is missing: the contact modulus E*, or E and nu, or system=")
-    refuse_one_row(heights if undeformed_gap is None else undeformed_gap, "heights or undeformed_gap", pitch)
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
         boundary = boundary or ("periodic" if surface.periodic else None)
@@ -50,6 +46,7 @@ def system_for(
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
     array = as_doubles(undeformed_gap, "undeformed_gap")  # type: ignore[arg-type]
+    refuse_one_row(array, "undeformed_gap", pitch)
     half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
@@ -76,7 +73,7 @@ def solve(
     unit: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
-    progress: Optional[Callable[[Progress], object]] = None,
+    progress: Watch = None,
     every: int = 1,
     context: Optional[Context] = None,
     **keywords: Any,
@@ -98,10 +95,13 @@ def solve(
     system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
     options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
     keywords: the same by their names, with _ for the dots: tol=1e-6, solver="nnls", fft_precision="single"
-    progress, every, context: as in `Contact`; the others: as in `Contact.solve`
+    progress: True: a bar of the package tqdm; or a function, which with every and context is as in `Contact`
+    the others: as in `Contact.solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
@@ -140,7 +140,7 @@ def path(
     unit: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
-    progress: Optional[Callable[[Progress], object]] = None,
+    progress: Watch = None,
     every: int = 1,
     context: Optional[Context] = None,
     **keywords: Any,
@@ -157,7 +157,9 @@ def path(
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(path, options, keywords, context)
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
