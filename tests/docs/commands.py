@@ -8,11 +8,12 @@ is what the commands print; ... in it stands for any text. A comment on the line
 
   <!-- not run: REASON -->       it installs packages, builds the tree, takes hours
   <!-- run in full: REASON -->   it takes longer than a test of the middle tier may: with --full alone
-  <!-- needs: PROGRAM ... -->    not run where one of these is missing
+  <!-- needs: NAME ... -->       not run where one of these programs, or python:MODULE, is missing
 
 Blocks without a language show no commands, but for synopses, with [ and |.
 """
 import argparse
+import importlib.util
 import os
 import pathlib
 import re
@@ -34,6 +35,11 @@ MARK = '-- block %d of the page ends --'
 PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\./\S+\.sh|scripts/\S+|\S+/\S+\.sh)'
 
 
+def is_here(name):
+    kind, _, module = name.partition(':')
+    return importlib.util.find_spec(module) if kind == 'python' else shutil.which(name)
+
+
 def left_out(block, full):
     """Why this block is not run here; empty: it is."""
     rule, _, told = block.comment.partition(': ')
@@ -42,7 +48,7 @@ def left_out(block, full):
     if rule == 'run in full':
         return '' if full else f'with --full: {told}'
     if rule == 'needs':
-        absent = [program for program in told.split() if not shutil.which(program)]
+        absent = [name for name in told.split() if not is_here(name)]
         return f'there is no {", ".join(absent)}' if absent else ''
     return f'unknown comment: {block.comment}' if rule else ''
 
@@ -69,13 +75,12 @@ class Reader:
         subprocess.run(['cmake', '--install', build, '--prefix', prefix], check=True, stdout=subprocess.DEVNULL)
         packages = next(prefix.rglob('roughcontact.pc')).parent
         (scratch / 'bin').mkdir()
-        (scratch / 'bin/python3').symlink_to(sys.executable)
         for program in ('sudo', 'apt-get', 'pip'):
             (scratch / 'bin' / program).write_text(f'#!/bin/sh\necho "{program}: mark this block as not run" >&2\nexit 1\n')
             (scratch / 'bin' / program).chmod(0o755)
         python = next(iter(prefix.rglob('roughcontact/__init__.py')), None)
         self.environment = {
-            'PATH': f'{scratch}/bin:{prefix}/bin:{os.environ["PATH"]}', 'PKG_CONFIG_PATH': str(packages),
+            'PATH': f'{scratch}/bin:{prefix}/bin:{pathlib.Path(sys.executable).parent}:{os.environ["PATH"]}', 'PKG_CONFIG_PATH': str(packages),
             'CMAKE_PREFIX_PATH': str(prefix), 'LC_ALL': 'C.UTF-8',
             'LD_LIBRARY_PATH': str(packages.parent), 'PYTHONPATH': str(python.parent.parent) if python else '',
             'MPLBACKEND': 'agg'}
