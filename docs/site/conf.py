@@ -3,6 +3,7 @@
 The pages are those of the source tree. The front page is README.md, to which the contents are appended; pages of the reference are
 made from the sources by reference.py.
 """
+
 import os
 import pathlib
 import re
