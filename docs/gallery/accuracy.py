@@ -1,8 +1,9 @@
 # %% [markdown]
 # # No more accuracy than is wanted
 #
-# Option `accuracy` names the error in the load that is accepted. The library solves coarser grids where these will do and corrects their
-# answers on the given one. The picture has the estimated and the true error for a goal, and the time that the goal saves.
+# Option `accuracy` names the error in the load that is accepted. The library solves coarser grids where these will do and
+# corrects their answers on the given one. The picture has the estimated and the true error for a goal, and the time that the goal
+# saves.
 
 # %%
 import matplotlib.pyplot as plt

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # Rough contact area against load
 #
-# Five self-affine surfaces are pressed until nearly all of them touches. Pressures are given over E* times the rms slope h', where theories
-# give one curve for all surfaces: Persson (2001) A/A0 = erf(√2 p/(E* h')), Bush, Gibson & Thomas (1975) A/A0 = √(2π) p/(E* h') at light
-# loads.
+# Five self-affine surfaces are pressed until nearly all of them touches. Pressures are given over E* times the rms slope h',
+# where theories give one curve for all surfaces: Persson (2001) A/A0 = erf(√2 p/(E* h')), Bush, Gibson & Thomas (1975) A/A0 =
+# √(2π) p/(E* h') at light loads.
 
 # %%
 import math

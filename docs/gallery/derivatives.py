@@ -1,9 +1,9 @@
 # %% [markdown]
 # # Which heights matter?
 #
-# A surface with dimples under a given approach. The gradient of the load by every height comes from one more linear solve; it is not 0
-# only where the bodies touch. Its product with a change of the surface predicts the new load without another solve: here the depth of the
-# dimples changes.
+# A surface with dimples under a given approach. The gradient of the load by every height comes from one more linear solve; it is
+# not 0 only where the bodies touch. Its product with a change of the surface predicts the new load without another solve: here
+# the depth of the dimples changes.
 
 # %%
 import matplotlib.pyplot as plt
@@ -14,7 +14,9 @@ import roughcontact as rc
 n, pitch = 128, 1e-6
 x = np.arange(n) * pitch
 wave = np.cos(2 * np.pi * x[:, None] / 32e-6) * np.cos(2 * np.pi * x / 32e-6)
-rough = rc.surface.spectral((n, n), pitch=pitch, rms_height=0.05e-6, hurst=0.8, q_rolloff=2 * np.pi / 16e-6, q_high=2 * np.pi / 4e-6, seed=1).heights
+rough = rc.surface.spectral(
+    (n, n), pitch=pitch, rms_height=0.05e-6, hurst=0.8, q_rolloff=2 * np.pi / 16e-6, q_high=2 * np.pi / 4e-6, seed=1
+).heights
 
 
 def gap(depth):

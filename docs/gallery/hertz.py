@@ -1,9 +1,9 @@
 # %% [markdown]
 # # A ball, and Hertz's answer
 #
-# A ball of radius R is pressed into a half-space by d. Hertz (1882): the load is 4/3 E* √R d^1.5, the contact is a circle of radius
-# a = √(R d), and the pressure in it is 2 E* a/(π R) √(1 - r²/a²). The picture has the pressures on a line through the middle, and the error
-# of the load on finer and finer grids.
+# A ball of radius R is pressed into a half-space by d. Hertz (1882): the load is 4/3 E* √R d^1.5, the contact is a circle of
+# radius a = √(R d), and the pressure in it is 2 E* a/(π R) √(1 - r²/a²). The picture has the pressures on a line through the
+# middle, and the error of the load on finer and finer grids.
 
 # %%
 import matplotlib.pyplot as plt

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # A layer, as a function in Python
 #
-# An elastic layer of thickness t, bonded to a half-space of another material. A wave of pressure with wave number q deflects it by f(q t) times
-# what it deflects the half-space (Burmister 1945; O'Sullivan & King 1988). The function goes to `Context.add_kernel`. A ball is pressed in
-# under the same approach; a is the radius of contact on the bare half-space.
+# An elastic layer of thickness t, bonded to a half-space of another material. A wave of pressure with wave number q deflects it
+# by f(q t) times what it deflects the half-space (Burmister 1945; O'Sullivan & King 1988). The function goes to
+# `Context.add_kernel`. A ball is pressed in under the same approach; a is the radius of contact on the bare half-space.
 
 # %%
 import matplotlib.pyplot as plt
@@ -47,7 +47,11 @@ for ratio in (10, 2, 0.5, 0.1):
     left.loglog(thicknesses, [press(ratio, t).load / bare.load for t in thicknesses], ".-", label=f"E₁*/E₂* = {ratio}")
 left.set(xlabel="thickness / a", ylabel="load / load on the bare half-space")
 left.legend()
-for name, result in ("bare", bare), ("10 times stiffer layer, t = a", press(10, 1)), ("10 times softer layer, t = a", press(0.1, 1)):
+for name, result in (
+    ("bare", bare),
+    ("10 times stiffer layer, t = a", press(10, 1)),
+    ("10 times softer layer, t = a", press(0.1, 1)),
+):
     right.plot(x, result.pressure[n // 2] / bare.pressure.max(), label=name)
 right.set(xlabel="x / a", ylabel="pressure / largest one, bare", xlim=(-2, 2), ylim=(0, 7.5))
 right.legend(loc="upper right")

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # From a measured map to an answer
 #
-# A map as an instrument writes it: tilted, with missing points, in a file that does not say its pitch. It is read, levelled, filled, judged and
-# pressed to three loads.
+# A map as an instrument writes it: tilted, with missing points, in a file that does not say its pitch. It is read, levelled,
+# filled, judged and pressed to three loads.
 
 # %%
 import pathlib
@@ -14,7 +14,9 @@ import numpy as np
 import roughcontact as rc
 
 # What stands for the instrument.
-made = rc.surface.spectral((192, 192), pitch=0.2, rms_height=0.05, hurst=0.8, q_rolloff=2 * np.pi / 10, q_high=2 * np.pi / 1, seed=3)
+made = rc.surface.spectral(
+    (192, 192), pitch=0.2, rms_height=0.05, hurst=0.8, q_rolloff=2 * np.pi / 10, q_high=2 * np.pi / 1, seed=3
+)
 heights = made.heights + 0.02 * np.arange(192) * 0.2
 heights[60:64, 100:130] = np.nan
 file = pathlib.Path(tempfile.mkdtemp()) / "map.npy"

@@ -3,6 +3,7 @@
 The pages are those of the source tree. The front page is README.md, to which the contents are appended; pages of the reference are
 made from the sources by reference.py.
 """
+
 import os
 import pathlib
 import re
@@ -118,14 +119,21 @@ def complete(app, docname, source):
     source[0] += {'README': CONTENTS, 'docs/reference': REFERENCE}.get(docname, '')
 
 
+def marked_up(line):
+    plain = re.sub(r'([*|\\_])', r'\\\1', line)
+    return re.sub(r'`([^`]+)`', lambda match: '``' + re.sub(r'\\([*|\\_])', r'\1', match[1]) + '``', plain)
+
+
 def as_written(app, what, name, obj, options, lines):
-    """Docstrings are plain text: their lines stay lines, and what is between backquotes is code."""
-    shown = []
+    """Docstrings are plain text: a line stays one unless it was full, and what is between backquotes is code."""
+    joined = []
     for line in lines:
-        plain = re.sub(r'([*|\\_])', r'\\\1', line)
-        code = re.sub(r'`([^`]+)`', lambda match: '``' + re.sub(r'\\([*|\\_])', r'\1', match[1]) + '``', plain)
-        shown.append('| ' + code if line.strip() else '')
-    lines[:] = [*shown, '']
+        full = joined and len(joined[-1].split('\n')[-1]) > 95
+        if full and line.strip():
+            joined[-1] += '\n' + line
+        else:
+            joined.append(line)
+    lines[:] = ['| ' + marked_up(' '.join(part.strip() for part in line.split('\n'))) if line.strip() else '' for line in joined] + ['']
 
 
 def setup(app):

@@ -1,4 +1,5 @@
 """Writes the pages of the reference from the sources: reference.py SOURCE FOLDER."""
+
 import pathlib
 import re
 import sys
@@ -8,16 +9,24 @@ MODULES = {
     'roughcontact_surface': 'Makes and judges surfaces: `use roughcontact_surface`.',
     'roughcontact_formats': 'Reads surface files: `use roughcontact_formats`.',
 }
+SHOWN = 'briefdescription detaileddescription innerclass public-attrib enum define typedef func var user-defined'
 SOLVING = ('contacts', 'histories', 'derivatives', 'direct', 'analysis', 'options', 'arrays', 'errors', 'strings')
 PYTHON = ('roughcontact', 'roughcontact.surface', 'roughcontact.analysis', 'roughcontact.direct', 'roughcontact.plot')
-BEGINS = re.compile(r'^  (?:(?:pure|elemental|recursive|impure) )*(?:[a-z][\w()*:=, ]* )?(?:subroutine|function) (rcf?_\w+)', re.I)
+BEGINS = re.compile(
+    r'^  (?:(?:pure|elemental|recursive|impure) )*(?:[a-z][\w()*:=, ]* )?(?:subroutine|function) (rcf?_\w+)', re.I
+)
+
+
+def section(title, directive, *options):
+    lines = [f'.. {directive}', *(f'   :{option}' for option in options)]
+    return '\n'.join(['', f'## {title}', '', '```{eval-rst}', *lines, '```', ''])
 
 
 def c_page(headers):
     """One section a header, by Doxygen's XML."""
     text = '# C\n\nEvery function, struct and constant of the public headers, from their comments.\n'
-    for header in sorted(headers.glob('*.h'), key=lambda each: each.stem != 'roughcontact'):
-        text += f'\n## {header.name}\n\n```{{eval-rst}}\n.. doxygenfile:: {header.name}\n   :sections: briefdescription detaileddescription innerclass public-attrib enum define typedef func var user-defined\n```\n'
+    for header in sorted(headers.glob('*.h'), key=lambda each: (each.stem != 'roughcontact', each.stem)):
+        text += section(header.name, f'doxygenfile:: {header.name}', f'sections: {SHOWN}')
     return text
 
 
@@ -35,7 +44,7 @@ def procedures(source):
         last = k
         while lines[last].rstrip().endswith('&'):
             last += 1
-        signature = lines[k:last + 1]
+        signature = lines[k : last + 1]
         while re.match(r'^    ([a-z]\w*(\(.*?\))?.*::|use |import|!)', lines[last + 1]):
             last += 1
             if 'intent(' in lines[last] or 'optional' in lines[last]:
@@ -44,8 +53,10 @@ def procedures(source):
 
 
 def fortran_page(folder):
-    text = '# Fortran\n\n[Fortran](../docs/fortran.md) has examples and rules. Below are the procedures `rcf_...`, from their sources; the layer `rc_...` has ' \
-           'the functions of [C](c.md) name for name.\n'
+    text = (
+        '# Fortran\n\n[Fortran](../docs/fortran.md) has examples and rules. Below are the procedures `rcf_...`, from their sources; '
+        'the layer `rc_...` has the functions of [C](c.md) name for name.\n'
+    )
     files = [('roughcontact', folder / f'roughcontact_{name}.f90') for name in SOLVING]
     files += [(name, folder / f'{name}.f90') for name in MODULES if name != 'roughcontact']
     seen = set()
@@ -66,8 +77,8 @@ def fortran_page(folder):
 def python_page():
     text = '# Python\n\n[Python](../docs/python.md) has examples and conventions. Below is every public name, from its docstring.\n'
     for name in PYTHON:
-        text += f'\n## {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n   :imported-members: {"yes" if name == "roughcontact" else "no"}\n```\n'
-    return text.replace('   :imported-members: no\n', '').replace(': yes\n', ':\n')
+        text += section(name, f'automodule:: {name}', *(['imported-members:'] if name == 'roughcontact' else []))
+    return text
 
 
 def main():

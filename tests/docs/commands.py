@@ -8,11 +8,13 @@ is what the commands print; ... in it stands for any text. A comment on the line
 
   <!-- not run: REASON -->       it installs packages, builds the tree, takes hours
   <!-- run in full: REASON -->   it takes longer than a test of the middle tier may: with --full alone
-  <!-- needs: PROGRAM ... -->    not run where one of these is missing
+  <!-- needs: NAME ... -->       not run where one of these programs, or python:MODULE, is missing
 
 Blocks without a language show no commands, but for synopses, with [ and |.
 """
+
 import argparse
+import importlib.util
 import os
 import pathlib
 import re
@@ -31,7 +33,12 @@ except ImportError as absent:
     sys.exit(77)
 
 MARK = '-- block %d of the page ends --'
-PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\./\S+\.sh|scripts/\S+|\S+/\S+\.sh)'
+PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\S+\.sh|scripts/\S+)'
+
+
+def is_here(name):
+    kind, _, module = name.partition(':')
+    return importlib.util.find_spec(module) if kind == 'python' else shutil.which(name)
 
 
 def left_out(block, full):
@@ -42,7 +49,7 @@ def left_out(block, full):
     if rule == 'run in full':
         return '' if full else f'with --full: {told}'
     if rule == 'needs':
-        absent = [program for program in told.split() if not shutil.which(program)]
+        absent = [name for name in told.split() if not is_here(name)]
         return f'there is no {", ".join(absent)}' if absent else ''
     return f'unknown comment: {block.comment}' if rule else ''
 
@@ -56,8 +63,11 @@ def matches(expected, printed):
 
 def without_language(found):
     """Blocks that show a command, not a synopsis, and would not be run."""
-    return [block for block in found if not block.language and not re.search(r'\[|\|', block.text)
-            and re.search(rf'^{PROGRAMS} ', block.text, re.M)]
+    return [
+        block
+        for block in found
+        if not block.language and not re.search(r'\[|\|', block.text) and re.search(rf'^{PROGRAMS} ', block.text, re.M)
+    ]
 
 
 class Reader:
@@ -69,16 +79,19 @@ class Reader:
         subprocess.run(['cmake', '--install', build, '--prefix', prefix], check=True, stdout=subprocess.DEVNULL)
         packages = next(prefix.rglob('roughcontact.pc')).parent
         (scratch / 'bin').mkdir()
-        (scratch / 'bin/python3').symlink_to(sys.executable)
         for program in ('sudo', 'apt-get', 'pip'):
             (scratch / 'bin' / program).write_text(f'#!/bin/sh\necho "{program}: mark this block as not run" >&2\nexit 1\n')
             (scratch / 'bin' / program).chmod(0o755)
         python = next(iter(prefix.rglob('roughcontact/__init__.py')), None)
         self.environment = {
-            'PATH': f'{scratch}/bin:{prefix}/bin:{os.environ["PATH"]}', 'PKG_CONFIG_PATH': str(packages),
-            'CMAKE_PREFIX_PATH': str(prefix), 'LC_ALL': 'C.UTF-8',
-            'LD_LIBRARY_PATH': str(packages.parent), 'PYTHONPATH': str(python.parent.parent) if python else '',
-            'MPLBACKEND': 'agg'}
+            'PATH': f'{scratch}/bin:{prefix}/bin:{pathlib.Path(sys.executable).parent}:{os.environ["PATH"]}',
+            'PKG_CONFIG_PATH': str(packages),
+            'CMAKE_PREFIX_PATH': str(prefix),
+            'LC_ALL': 'C.UTF-8',
+            'LD_LIBRARY_PATH': str(packages.parent),
+            'PYTHONPATH': str(python.parent.parent) if python else '',
+            'MPLBACKEND': 'agg',
+        }
 
     def run(self, page, found):
         """What each block printed, and what the shell said where one failed."""
@@ -91,8 +104,15 @@ class Reader:
         folder = home / 'examples' if page.parent.name == 'examples' else home
         commands = [(k, block) for k, block in enumerate(found) if block.language == 'sh']
         script = '\n'.join(f'{block.text}echo "{MARK % k}" | tee /dev/stderr' for k, block in commands)
-        done = subprocess.run(['bash', '-euo', 'pipefail', '-c', script], cwd=folder, env={**self.environment, 'HOME': str(home)},
-                              text=True, capture_output=True, timeout=1500, stdin=subprocess.DEVNULL)
+        done = subprocess.run(
+            ['bash', '-euo', 'pipefail', '-c', script],
+            cwd=folder,
+            env={**self.environment, 'HOME': str(home)},
+            text=True,
+            capture_output=True,
+            timeout=1500,
+            stdin=subprocess.DEVNULL,
+        )
         printed, rest, said = {}, done.stdout, done.stderr
         for k, block in commands:
             mark = MARK % k + '\n'
@@ -114,7 +134,10 @@ def main():
         reader = Reader(arguments.build, pathlib.Path(scratch))
         for page in [page.resolve() for page in arguments.pages] or pages.pages():
             found = pages.blocks(page.read_text(encoding='utf-8'))
-            wrong += [f'{page}:{block.line}: a command in a block without a language\n{block.text}' for block in without_language(found)]
+            wrong += [
+                f'{page}:{block.line}: a command in a block without a language\n{block.text}'
+                for block in without_language(found)
+            ]
             reasons = {k: left_out(block, arguments.full) for k, block in enumerate(found) if block.language == 'sh'}
             excluded += [f'{page.relative_to(pages.SOURCE)}:{found[k].line}: {why}' for k, why in reasons.items() if why]
             kept = [block for k, block in enumerate(found) if not reasons.get(k)]

@@ -4,6 +4,7 @@ size that the page shows.
 Usage: gallery.py [--update] [NAME...]   (ROUGHCONTACT_LIBRARY and PYTHONPATH say which library and package)
 --update writes the pictures beside the notebooks.
 """
+
 import base64
 import io
 import sys
@@ -30,7 +31,9 @@ def drawn(notebook):
 
 def with_few_colours(picture):
     small = io.BytesIO()
-    Image.open(io.BytesIO(picture)).convert('RGB').quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(small, 'png', optimize=True)
+    Image.open(io.BytesIO(picture)).convert('RGB').quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(
+        small, 'png', optimize=True
+    )
     return small.getvalue()
 
 

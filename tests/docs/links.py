@@ -1,6 +1,7 @@
 """Every relative link and picture of a page leads to a file of the source tree, every anchor to a heading, and every page and picture
 of docs is reached from a page. Needs no network: links to other sites are not followed.
 """
+
 import collections
 import re
 import sys
@@ -40,8 +41,12 @@ def main():
                 wrong.append(f'{where} is a folder: name the file to read')
             elif anchor and anchor not in anchors(texts.get(file, '')):
                 wrong.append(f'{where}: no heading has this anchor')
-    alone = [file for pattern in ('*.md', 'images/*', '*/*.md', 'gallery/*') for file in (SOURCE / 'docs').glob(pattern)
-             if file.is_file() and file not in reached]
+    alone = [
+        file
+        for pattern in ('*.md', 'images/*', '*/*.md', 'gallery/*')
+        for file in (SOURCE / 'docs').glob(pattern)
+        if file.is_file() and file not in reached
+    ]
     wrong += [f'{file.relative_to(SOURCE)}: no page links to it' for file in alone]
     print('\n'.join(wrong))
     print(f'{count} links on {len(texts)} pages, {len(wrong)} wrong')

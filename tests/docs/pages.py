@@ -1,4 +1,5 @@
 """The pages of the documentation, and the fenced blocks in them."""
+
 import pathlib
 import re
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 @dataclass
 class Block:
     """A fenced block: the language behind its fence, its lines, where it begins, and the comment and the file name before it."""
+
     language: str
     text: str
     line: int

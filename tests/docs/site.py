@@ -2,6 +2,7 @@
 
 Usage: site.py BUILD; exit code 77 where what scripts/site.sh needs cannot be had.
 """
+
 import pathlib
 import re
 import subprocess
@@ -14,11 +15,20 @@ status = subprocess.run([pages.SOURCE / 'scripts/site.sh', build]).returncode
 if status:
     sys.exit(status)
 site = build / 'site/html'
-wrong = [f'{page} is missing' for page in pages.pages() if page.parts[len(pages.SOURCE.parts)] != 'tests'
-         and not (site / page.relative_to(pages.SOURCE)).with_suffix('.html').exists()]
+wrong = [
+    f'{page} is missing'
+    for page in pages.pages()
+    if page.parts[len(pages.SOURCE.parts)] != 'tests'
+    and not (site / page.relative_to(pages.SOURCE)).with_suffix('.html').exists()
+]
 for page in site.rglob('*.html'):
-    wrong += [f'{page.relative_to(site)} loads {found}' for found in
-              re.findall(r'<(?:script|img|iframe)[^>]* src="(https?:[^"]*)"|<link[^>]* rel="stylesheet"[^>]* href="(https?:[^"]*)"', page.read_text())]
+    wrong += [
+        f'{page.relative_to(site)} loads {found}'
+        for found in re.findall(
+            r'<(?:script|img|iframe)[^>]* src="(https?:[^"]*)"|<link[^>]* rel="stylesheet"[^>]* href="(https?:[^"]*)"',
+            page.read_text(),
+        )
+    ]
 index = (site / 'searchindex.js').read_text()
 for name in 'rc_contact_solve_path', 'rcf_solve', 'roughcontact.HalfSpace', 'plasticity':
     if name.rpartition('.')[2].lower() not in index.lower():

@@ -12,6 +12,15 @@ from .context import Context, Options, options as all_options
 from .system import System
 
 Constant = Union[float, Sequence[float]]
+#: words of the field that are no keywords, and the keywords that mean the same
+_SAME = {
+    "force": "load",
+    "approach": "displacement",
+    "indentation": "displacement",
+    "young": "E",
+    "poisson": "nu",
+    "method": "solver",
+}
 
 
 def options_of(
@@ -29,7 +38,7 @@ def options_of(
         if name not in keys:
             known = [*inspect.signature(function).parameters, *keys]
             begun = [each for each in known if len(each) > 2 and (name.startswith(each) or each.startswith(name))]
-            near = begun or difflib.get_close_matches(name, known, 1, 0.5)
+            near = [_SAME[name]] if name in _SAME else begun or difflib.get_close_matches(name, known, 1, 0.5)
             hint = f"; did you mean {near[0]!r}?" if near else "; see roughcontact.options()"
             raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}{hint}")
         if keys[name] in chosen:
@@ -39,8 +48,15 @@ def options_of(
     return chosen
 
 
+def refuse_text(**given: Any) -> None:
+    for name, value in given.items():
+        if isinstance(value, str):
+            raise ArgumentError(f"{name} = {value!r} is a text; a number is expected, as 3e9 for 3 GPa where lengths are in m")
+
+
 def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Constant]) -> Optional[float]:
     """The contact modulus E*, given, or 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) of two bodies; of one, the other being rigid."""
+    refuse_text(modulus=modulus, E=E, nu=nu)
     if E is None and nu is None:
         return modulus
     if modulus is not None:
@@ -59,6 +75,7 @@ def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Con
 
 def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], displacement: Optional[ArrayLike], system: System) -> Any:
     """load, or that of a mean pressure over the whole grid."""
+    refuse_text(load=load, pressure=pressure, displacement=displacement)
     if pressure is None:
         return load
     for name, other in (("load", load), ("displacement", displacement)):

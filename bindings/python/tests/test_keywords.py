@@ -32,6 +32,8 @@ def test_options_are_keywords(rough):
         ("sovler", "solver"),
         ("dispacement", "displacement"),
         ("max_iters", "max_iter"),
+        ("force", "load"),
+        ("approach", "displacement"),
     ],
 )
 def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
@@ -41,6 +43,14 @@ def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
         rc.solve,
         rough,
         **{wrong: 1},
+    )
+
+
+@pytest.mark.parametrize("wrong", [{"load": "1mN"}, {"modulus": "3GPa"}, {"pressure": "10MPa", "load": None}])
+def test_numbers_with_units_are_the_commands(rough, wrong):
+    name = next(iter(wrong))
+    refused(
+        rc.ArgumentError, f"{name} = '{wrong[name]}' is a text; a number is expected", rc.solve, rough, **{**PRESS, **wrong}
     )
 
 
