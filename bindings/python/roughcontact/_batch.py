@@ -15,7 +15,7 @@ from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_fo
 from ._library import contact_library
 from ._files import is_file
 from ._height_map import gap_below
-from ._keywords import Constant, load_of, modulus_of, options_of, refuse_beside_system
+from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
 from ._progress import Bars
 from ._status import Status
@@ -27,6 +27,7 @@ from .result import BatchResult, Grid, Result, result_with_copies
 from .system import HalfSpace, System
 
 
+@lists_options
 def batch(
     heights: Any = None,
     *,
