@@ -15,17 +15,19 @@ from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_fo
 from ._library import contact_library
 from ._files import is_file
 from ._height_map import gap_below
-from ._keywords import Constant, load_of, modulus_of, options_of, refuse_beside_system
+from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
 from ._progress import Bars
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn
+from ._threads import with_threads
 from .contact import control_and_target, refuse_another_pitch
 from .context import Context, Options, OptionSet
 from .result import BatchResult, Grid, Result, result_with_copies
 from .system import HalfSpace, System
 
 
+@lists_options
 def batch(
     heights: Any = None,
     *,
@@ -66,7 +68,8 @@ def batch(
     check: whether a contact that fails or is not certified raises, when all others are done. Every exception of this call that
         comes after its start, `Interrupted` (Ctrl-C, at the end of a running step) included, has all answers as its `result`
     progress: whether a bar of the package tqdm shows how many steps are solved
-    options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
+    options: {"threads": 4} for four contacts at the same time, otherwise as many as there are cores, with `each` one;
+        {"time_limit": 60} for seconds of the whole batch
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
@@ -123,7 +126,7 @@ def batch(
     struct.fn = rc_batch_fn(callbacks.guarded(after))
     description, product = system.struct()
     # Without `each` the function is there for Ctrl-C alone: bounds, which only it would see, are not computed.
-    chosen = dict(options or {}) if each is not None else {_constants.RC_OPT_BOUNDS: 0, **dict(options or {})}
+    chosen = dict(options or {}) if each is not None else {_constants.RC_OPT_BOUNDS: 0, **with_threads(options, system, n)}
 
     def call() -> int:
         with OptionSet(chosen, context) as handle:

@@ -15,6 +15,7 @@ from ._library import contact_library
 from ._progress import Bars
 from ._status import Status
 from ._structs import rc_progress_fn
+from ._threads import with_threads
 from ._use import OwnsHandle, Use
 from .context import Context, Options, OptionSet
 from .result import Grid
@@ -49,7 +50,7 @@ class Handle(OwnsHandle):
         context: Optional[Context] = None,
         **keywords: Any,
     ) -> None:
-        options = options_of(type(self), options, keywords, context)
+        options = with_threads(options_of(type(self), options, keywords, context), system)
         library = contact_library()
         interval = as_int(every, "every")
         self.system = system

@@ -2,12 +2,13 @@
 
 import difflib
 import inspect
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._errors import ArgumentError
+from ._option_texts import OPTIONS
 from .context import Context, Options, options as all_options
 from .system import System
 
@@ -23,17 +24,28 @@ _SAME = {
 }
 
 
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def lists_options(function: F) -> F:
+    """Adds all options to what help() says of a function that takes them as keywords."""
+    if function.__doc__:  # there is none under python -OO
+        head = "\n\n    Options as keywords, with their defaults; `roughcontact.options()` lists those of this machine's plugins as well:"
+        function.__doc__ = function.__doc__.rstrip() + head + "\n" + OPTIONS
+    return function
+
+
 def options_of(
     function: Callable[..., Any], given: Options, keywords: Mapping[str, Any], context: Optional[Context]
 ) -> Options:
-    """given and the options among the keywords, whose names have '_' for '.'; None stands for an option that is not given.
+    """given and the options among the keywords, whose names have '_' for '.' and '-'; None stands for an option that is not given.
 
     function: whose keywords they are; the nearest one is named where a keyword is none
     """
     chosen: Dict[str, Any] = dict(given or {})
     if not keywords:
         return given
-    keys = {spec.key.replace(".", "_"): spec.key for spec in all_options(context)}
+    keys = {spec.key.replace(".", "_").replace("-", "_"): spec.key for spec in all_options(context)}
     for name, value in keywords.items():
         if name not in keys:
             known = [*inspect.signature(function).parameters, *keys]

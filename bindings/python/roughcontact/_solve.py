@@ -8,7 +8,7 @@ from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, refuse_one_row
 from ._errors import ArgumentError
 from ._handle import Watch
 from ._history import path_on
-from ._keywords import Constant, load_of, modulus_of, options_of, refuse_beside_system
+from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
 from .contact import Contact, control_and_target, gap_and_mask
 from .context import Context, Options
@@ -51,6 +51,7 @@ def system_for(
     return half_space, array, as_mask(mask, "mask", array.shape)
 
 
+@lists_options
 def solve(
     heights: Any = None,
     *,
@@ -78,25 +79,36 @@ def solve(
     context: Optional[Context] = None,
     **keywords: Any,
 ) -> Result:
-    """Presses a surface into an elastic half-space.
+    """Presses a surface into an elastic half-space. One of displacement, load and pressure is prescribed.
 
     heights: a `Surface`, a file (see `read`), a topography of SurfaceTopography, or an array [ny, nx]; the highest point
         touches at approach 0 [length]
-    undeformed_gap: the undeformed gap instead of heights [length]
-    displacement: approach of the bodies [length], or load: normal force [force], or pressure: load over the area of the grid
+    displacement: approach of the bodies [length]
+    load: normal force [force]
+    pressure: load over the area of the grid [force/length^2]
+    undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]
+    mask: [ny, nx], 0 where a point carries no pressure; its height may then be anything. None: every point may
+    missing: what is done with masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
+    start: pressures [ny, nx] to begin with [force/length^2]; None: the solver's
+    want_pressure: whether the result holds the pressures [ny, nx]
+    want_gap: whether it holds the deformed gap [ny, nx]; without it sparse contact on a large grid costs no more than the contact
+    check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its status.
+        Status.WITHIN_GOAL never raises
+    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
     pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface brings its
         own
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     E, nu: in the place of modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two
         each
     boundary: "free" or "periodic"; None: as the surface says, free for arrays
-    unit: the lengths of a surface that knows its unit are converted to this one first ("m")
+    unit: the lengths of a surface that knows its unit are converted to this one first ("m"); None: they stay
     hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
-    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
-    options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
-    keywords: the same by their names, with _ for the dots: tol=1e-6, solver="nnls", fft_precision="single"
-    progress: True: a bar of the package tqdm; or a function, which with every and context is as in `Contact`
-    the others: as in `Contact.solve`
+    options: {"tol": 1e-6, "fft.precision": "single"} and the like; the same as keywords, with _ for dots and hyphens: tol=1e-6,
+        fft_precision="single". None: the defaults, and every core that pays
+    progress: True: a bar of the package tqdm. Or a function, called with a `Progress` at least every `every` iterations on the thread
+        that solves; where it returns True, the step ends with Status.STOP_CANCELLED
+    every: iterations between two calls of progress
+    context: a registry of backends, solvers and kernels of its own; None: the default one
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
     system, undeformed_gap, mask = system_for(
@@ -117,6 +129,7 @@ def solve(
         )
 
 
+@lists_options
 def path(
     heights: Any = None,
     *,

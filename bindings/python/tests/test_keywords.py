@@ -1,5 +1,6 @@
 """Options, elastic constants and mean pressures as keywords; what is misspelt, contradicts or would be ignored is refused."""
 
+import re
 import types
 
 import numpy as np
@@ -17,6 +18,7 @@ def test_options_are_keywords(rough):
     assert (found.solver, found.backend, found.kernel, found.tolerance) == ("polonsky-keer", "dense", "galerkin", 1e-10)
     same = rc.solve(rough, **free, options={"tol": 1e-10}, solver="polonsky-keer", backend="dense", kernel="galerkin")
     assert np.array_equal(found.pressure, same.pressure)
+    assert rc.solve(rough, **PRESS, haar_cg_nested=0, fft_precision="mixed").certified
     assert rc.solve(rough, **PRESS, tol=None).tolerance == rc.solve(rough, **PRESS).tolerance
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), tol=1e-10, nnls_pivoting="single") as contact:
         assert contact.solve(rough, load=1e-4).tolerance == 1e-10
@@ -184,3 +186,19 @@ def test_modules_show_what_they_are_for():
     assert set(namespace) - {"__builtins__"} == set(rc.__all__)
     names = {name for name in dir(rc.raw) if not name.startswith(("rc_", "RC_"))}
     assert names == {"contact_library", "surface_library", "formats_library", "library_file"}
+
+
+def test_help_names_every_keyword_with_its_default():
+    import inspect
+
+    text = inspect.getdoc(rc.solve)
+    for name in inspect.signature(rc.solve).parameters:
+        assert name == "keywords" or re.search(rf"^(E, )?{name}(, nu)?: ", text, re.M), name
+    for name in ("load", "displacement", "pressure", "hardness", "pitch"):
+        assert re.search(rf"^{name}: [^\n]*(\n +[^\n]*)?\[(force|length)", text, re.M), f"{name} has no unit"
+    known = [spec for spec in rc.options(rc.Context(environment=False)) if spec.key not in ("threads",)]
+    for function in (rc.solve, rc.path, rc.batch):
+        lines = dict(re.findall(r"^ +(\w+)=(\S*?)(?: \([^)]*\))?: ", inspect.getdoc(function), re.M))
+        for spec in known:
+            said = lines[re.sub("[.-]", "_", spec.key)]
+            assert (said.strip("'") if spec.kind is str else spec.kind(float(said))) == spec.default, spec
