@@ -14,7 +14,7 @@ from ._library import contact_library
 from ._structs import rc_system
 
 Symbol = Callable[[Doubles, Doubles], ArrayLike]
-PERIODIC, ABI_MAJOR, ABI_MINOR = 2, 1, 6  # RC_KERNEL_PERIODIC, RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR
+PERIODIC, ABI_MAJOR, ABI_MINOR = 2, 1, 7  # RC_KERNEL_PERIODIC, RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR
 
 _fail = callback(rc_status, handle, rc_status, text)
 _system = ctypes.POINTER(rc_system)
