@@ -140,6 +140,5 @@ question('documents', 'measures what documents say and show, and writes their ta
     'written': (bool, False, 'measure nothing: tables and pictures from the results that are there'),
     'surfaces': (folder, MEASURED if os.path.isdir(MEASURED) else '', 'folder with measured surfaces'),
     'surface': (str, '', 'a measured surface for the failure atlas'), 'figures': (str, '', 'of the paper, 4,6 and the like; all'),
-    'threads': (int, 0, 'threads; 0: what each sub-command takes by itself'),
-    'budget': (float, 1e6, 'minutes after which nothing begins')},
+    'threads': (int, 0, 'threads; 0: what each sub-command takes by itself'), 'budget': (float, 1e6, 'minutes after which nothing begins')},
     quick_text='small cases, into folders of the build instead of the source tree', names=tuple(DOCUMENTS))

@@ -9,8 +9,7 @@ from contact import FILTERS, OK, cascade_note, cascade_options, cascade_verdict,
 from options import listed, one_of, question
 from samples import wilson
 from store import Store
-from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, influence, measured_scene, rough_scene,
-                      strained_scenes, tied_scene)
+from surfaces import (CLASSES, Scene, below_highest, example_one, hertz_scene, influence, measured_scene, rough_scene, strained_scenes, tied_scene)
 
 KERNELS = ('eq9', 'punch', 'galerkin', 'love', 'disc')
 
@@ -309,8 +308,7 @@ def conditioning(atlas):
               'products of polonsky-keer: ' + ', '.join(growth), 'certified either way', 'kernel love is the default')
 
 
-FAMILIES = {'greedy': greedy, 'polonsky-keer': polonsky_keer, 'nnls': nnls, 'gp': gradient, 'admm': admm, 'cmr': cmr,
-            'conditioning': conditioning}
+FAMILIES = {'greedy': greedy, 'polonsky-keer': polonsky_keer, 'nnls': nnls, 'gp': gradient, 'admm': admm, 'cmr': cmr, 'conditioning': conditioning}
 
 
 def run(request):

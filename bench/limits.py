@@ -314,13 +314,10 @@ question('deterministic', 'what bitwise repeatable results cost', deterministic,
 
 # The first that matches "library function" counts.
 PARTS = (('products: passes', r'rcb_fft\S* .*(Builds|avx)'),
-         ('products: other', r'rcb_fft'),
-         ('products: split', r'rcb_split'),
-         ('products: dense', r'rcb_dense|Eigen::'),
-         ('trees', r'libroughcontact\S* .*(HaarTree|haar_tree)'),
+         ('products: other', r'rcb_fft'), ('products: split', r'rcb_split'),
+         ('products: dense', r'rcb_dense|Eigen::'), ('trees', r'libroughcontact\S* .*(HaarTree|haar_tree)'),
          ('vector passes of the solver', r'libroughcontact\S* .*(::(baseline|sse2|avx2|avx512)::|Haar|Iteration<|reduce<)'),
-         ('coarser grids', r'libroughcontact\S* .*(downsample|start_nested)'),
-         ('trial sets, certificate, bounds, kernel', r'libroughcontact'),
+         ('coarser grids', r'libroughcontact\S* .*(downsample|start_nested)'), ('trial sets, certificate, bounds, kernel', r'libroughcontact'),
          ('system: memory, threads, copies', r'kernel|libc\.|libstdc|libm\.|ld-linux|\[vdso\]|\[unknown\]'))
 OTHERS = re.compile('python|numpy|_ctypes|openblas')  # the scene is made there
 PROFILED = ((1024, 10), (2048, 10), (2048, 0.1))

@@ -16,8 +16,7 @@ from store import Store
 from surfaces import Scene, SurfaceClass, example_one, hertz_scene, influence, measured_scene, rough_scene
 
 # Below the folder of measured surfaces.
-MEASURED = ('measured/afm_selfaffine_10um.gsf', 'measured/afm_film_10um.gsf', 'measured-lgpl/fv_rubber_2mm.gsf',
-            'measured-lgpl/fv_skibase_4mm.gsf')
+MEASURED = ('measured/afm_selfaffine_10um.gsf', 'measured/afm_film_10um.gsf', 'measured-lgpl/fv_rubber_2mm.gsf', 'measured-lgpl/fv_skibase_4mm.gsf')
 SIDE, RMS_HEIGHT = 100e-6, 1e-6  # of generated surfaces [m]
 COARSEST_SIDE = 64  # of the cascade, the paper's
 

@@ -146,13 +146,11 @@ def figure_8(found, file):
         panel(column, 0, title, label, [(series(fft, value), LOOKS[0]), (series(love, value), LOOKS[1]),
                                         (series(fft, lambda r: value(r['diagonal'])), LOOKS[2])], log)
     for column, (of, title) in enumerate(((dense, 'dense products, NNLS'), (fft, 'FFT products, conjugate gradients'))):
-        panel(column, 1, 'time: ' + title, 'CPU time / that of the whole problem',
-              [(series(of, share('cpu_seconds')), LOOKS[0]),
+        panel(column, 1, 'time: ' + title, 'CPU time / that of the whole problem', [(series(of, share('cpu_seconds')), LOOKS[0]),
                (series(of, lambda r: r['diagonal']['cpu_seconds'] / r['whole_cpu_seconds']), LOOKS[2]),
                (series(of, share('certified_cpu_seconds')), LOOKS[4])])
     drawing.draw(file, [('Algorithm 6, radius h δ, eq9', line(LOOKS[0])), ('the same, love', line(LOOKS[1])),
-                        ('radius h √2 δ, eq9', line(LOOKS[2])), ('certified, eq9', line(LOOKS[4])),
-                        ('2 %', f'lines {PROPORTIONAL}')], 3)
+                        ('radius h √2 δ, eq9', line(LOOKS[2])), ('certified, eq9', line(LOOKS[4])), ('2 %', f'lines {PROPORTIONAL}')], 3)
 
 
 def figure_9(found, file):

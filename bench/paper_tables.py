@@ -6,8 +6,7 @@ from samples import chosen, groups, median, median_interval, ratios, values_of
 from store import load
 from tables import error, missing, provenance, records, table
 
-METHODS = ['greedy CG', 'P&K 1999', 'P&K 1999, warm', 'ADMM, warm', 'NNLS', 'NNLS, warm', 'NNLS + 100 GP', 'NNLS by blocks, warm',
-           'haar-cg, warm']
+METHODS = ['greedy CG', 'P&K 1999', 'P&K 1999, warm', 'ADMM, warm', 'NNLS', 'NNLS, warm', 'NNLS + 100 GP', 'NNLS by blocks, warm', 'haar-cg, warm']
 BEST_OF_PAPER = 'NNLS + 100 GP'
 
 
@@ -147,21 +146,18 @@ class Claims:
 
 CLAIMS = (
     ('greedy fails in about 40 % of Example 1, n = 100, and at any n', 'Example 1', Claims.fails_often),
-    ('never at a spacing of 2 cells', 'Example 1', Claims.never_elsewhere),
-    ('never on smooth shapes', 'Example 1', Claims.smooth_never),
+    ('never at a spacing of 2 cells', 'Example 1', Claims.never_elsewhere), ('never on smooth shapes', 'Example 1', Claims.smooth_never),
     ('when greedy works is an open question', '`ctest -R failures.greedy`',
      lambda _: 'answered: for every surface if and only if H^-1 has no positive entry off its diagonal, see [failures](failures.md#greedy-elimination)'),
     ('NNLS with 100 projections is 26 times faster than conjugate gradients', 'figure 4', Claims.speed, 'P&K 1999', 26),
     ('where a factor like that may come from', 'figure 4', Claims.cause),
     ('NNLS with 100 projections is two orders of magnitude faster than greedy CG', 'figure 4', Claims.speed, 'greedy CG', 100),
-    ('and than ADMM', 'figure 4', Claims.speed, 'ADMM, warm', 100),
-    ('the loading history helps NNLS', 'figure 4', Claims.warm, 'NNLS'),
+    ('and than ADMM', 'figure 4', Claims.speed, 'ADMM, warm', 100), ('the loading history helps NNLS', 'figure 4', Claims.warm, 'NNLS'),
     ('and conjugate gradients', 'figure 4', Claims.warm, 'P&K 1999'),
     ('Cholesky makes greedy 30 to 40 % faster at any n', 'figure 5', Claims.inner, 'cholesky'),
     ('Gauss-Seidel takes three times as long as CG', 'figure 5', Claims.inner, 'gauss-seidel', False),
     ('projections before NNLS pay up to K = 100, not beyond', 'figure 6', Claims.projections),
-    ('CMR loses less as H grows', 'figure 8', Claims.falls),
-    ('less than 2 % for H > 0.5', 'figure 8', Claims.losses),
+    ('CMR loses less as H grows', 'figure 8', Claims.falls), ('less than 2 % for H > 0.5', 'figure 8', Claims.losses),
     ('CMR saves half of the time, whatever H', 'figure 8', Claims.half_saved),
     ('less than 1 % and n_p/n of 0.4 to 0.8 for h = 1.25 to 3, 0.01 % at h = 3', 'figure 9', Claims.radius),
     ('CMR: -0.4 % with a power law, -98 % with a cut-off to it', 'figure 10', Claims.spectra))
@@ -263,8 +259,7 @@ def figure_4_tables(found):
 
 
 def algorithm_2_table(found):
-    return records(ALGORITHM_2, [{
-        **row, 'reached': ('{iterations}' if row['residual'] <= 1e-8 else 'not in {iterations}').format(**row),
+    return records(ALGORITHM_2, [{**row, 'reached': ('{iterations}' if row['residual'] <= 1e-8 else 'not in {iterations}').format(**row),
         'stop': f'{row["stopped"]}, residual {error(row["residual_at_stop"])}' if 'stopped' in row else 'never',
         'tension': f'{-row["lowest_pressure"]:.0%}' if row['lowest_pressure'] < 0 else 'none'} for row in found])
 

@@ -314,8 +314,7 @@ def code_names(text):
 
 
 question('peers', 'side by side with the standard method and other codes', run, {
-    'only': (code_names, [],
-             'codes; a first word takes its variants: ' + ', '.join(CODES)),
+    'only': (code_names, [], 'codes; a first word takes its variants: ' + ', '.join(CODES)),
     'sizes': (listed(int), [], f'points a side; up to {LARGEST_MATRIX} points in all: the dense codes'),
     'percents': (listed(float), [], 'contact areas'), 'threads': (int, 2, 'threads'),
     'repeats': (int, 0, f'of solves below {REPEATED} s; 0: 3, quick 2'), 'limit': (float, 0, 'seconds for one run; 0: 60, quick 10'),

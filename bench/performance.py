@@ -165,8 +165,7 @@ TARGETS = (
            lambda d: listed(d['batch'][:1], '{surfaces} surfaces of {n}²', lambda row: d['scaling'], 1.8), True),
     Target('ASPHER, times slower', '>= 10 from 10 % on, >= 5 at 0.1 to 1 %', PEERS, 'peers',
            lambda d: compared(d, ASPHER, 'rough', lambda each: 10 if each.case['percent'] >= 10 else 5, 'load'), True),
-    Target('our memory over ASPHER\'s', '<= 0.5', PEERS, 'peers',
-           lambda d: compared(d, ASPHER, 'rough', lambda each: 0.5, 'load', 'memory')),
+    Target('our memory over ASPHER\'s', '<= 0.5', PEERS, 'peers', lambda d: compared(d, ASPHER, 'rough', lambda each: 0.5, 'load', 'memory')),
     Target('Tamaas, periodic, times slower', '>= 10', PEERS, 'peers', lambda d: compared(d, ('tamaas',), 'wavy', lambda each: 10, 'load'), True),
 )
 
@@ -277,14 +276,12 @@ def pictures(results, images):
                 'set ylabel "set-up and solve [s]" offset 1.2,0')
 
     slope = 0.25 * min(total_seconds(r) / r['n'] ** 2 for r in rows if r['n'] == max(r['n'] for r in rows))
-    drawing.panel(0, 0, 'time to certified 10^{-8}', seconds_axis(rows),
-                  curves(total_seconds) + [f'{slope!r}*x with lines {PROPORTIONAL}'])
+    drawing.panel(0, 0, 'time to certified 10^{-8}', seconds_axis(rows), curves(total_seconds) + [f'{slope!r}*x with lines {PROPORTIONAL}'])
     drawing.panel(1, 0, 'products with H', settings + 'set format y "%g"\nset yrange [2:200]\n'
                   'set ytics (2,5,10,20,30,50,100,200)\nset ylabel "products" offset 1,0', curves(lambda r: r['products']) + [f'30 with {TARGET}'])
     memory_axis = settings + ('set format y "%g"\nset yrange [4:2000]\nset ytics (5,10,20,50,100,200,500,1000,2000)\n'
                               'set ylabel "peak memory [bytes/point]" offset 1,0')
-    drawing.panel(0, 1, 'memory beside gap and pressure', memory_axis,
-                  curves(lambda r: max(r['bytes_per_point'], 1e-3)) + [f'110 with {TARGET}'])
+    drawing.panel(0, 1, 'memory beside gap and pressure', memory_axis, curves(lambda r: max(r['bytes_per_point'], 1e-3)) + [f'110 with {TARGET}'])
     if single:
         drawing.panel(1, 1, 'single precision, time to certified 10^{-4}', seconds_axis(single), curves(total_seconds, single))
     entries = [(f'{100 * area:g} % contact', style(number)) for number, area in enumerate(areas)]

@@ -1,5 +1,5 @@
-"""Area, mean gap, stiffness, patches and pressures of rough surfaces against load, beside the theories of rough contact: the rows, tables and
-pictures of docs/physics.md."""
+"""Area, mean gap, stiffness, patches and pressures of rough surfaces against load, elastic and with a hardness, beside the theories of rough
+contact: the rows, tables and pictures of docs/physics.md."""
 import math
 import os
 import sys
@@ -23,6 +23,7 @@ BINS, HIGHEST = 50, 2  # of the histograms, whose end is HIGHEST E* rms slope
 PRESSURES = (0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.3, 0.5, 0.75, 1, 1.5)
 SHOWN = (0.01, 0.04, 0.16)  # those with distributions of patches and pressures
 MESH_PRESSURES, MESH_SEEDS = (0.02, 0.16), 2  # on all grids, the first surfaces
+HARDNESSES, SHARES = (0.25, 1, 2), (0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99)  # over E* times the rms slope; mean pressures over the hardness
 LIGHT = 0.04  # area and load are proportional up to this pressure
 FITTED = (0.01, 0.2)  # pressure falls exponentially with the mean gap
 PERSSON, BUSH = math.sqrt(8 / math.pi), math.sqrt(2 * math.pi)
@@ -35,15 +36,26 @@ CURVE = ('p / (E* slope)={pressure:g}; A/A0 [%]={area:%.2f}; corrected [%]={corr
          'largest [% of the contact]={largest_patch:%.0f}')
 MESHES = ('p / (E* slope)={pressure:g}; grid={n}²; cells in the shortest wave={cells_a_wave:g}; A/A0 [%]={area:%.3f}; '
           'corrected [%]={corrected_area:%.3f}; error [%]={raw_error:%+.2f}; corrected, error [%]={corrected_error:%+.2f}')
+HARD = ('hardness / (E* slope)={hardness:g}; p / hardness={share:g}; A/A0 [%]={area:%.2f}; Persson [%]={persson:%.2f}; over p / hardness={excess:.3f}; '
+        'at the hardness [% of the contact]={capped:%.1f}; Persson [%]={persson_capped:%.1f}; indentation / rms={indentation:.3f}; products={products:.0f}')
+
+
+def persson_capped(p, hardness):
+    """(area, area at the hardness): what reaches neither end, and the upper one, of a walk from p between 0 and the hardness with the variance of
+    the pressures in full contact (Persson, Physical Review Letters 87 (2001) 116101)."""
+    terms = [(k, 4 / (math.pi * k) * math.exp(-(math.pi * k / hardness)**2 / 8) * math.sin(math.pi * k * p / hardness)) for k in range(1, 200)]
+    capped = p / hardness + sum((-1)**k * term / 2 for k, term in terms)
+    return capped + sum(term for k, term in terms if k % 2), capped
 
 
 class Pressed:
     """One surface on one grid, pressed by growing loads. E*, the side and with it the nominal area are 1."""
 
-    def __init__(self, request, n, seed, stiffness):
+    def __init__(self, request, n, seed, stiffness, hardness):
         self.gap = self_affine_gap(n, seed, request.hurst, request.roll_off, request.cut_off, RMS_SLOPE)
         options = {'tol': request.tol, 'threads': request.threads, 'stiffness': int(stiffness)}
-        self.contact = rc.Contact(unit_square(n, 'periodic'), options=options)
+        system = rc.HalfSpace((n, n), pitch=1 / n, modulus=1, boundary='periodic', hardness=hardness * RMS_SLOPE or None)
+        self.contact = rc.Contact(system, options=options)
         self.mean, self.rms_height = self.gap.mean(), self.gap.std()
 
     def at(self, pressure, distributions):
@@ -54,6 +66,8 @@ class Pressed:
         if math.isfinite(result.stiffness):  # over E* times slope and nominal area, as the pressure is
             row['stiffness'] = result.stiffness * self.rms_height / RMS_SLOPE
         row.update(patches=len(cells), largest_patch=cells.max() / cells.sum() if len(cells) else 0)
+        if result.capped:
+            row.update(capped=result.capped / result.contacts, indentation=float(self.contact.indentation().mean()) / self.rms_height)
         if distributions:
             row['patch_octaves'] = np.bincount(np.frexp(cells.astype(float))[1] - 1)  # patches of 2^k .. 2^(k+1) - 1 cells
             found = result.histogram(BINS, HIGHEST * RMS_SLOPE)
@@ -69,8 +83,8 @@ def spread(values):
 class Summary:
     """Of certified rows."""
 
-    def __init__(self, rows, request):
-        self.request = request
+    def __init__(self, rows, capped, request):
+        self.request, self.capped = request, [row for row in capped if row['status'] == OK]
         self.rows = {(row['n'], row['seed'], row['pressure']): row for row in rows if row['status'] == OK}
 
     def at(self, pressure, n=None):
@@ -109,6 +123,14 @@ class Summary:
             return {}
         return {'light': LIGHT, 'from': FITTED[0], 'to': FITTED[1], **{name: spread(values) for name, values in found.items()}}
 
+    def hard(self):
+        for hardness, share in ((hardness, share) for hardness in HARDNESSES for share in SHARES):
+            found = [row for row in self.capped if (row['hardness'], row['pressure']) == (hardness, hardness * share)]
+            area, capped = persson_capped(hardness * share, hardness)
+            means = {key: fmean(row.get(key, 0) for row in found) for key in ('area', 'capped', 'indentation', 'products') if found}
+            if found:
+                yield {'hardness': hardness, 'share': share, 'persson': area, 'persson_capped': capped / area, 'excess': means['area'] / share, **means}
+
     def meshes(self):
         """Errors against the raw area, which is off in proportion to the cell size, for cells of no size by the two finest grids."""
         sizes = sorted(self.request.sizes)
@@ -126,16 +148,17 @@ class Summary:
                        'corrected_error': fmean(area / limit - 1 for area, limit in zip(corrected, limits))}
 
 
-def solve(request, store, settings, n, seed, pressures):
-    pressed = None
+def solve(request, store, settings, n, seed, pressures, hardness=0):
+    """With a hardness in growing steps, each on the surface that those before have indented."""
+    pressed, kind = None, 'capped' if hardness else 'rows'
     for pressure in pressures:
-        key = {'n': n, 'seed': seed, 'pressure': pressure, **settings}
-        name = f'{n}^2, surface {seed}, p/(E* slope) = {pressure:g}'
-        if store.measured('rows', key):
+        key = {'n': n, 'seed': seed, 'pressure': pressure, **settings, **({'hardness': hardness} if hardness else {})}
+        name = f'{n}^2, surface {seed}, p/(E* slope) = {pressure:g}' + (f', hardness {hardness:g}' if hardness else '')
+        if store.measured(kind, key):
             print(f'{name}: measured before', file=sys.stderr)
             continue
-        pressed = pressed or Pressed(request, n, seed, n == request.points)
-        row = store.put('rows', key, pressed.at(pressure, n == request.points and pressure in SHOWN))
+        pressed = pressed or Pressed(request, n, seed, n == request.points and not hardness, hardness)
+        row = store.put(kind, key, pressed.at(pressure, n == request.points and not hardness and pressure in SHOWN))
         print(f'{name}: {row["area"]:.4f} in contact, {row["solve_seconds"]:.3g} s', file=sys.stderr)
 
 
@@ -151,18 +174,19 @@ def run(request):
     for n in request.sizes:
         for seed in request.seeds[:MESH_SEEDS]:
             solve(request, store, settings, n, seed, MESH_PRESSURES)
-    found = Summary(store.rows('rows', **settings), request)
-    curve, fits, meshes = list(found.curve()), found.fits(), list(found.meshes())
-    store.save(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes)
+    for seed in request.seeds[:MESH_SEEDS]:
+        for hardness in HARDNESSES:
+            solve(request, store, settings, request.points, seed, [share * hardness for share in SHARES], hardness)
+    found = Summary(store.rows('rows', **settings), store.rows('capped', n=request.points, **settings), request)
+    curve, fits, meshes, hard = list(found.curve()), found.fits(), list(found.meshes()), list(found.hard())
+    store.save(surface={**settings, 'points': request.points}, curve=curve, fits=fits, meshes=meshes, hard=hard)
     print(f'Periodic self-affine surfaces on {request.points}^2 points, mean of the surfaces')
     show(CURVE, curve)
-    for name, words in (('kappa', 'kappa, raw'), ('corrected_kappa', 'kappa, corrected'), ('decay', 'u0/rms height by the gap'),
-                        ('stiffness_decay', 'u0/rms height by the stiffness')):
-        if fits:
-            print('{}: {mean:.3f} ({lowest:.3f} to {highest:.3f})'.format(words, **fits[name]))
+    print(fit_table({'fits': fits}) if fits else '')
     print('The same surfaces on several grids; errors against the raw areas of the two finest, extrapolated')
     show(MESHES, meshes)
-
+    print('With a hardness, in growing steps')
+    show(HARD, hard)
 
 
 def colour(number):
@@ -197,8 +221,7 @@ def gap_picture(document, file):
     u0 = fits['decay']['mean']
     inside = [(u, p) for u, p in gaps if fits['from'] <= p <= fits['to']]
     beta = math.exp(sum(math.log(p) + u / u0 for u, p in inside) / len(inside))
-    drawing.panel(0, 0, 'pressure against mean gap',
-                  axes('mean gap / rms height', PRESSURE, (0, '*'), (0.002, 3), LINEAR + 'set logscale y', 1),
+    drawing.panel(0, 0, 'pressure against mean gap', axes('mean gap / rms height', PRESSURE, (0, '*'), (0.002, 3), LINEAR + 'set logscale y', 1),
                   [f'{beta!r}*exp(-x/{u0!r}) with {GREY}', drawing.curve(gaps, style(2))])
     drawing.panel(1, 0, 'contact stiffness', axes(PRESSURE, 'K rms height / (E* rms slope A0)', PRESSED, FREE, 'set logscale xy\n' + PLAIN, 1.5),
                   [f'x/{fits["stiffness_decay"]["mean"]!r} with {DASHED}', drawing.curve(curve(document, 'stiffness'), style(1))])
@@ -258,6 +281,18 @@ def mesh_picture(document, file):
     drawing.draw(file, entries, 2)
 
 
+def hardness_picture(document, file):
+    drawing, areas, capped = Panels(800, 430, 2, 1, 80), [f'x with {DASHED}'], []
+    for number, ((hardness,), rows) in enumerate(groups(document['hard'], 'hardness').items()):
+        theory = [(x, *persson_capped(hardness * x, hardness)) for x in np.geomspace(0.01, 0.999, 100).tolist()]
+        for panel, key, line in ((areas, 'area', [(x, a) for x, a, _ in theory]), (capped, 'capped', [(x, c / a) for x, a, c in theory])):
+            panel += [drawing.curve([(row['share'], row[key]) for row in rows], hollow(number)), drawing.curve(line, f'lines lw 1.4 {colour(number)} dt 1')]
+    at = 'mean pressure / hardness'
+    drawing.panel(0, 0, 'contact area', axes(at, 'contact area / nominal area', (0.01, 1), (0.01, 1), PLAIN, 1), areas)
+    drawing.panel(1, 0, 'at the hardness', axes(at, 'part of the contact', (0, 1), (0, 1), LINEAR, 1), capped)
+    drawing.draw(file, [*((f'hardness = {value:g} E* slope', hollow(k)) for k, value in enumerate(HARDNESSES)), ('F / hardness', DASHED)], 2)
+
+
 def fit_table(document):
     def spread_of(key, digits):
         return '{mean:.{0}f} ({lowest:.{0}f} to {highest:.{0}f})'.format(digits, **document['fits'][key])
@@ -271,21 +306,20 @@ def fit_table(document):
 def sections(results):
     document = load(results, 'physics')
     return {'fits': fit_table(document), 'curve': records(CURVE, document['curve']), 'meshes': records(MESHES, document['meshes']),
-            'provenance': provenance(document)}
+            'hard': records(HARD, document['hard']), 'provenance': provenance(document)}
 
 
 def pictures(results, images):
     document = load(results, 'physics')
-    for name, draw in (('area', area_picture), ('gap', gap_picture), ('patches', distribution_picture), ('mesh', mesh_picture)):
+    for name, draw in (('area', area_picture), ('gap', gap_picture), ('patches', distribution_picture), ('mesh', mesh_picture),
+                       ('hardness', hardness_picture)):
         draw(document, os.path.join(images, f'physics-{name}.png'))
-
 
 
 question('physics', 'area, gap, stiffness, patches and pressures of rough surfaces against load', run, {
     'seeds': (listed(int), [1, 2, 3, 4], 'of the surfaces'), 'hurst': (ranged(float, 0.05, 1), 0.8, 'exponent'),
     'roll_off': (ranged(float, 1, 1024), 4.0, 'waves a side below which the spectrum is flat'),
-    'cut_off': (ranged(float, 1, 4096), 64.0, 'waves a side above which it is zero'),
-    'points': (side, 1024, 'points per side, over all loads'),
+    'cut_off': (ranged(float, 1, 4096), 64.0, 'waves a side above which it is zero'), 'points': (side, 1024, 'points per side, over all loads'),
     'sizes': (listed(side), [256, 512, 1024, 2048, 4096], 'points per side, at two loads'), 'tol': (float, 1e-8, 'certified tolerance'),
     **ALL_THREADS},
     {'seeds': [1, 2], 'roll_off': 2.0, 'cut_off': 16.0, 'points': 128, 'sizes': [64, 128, 256]}, 'two surfaces of 16 waves a side on up to 256^2')

@@ -8,7 +8,7 @@ import numpy as np
 import roughcontact as rc
 
 import native
-from case import Failure, available_memory, checked, in_child, interpreter_memory, limit_growth, peak_memory, resident_memory
+from case import available_memory, checked, in_child, interpreter_memory, limit_growth, peak_memory, resident_memory
 from contact import OK, difference, find_load, share_in_contact, time_solve, unit_square
 from options import ALL_THREADS, CONTROLS, NAMED, THREADS, listed, one_of, percent, question, ranged, side, threads
 from samples import chosen, groups, slope, solved, total_seconds
@@ -164,21 +164,16 @@ DILUTE_PRODUCTS = ('grid={n}²; contact [%]={contact_percent:.3g}; threads; fft 
 
 
 def products_row(n, gap, approach, count, budget):
-    def timed(backend, single=False):
+    def timed(backend, single):
         return native.time_products(unit_square(n), gap, approach, backend, threads=count, budget=budget, single=single,
                                     share=1 / TRIAL_POINTS, want=gap.size)
 
-    fft, split, split_float = timed('fft'), timed('split'), timed('split', single=True)
-    row = {'n': n, 'contact_percent': 100 * split['contacts'] / n**2, 'contacts': split['contacts'], 'points': split['points'],
-           'threads': count, 'fft_ms': 1e3 * fft['best'], 'split_ms': 1e3 * split['best'], 'ratio': fft['best'] / split['best'],
-           'fft_first_ms': 1e3 * fft['first'], 'split_first_ms': 1e3 * split['first'], 'split_float_ms': 1e3 * split_float['best'],
-           'difference': difference(split['y'][:split['points']], fft['y'][:fft['points']])}
-    try:
-        fft_float = timed('fft', single=True)
-        row.update(fft_float_ms=1e3 * fft_float['best'], float_ratio=fft_float['best'] / split_float['best'])
-    except Failure:
-        pass  # this library's fft has no products in single precision
-    return row
+    fft, split, fft_float, split_float = (timed(backend, single) for single in (False, True) for backend in ('fft', 'split'))
+    return {'n': n, 'contact_percent': 100 * split['contacts'] / n**2, 'contacts': split['contacts'], 'points': split['points'],
+             'threads': count, 'fft_ms': 1e3 * fft['best'], 'split_ms': 1e3 * split['best'], 'ratio': fft['best'] / split['best'],
+             'fft_first_ms': 1e3 * fft['first'], 'split_first_ms': 1e3 * split['first'], 'split_float_ms': 1e3 * split_float['best'],
+             'fft_float_ms': 1e3 * fft_float['best'], 'float_ratio': fft_float['best'] / split_float['best'],
+             'difference': difference(split['y'][:split['points']], fft['y'][:fft['points']])}
 
 
 def dilute_products(request):
@@ -274,8 +269,7 @@ question('dilute', 'dilute contacts: products by backends split and fft, and sol
     'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'),
     'tols': (listed(float), [1e-8, 1e-4], 'certified tolerances of the solves'),
     'largest_full': (int, 4096, 'points a side up to which solves go over the whole grid as well'),
-    'large': (bool, False, '8192^2 and 16384^2 as well'), 'products_only': (bool, False, 'no solves'),
-    'solves_only': (bool, False, 'no products')})
+    'large': (bool, False, '8192^2 and 16384^2 as well'), 'products_only': (bool, False, 'no solves'), 'solves_only': (bool, False, 'no products')})
 
 
 question('scaling', 'time, products and memory against grid size and contact area', run, {

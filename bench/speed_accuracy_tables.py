@@ -82,7 +82,6 @@ def enough(points, levels):
     return best
 
 
-
 def times(value):
     return f'{value:.1f}' if value < 10 else f'{value:.0f}'
 
@@ -267,16 +266,11 @@ LEAST = 1e-14  # errors against a solution of tolerance 1e-13 say nothing below
 BAND = '#D9D9D9'
 FRONT = 'lines lw 7 lc rgb "#C4C4C4" dt 1'
 LOOKS = {name: line(look) for name, look in {  # methods that are drawn: colour, dash and marker each tell them apart
-    FAST: 'lc rgb "#000000" dt 1 pt 7',
-    'haar-cg, fft, double': 'lc rgb "#000000" dt (4,3) pt 6',
-    'haar-cg, fft, single': 'lc rgb "#D55E00" dt 1 pt 9',
-    'haar-cg, split': 'lc rgb "#0072B2" dt (12,4) pt 5',
-    'polonsky-keer, fft': 'lc rgb "#E69F00" dt (12,4,2,4) pt 13',
-    'polonsky-keer, fft, single': 'lc rgb "#E69F00" dt (2,3) pt 12',
-    'nnls, fft': 'lc rgb "#009E73" dt (2,3) pt 11',
-    'nnls, dense': 'lc rgb "#CC79A7" dt (8,8) pt 15',
-    'gp, fft': 'lc rgb "#56B4E9" dt (8,3) pt 4',
-    'admm, fft': 'lc rgb "#777777" dt (2,3) pt 10',
+    FAST: 'lc rgb "#000000" dt 1 pt 7', 'haar-cg, fft, double': 'lc rgb "#000000" dt (4,3) pt 6',
+    'haar-cg, fft, single': 'lc rgb "#D55E00" dt 1 pt 9', 'haar-cg, split': 'lc rgb "#0072B2" dt (12,4) pt 5',
+    'polonsky-keer, fft': 'lc rgb "#E69F00" dt (12,4,2,4) pt 13', 'polonsky-keer, fft, single': 'lc rgb "#E69F00" dt (2,3) pt 12',
+    'nnls, fft': 'lc rgb "#009E73" dt (2,3) pt 11', 'nnls, dense': 'lc rgb "#CC79A7" dt (8,8) pt 15',
+    'gp, fft': 'lc rgb "#56B4E9" dt (8,3) pt 4', 'admm, fft': 'lc rgb "#777777" dt (2,3) pt 10',
     'cmr, fft': 'lc rgb "#777777" dt (8,3) pt 14',
     'greedy, fft': 'lc rgb "#777777" dt 1 pt 8'}.items()}
 FEW = [FAST, 'haar-cg, fft, single', 'haar-cg, split', 'polonsky-keer, fft', 'nnls, fft', 'nnls, dense', 'gp, fft']

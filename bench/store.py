@@ -16,8 +16,7 @@ from samples import chosen, fits
 def library_hash():
     """Of the library and its plugins: what the same bytes have measured need not be measured again."""
     library = os.path.realpath(roughcontact.library_file())
-    files = [os.path.join(folder, name) for folder, _, names in os.walk(os.path.join(os.path.dirname(library), 'roughcontact'))
-             for name in names]
+    files = [os.path.join(folder, name) for folder, _, names in os.walk(os.path.join(os.path.dirname(library), 'roughcontact')) for name in names]
     digest = hashlib.blake2b(digest_size=8)
     for file in [*sorted(files), library]:
         with open(file, 'rb') as content:

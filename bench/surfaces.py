@@ -179,8 +179,7 @@ def strained_scenes(n):
     highest, gap = rough.gap.max(), rough.gap
     spike = gap + 1e3 * highest
     spike.flat[gap.size // 2 + 5] = 0
-    return [rough.but(name='rough, kernel eq9', kernel='eq9'),
-            rough.but(name='nearly every point in contact', approach=40 * highest),
+    return [rough.but(name='rough, kernel eq9', kernel='eq9'), rough.but(name='nearly every point in contact', approach=40 * highest),
             rough.but(name='one point touches', approach=0.5 * np.sort(gap, axis=None)[1]),
             rough.but(name='a spike of 1e3 times the roughness', gap=spike, approach=1e3 * highest + rough.approach),
             rough.but(name='heights around 1e6 times the roughness', gap=gap + 1e6 * highest, approach=1e6 * highest + rough.approach),

@@ -187,8 +187,7 @@ def shortest_waves(h, draw):
     h.z += size * np.cos(kx * h.column + ky * h.row)
 
 
-KINDS = {
-    'sphere-outer-pins': outer_pins, 'two-spheres': two_spheres, 'scratched-sphere': scratched_sphere, 'cone': cone, 'pillars': pillars,
+KINDS = {'sphere-outer-pins': outer_pins, 'two-spheres': two_spheres, 'scratched-sphere': scratched_sphere, 'cone': cone, 'pillars': pillars,
     'dimples': dimples, 'needles': needles, 'steps': steps, 'grating': grating, 'pits': pits,
     'waves-self-affine': lambda h, draw: roughen(h, draw, 0.01, draw.uniform(0.3, 1), draw.uniform(1, 6), draw.uniform(6, h.n / 2)),
     'long-waves': lambda h, draw: roughen(h, draw, 0.01, 1, 1, 3),

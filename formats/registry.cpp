@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
+#include "core/text.h"
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "formats/readers.h"
@@ -45,9 +48,10 @@ std::span<const Format> surface_formats() { return formats; }
 const Format& named_format(std::string_view name) {
   const auto found = std::ranges::find(formats, name, &Format::name);
   if (found != std::end(formats)) return *found;
+  std::vector<std::string> names;
   std::string known;
-  for (const auto& f : formats) known += (known.empty() ? "" : ", ") + std::string(f.name);
-  throw Error("format: " + in_quotes(name) + " is not known, give one of " + known);
+  for (const auto& f : formats) known += (known.empty() ? "" : ", ") + names.emplace_back(f.name);
+  throw Error("format: " + in_quotes(name) + " is not known" + suggestion(name, names) + "; give one of " + known);
 }
 
 const Format& recognised_format(std::string_view file, std::string_view extension) {

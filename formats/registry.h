@@ -20,7 +20,7 @@ struct Format {
 
 std::span<const Format> surface_formats();
 
-// The format of that name. Throws an Error that lists the names if there is none.
+// The format of that name. Throws an Error that lists the names, and suggests the nearest, if there is none.
 const Format& named_format(std::string_view name);
 
 // The format by contents, or else by extension (".gsf", lower case). Throws an Error that lists the formats if neither is known.

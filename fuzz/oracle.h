@@ -26,6 +26,7 @@ class Answer {
 
   rc_status status = RC_ERR_INTERNAL;
   bool explained = false;
+  bool given = false;     // the pressures are the caller's, to be certified
   rc_result result = {};  // its p and gap are the two below
   Reals p, gap;
 };

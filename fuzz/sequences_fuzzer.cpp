@@ -1,56 +1,62 @@
 // One contact, many calls: steps, paths, batches, certificates, restored copies, other options, resets and cancellations in any
-// order. Each answer is checked as if it stood alone; after a reset it has the bits of a new contact's.
+// order. Each answer is checked as if it stood alone, on the gap with the plastic indentation that the certified steps before it
+// have left; after a reset it has the bits of a new contact's.
 #include <roughcontact/history.h>
 
 #include <algorithm>
 #include <bit>
 #include <memory>
 
+#include "indentation.h"
 #include "oracle.h"
 #include "require.h"
 
 namespace {
 
-using fuzz::Answer, fuzz::Bytes, fuzz::Oracle, fuzz::Problem, fuzz::Reals, fuzz::require, fuzz::Scene, fuzz::Step;
+using fuzz::Answer, fuzz::Bytes, fuzz::Indentation, fuzz::Oracle, fuzz::Problem, fuzz::Reals, fuzz::require, fuzz::Scene,
+    fuzz::Step;
 
 constexpr int most_calls = 8;
 constexpr std::int64_t history = 2;  // steps of a path
 
 // A result that a path or a batch shows, as an answer.
-void check_shown(const Oracle& oracle, const Problem& problem, const rc_result& shown) {
+void check_shown(const Oracle& oracle, Indentation& indentation, const Problem& problem, const rc_result& shown) {
   Answer answer(static_cast<std::size_t>(shown.points));
   std::copy_n(shown.p, shown.points, answer.p.begin());
   std::copy_n(shown.gap, shown.points, answer.gap.begin());
   answer.result = shown;
   answer.status = shown.status;
   answer.explained = shown.status != RC_OK && shown.status != RC_WITHIN_GOAL;
-  oracle.check(problem, answer);
+  oracle.check(indentation.seen(problem), answer);
+  indentation.commit(answer);
 }
 
 struct Shown {
   const Oracle& oracle;
   Problem problem;
   const double* targets;
+  std::vector<Indentation> indentation;  // of each contact
 };
 
 std::int32_t of_path(std::int64_t step, const rc_result* result, void* user) {
   Shown& shown = *static_cast<Shown*>(user);
   shown.problem.target = shown.targets[step];
-  check_shown(shown.oracle, shown.problem, *result);
+  check_shown(shown.oracle, shown.indentation.front(), shown.problem, *result);
   return 0;
 }
 
 std::int32_t of_batch(std::int64_t contact, std::int64_t step, const rc_result* result, void* user) {
-  const Shown& shown = *static_cast<const Shown*>(user);
+  Shown& shown = *static_cast<Shown*>(user);
   Problem problem = shown.problem;
   problem.target = shown.targets[contact * history + step];
-  check_shown(shown.oracle, problem, *result);
+  check_shown(shown.oracle, shown.indentation[static_cast<std::size_t>(contact)], problem, *result);
   return 0;
 }
 
 class Sequence {
  public:
-  Sequence(Bytes& bytes, Scene& scene) : bytes_(bytes), scene_(scene), oracle_(scene), options_(fuzz::make_options(scene)) {
+  Sequence(Bytes& bytes, Scene& scene)
+      : bytes_(bytes), scene_(scene), oracle_(scene), options_(fuzz::make_options(scene)), indentation_(scene) {
     if (rc_contact_create(&scene.system, options_, &contact_) != RC_OK) contact_ = nullptr;
   }
   ~Sequence() {
@@ -95,6 +101,7 @@ class Sequence {
         default:
           solve();
       }
+      indentation_.require_of(contact_);
     }
   }
 
@@ -115,15 +122,21 @@ class Sequence {
 
   // After a step that failed, at once or later, it is not known which gap the contact has.
   void took(const Problem& problem, rc_status status) {
-    cancelled_ = cancelled_ && status < 0;
     gap_ = status >= 0 ? problem.gap : nullptr;
     mask_ = status >= 0 ? problem.mask : nullptr;
+  }
+
+  // A certificate leaves a cancellation to the next step that is solved.
+  void solved(const Problem& problem, rc_status status) {
+    cancelled_ = cancelled_ && status < 0;
+    took(problem, status);
   }
 
   void forget() {
     gap_ = nullptr;
     mask_ = nullptr;
     last_p_.clear();
+    indentation_.forget();
   }
 
   void solve() {
@@ -131,8 +144,9 @@ class Sequence {
     const Problem problem = problem_of(step);
     Answer answer(scene_.points());
     answer.took(rc_contact_solve(contact_, &step, &answer.result));
-    oracle_.check(problem, answer);
-    took(problem, answer.status);
+    oracle_.check(indentation_.seen(problem), answer);
+    indentation_.commit(answer);
+    solved(problem, answer.status);
     if (answer.status != RC_OK) return;
     last_ = answer.result;
     last_p_ = answer.p;
@@ -143,6 +157,7 @@ class Sequence {
     const rc_step& step = next_step().given;
     const Problem problem = problem_of(step);
     Answer answer(scene_.points());
+    answer.given = true;
     const Reals untouched = answer.gap;
     answer.p.assign(scene_.points(), 0.0);
     if (last_p_.size() == answer.p.size()) answer.p = last_p_;
@@ -155,7 +170,7 @@ class Sequence {
     const auto same = [](double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); };
     require(std::ranges::equal(given, answer.p, same), "certifying leaves the pressures as they are");
     require(answer.status >= 0 || std::ranges::equal(untouched, answer.gap, same), "a failed certificate writes no gap");
-    if (answer.status >= 0) oracle_.check(problem, answer);
+    if (answer.status >= 0) oracle_.check(indentation_.seen(problem), answer);
     took(problem, answer.status);
   }
 
@@ -170,14 +185,15 @@ class Sequence {
     path.targets = targets;
     path.undeformed_gap = step.given.undeformed_gap;
     path.mask = step.given.mask;
-    Shown shown{oracle_, problem, targets};
+    Shown shown{oracle_, problem, targets, {indentation_}};
     path.fn = of_path;
     path.user = &shown;
     const rc_status status = rc_contact_solve_path(contact_, &path);
     require(path.completed >= 0 && path.completed <= history, "completed steps are some of the path's");
     require((status == RC_OK || status == RC_WITHIN_GOAL) == (path.completed == history) || status == RC_STOP_CANCELLED,
             "a path that ends well is complete");
-    took(problem, status);
+    indentation_ = shown.indentation.front();
+    solved(problem, status);
     last_p_.clear();
   }
 
@@ -196,7 +212,8 @@ class Sequence {
     batch.undeformed_gap_stride = RC_BATCH_SHARED;
     batch.mask = step.given.mask;
     batch.mask_stride = RC_BATCH_SHARED;
-    Shown shown{oracle_, {step.undeformed_gap.data(), step.given.mask, step.given.control, 0}, targets};
+    const Problem problem{step.undeformed_gap.data(), step.given.mask, step.given.control, 0};
+    Shown shown{oracle_, problem, targets, {2, Indentation(scene_)}};
     batch.fn = of_batch;
     batch.user = &shown;
     const rc_status status = rc_batch_solve(&scene_.system, options_, &batch);
@@ -230,6 +247,7 @@ class Sequence {
       there.took(rc_contact_solve(other, &step.given, &there.result));
       oracle_.check(problem, here);
       oracle_.check(problem, there);
+      indentation_.commit(here);
       double limit = 0;
       const bool timed = rc_options_get_real(options_, RC_OPT_TIME_LIMIT, &limit) == RC_OK && limit > 0;
       // A step that is stopped before it begins may still have a certified start.
@@ -237,7 +255,7 @@ class Sequence {
         require(here.status == there.status, "after a reset a step ends as in a new contact");
         require(here.status < 0 || here.p == there.p, "after a reset a step has the bits of a new contact's");
       }
-      took(problem, here.status);
+      solved(problem, here.status);
     }
     rc_contact_destroy(other);
   }
@@ -253,7 +271,10 @@ class Sequence {
     state.p = last_p_.data();
     state.approach = last_.approach;
     state.load = last_.load;
+    state.indentation = scene_.system.hardness > 0 ? indentation_.depth() : nullptr;
     require(rc_contact_restore(other, &state) == RC_OK, "an answer can be restored");
+    Indentation indentation = indentation_;
+    indentation.require_of(other);
     steps_.push_back(std::make_unique<Step>());
     Step& step = *steps_.back();
     fuzz::read_step(bytes_, scene_, {last_.load, last_.approach}, true, step);
@@ -261,7 +282,9 @@ class Sequence {
     if (!step.given.undeformed_gap && !step.given.mask) problem.mask = last_problem_.mask;
     Answer answer(scene_.points());
     answer.took(rc_contact_solve(other, &step.given, &answer.result));
-    oracle_.check(problem, answer);
+    oracle_.check(indentation.seen(problem), answer);
+    indentation.commit(answer);
+    indentation.require_of(other);
     rc_contact_destroy(other);
   }
 
@@ -286,6 +309,7 @@ class Sequence {
   rc_result last_{};        // of the last certified step, with its pressures; none after a path
   Reals last_p_;
   Problem last_problem_{};
+  Indentation indentation_;
 };
 
 }  // namespace
@@ -294,7 +318,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes bytes(data, size);
   Scene scene;
   fuzz::read_scene(bytes, scene);
-  scene.system.hardness = 0;  // steps would leave an indentation; the oracle looks at each step alone
   Sequence(bytes, scene).run();
   return 0;
 }

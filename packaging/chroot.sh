@@ -5,25 +5,12 @@
 set -euo pipefail
 [ $# = 1 ] || { echo "usage: $0 PACKAGES"; exit 1; }
 packages=$(cd "$1" && pwd)
-source=$(cd "$(dirname "$0")/.." && pwd)
-skip() { echo "skipped: $*"; exit 77; }
-fail() { echo "FAILED: $*" >&2; exit 1; }
-[ "$(id -u)" = 0 ] || skip "needs root"
-command -v debootstrap >/dev/null || skip "debootstrap is not installed"
-release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
-mirror=$(apt-get indextargets --format '$(REPO_URI)' "Codename: $release" 'Label: Debian' 'Created-By: Packages' | head -1)
-[ -n "$release" ] && [ -n "$mirror" ] || skip "apt knows no mirror of Debian"
+. "$(dirname "$0")/clean_system.sh"
 ls "$packages"/*.deb >/dev/null || fail "no packages in $packages; packaging/build.sh makes them"
-
-root=$(mktemp -d)
-trap 'umount -q "$root/proc" || true; rm -rf --one-file-system "$root" "$root.log"' EXIT
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
-quietly() { "$@" >"$root.log" 2>&1 || { tail -40 "$root.log"; fail "$*"; }; rm -f "$root.log"; }
 files() { for name in "$@"; do (cd "$root" && ls packages/$name"_"*.deb); done | sed 's#^#/#'; }  # as seen from inside
 add() { quietly inside apt-get install -y -qq --no-install-recommends "$@"; }
 
-echo "a clean $release from the mirror of this machine"
-quietly debootstrap --variant=minbase --include=ca-certificates "$release" "$root" "$mirror"
+clean_system ca-certificates
 mount -t proc proc "$root/proc"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 mkdir "$root/packages"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes what the bindings know of the C headers: constants, structs with their initial values, and functions for Fortran and
-Python, the members of rc_result for Octave.
+Python, the members of rc_result for Octave. And what docs/options.md says of options, for Python's help().
 
 bindings.py [--check] [--cc CC] [--include FOLDER]
 
@@ -14,6 +14,7 @@ import difflib
 import pathlib
 import re
 import sys
+import textwrap
 from typing import Any, Dict, Iterable, List, Sequence, Tuple
 
 try:
@@ -31,6 +32,8 @@ HEADERS = {
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
 }
+# Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
+FROM_PLUGIN = ["rc_context_register"]
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
@@ -258,13 +261,13 @@ def python_structs(interface: Interface) -> str:
     return "\n".join(lines).strip("\n")
 
 
-def python_functions(libraries: Dict[str, Tuple[str, Interface]]) -> str:
-    """libraries: {class: (summary, Interface)}"""
+def python_functions(libraries: Dict[str, Tuple[str, Interface, Dict[str, Function]]]) -> str:
+    """libraries: {class: (summary, Interface, its functions and those of others that belong to this library)}"""
     signatures, classes = [], []
-    for title, (summary, interface) in libraries.items():
+    for title, (summary, interface, functions) in libraries.items():
         classes += ["", "", f"class {title}(Protocol):", f'    """{summary}"""', ""]
-        for names in alike(interface.functions):
-            function = interface.functions[names[0]]
+        for names in alike(functions):
+            function = functions[names[0]]
             arguments = ", ".join(python_type(kind, interface) for _, kind in function.arguments)
             signature = f"Callable[[{arguments}], {python_type(function.result, interface)}]"
             if len(names) > 1 and len(signature) > 80:
@@ -313,10 +316,27 @@ def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
     return "\n".join([*lines, *[""] * (bool(after) + body.startswith("@")), body]) + "\n"
 
 
+def python_options(document: pathlib.Path) -> str:
+    """The lines of docs/options.md, which says what the library's schema says, as Python's keywords."""
+    lines = []
+    for line in document.read_text().splitlines():
+        row = re.match(r"\| `([\w.-]+)` \| (\w+) \| (?:`(.*?)`|empty) \| (.*?) \| (.*) \|$", line)
+        if row:
+            key, kind, default, values, meaning = row.groups()
+            default = f"'{default or ''}'" if kind == "text" else default
+            default = "every core that pays" if key == "threads" else default  # roughcontact/_threads.py
+            values = "" if values == "any" else " (" + values.replace("`", "") + ")"
+            text = f"{re.sub('[.-]', '_', key)}={default}{values}: {meaning}"
+            lines += textwrap.wrap(text, 118, initial_indent=" " * 8, subsequent_indent=" " * 12)
+    return '"""\n' + "\n".join(lines) + '\n"""'
+
+
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
     surface, formats = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats"))
+    plugin = read(["roughcontact/plugin.h"], include, cc, contact)
+    added = {name: plugin.functions[name] for name in FROM_PLUGIN}
     known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
     if unknown:
@@ -400,12 +420,16 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             "The functions of the headers.",
             python_functions(
                 {
-                    "ContactFunctions": ("libroughcontact", contact),
-                    "SurfaceFunctions": ("libroughcontact-surface", surface),
-                    "FormatsFunctions": ("libroughcontact-formats", formats),
+                    "ContactFunctions": ("libroughcontact", contact, {**contact.functions, **added}),
+                    "SurfaceFunctions": ("libroughcontact-surface", surface, surface.functions),
+                    "FormatsFunctions": ("libroughcontact-formats", formats, formats.functions),
                 }
             ),
             after=["_c", "_structs"],
+        ),
+        f"{python}/_option_texts.py": python_module(
+            "Options as keywords with their defaults, for help().",
+            "OPTIONS = " + python_options(ROOT / "docs" / "options.md"),
         ),
         "bindings/octave/result_fields.def": "/* Members of rc_result and rc_accuracy that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",

@@ -73,7 +73,8 @@ void add_solve(CLI::App& app, SolveArguments& arguments) {
       ->expected(1)
       ->take_all();
 
-  option("--out", arguments.out, "DIR", "Folder for summary.json, pressure-K.npy, gap-K.npy and contact-K.png", "Output");
+  option("--out", arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png", "Output");
+  option("--write", arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5", "Output");
   solve->add_flag("--resume", arguments.resume, "Go on after the steps that an earlier run into --out has finished")
       ->group("Output");
   solve->add_flag("--explain", arguments.explain, "Say why auto chose its solver and backend")->group("Output");

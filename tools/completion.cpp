@@ -9,6 +9,7 @@
 #include "formats/registry.h"
 #include "library.h"
 #include "problem.h"
+#include "step_writers.h"
 
 namespace cli {
 
@@ -51,6 +52,7 @@ Names values(std::string_view option) {
   if (option == "remove") return texts(form_names);
   if (option == "unit") return {"m", "mm", "um", "nm", "pm"};
   if (option == "shape") return {"sphere:R=", "cylinder:R=", "wedge:angle="};
+  if (option == "write") return texts(step_formats);
   if (option == "set") return keys();
   Names names;
   if (option == "format") {

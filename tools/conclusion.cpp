@@ -12,8 +12,10 @@ constexpr double hardest_steel = 10e9, hardest_diamond = 150e9;
 constexpr double small_strain = 0.2;  // largest pressure over E*
 
 std::string limit(double pressure, double modulus) {
-  if (pressure > hardest_diamond) return ", above the hardness of diamond: real bodies yield, the answer is elastic";
-  if (pressure > hardest_steel) return ", above the hardness of any steel: most bodies yield, the answer is elastic";
+  if (pressure > hardest_diamond)
+    return ", above the hardness of diamond: real bodies yield, the answer is elastic; --hardness bounds it";
+  if (pressure > hardest_steel)
+    return ", above the hardness of any steel: most bodies yield, the answer is elastic; --hardness bounds it";
   if (pressure > small_strain * modulus)
     return format(", %.2g E*: strains are large, the answer is of small ones", pressure / modulus);
   return "";

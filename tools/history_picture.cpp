@@ -38,9 +38,17 @@ std::string panel(int place, const char* title, const std::string& unit, double 
   }
   text += "EOD\n";
   text += format("set lmargin at screen %.4f\nset rmargin at screen %.4f\n", 0.065 + place / 3.0, 0.315 + place / 3.0);
-  text += format("set title '%s'\nset ylabel '%s'\nset xlabel 'load [%sN]'\n", title, unit.c_str(), force.symbol.c_str());
+  text += format("set title '%s'\nset ylabel '%s' offset 0.8,0\nset xlabel 'load [%sN]'\n", title, unit.c_str(),
+                 force.symbol.c_str());
   return text + "plot " + others +
          format("$steps%d using 1:2 with linespoints pointtype 7 linewidth 2 linecolor rgb '#e6002e' title 'steps'\n", place);
+}
+
+// Whether the loads spread so far that steps would lie on top of each other on a plain axis.
+bool spread(const std::vector<HistoryPoint>& steps) {
+  constexpr double far = 30;
+  const auto [least, most] = std::ranges::minmax(steps, {}, &HistoryPoint::load);
+  return least.load > 0 && most.load > far * least.load;
 }
 
 double largest(const std::vector<HistoryPoint>& steps, Value value) {
@@ -64,8 +72,16 @@ Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& st
   script += format("set label 10 '%zu steps, E* %s, nominal area %.3g mm^2' at screen 0.5,0.955 center font ',19' noenhanced\n",
                    steps.size(), with_prefix(system.modulus, "Pa").c_str(), area * 1e6);
   script += "set multiplot\nset tmargin at screen 0.83\nset bmargin at screen 0.14\nset border linewidth 1.2\n";
-  script += format("set grid linecolor rgb '#e0e0e0'\nset xrange [0:%.9g]\nset yrange [0:*]\nset key bottom right\n",
-                   largest(steps, load) > 0 ? 1.03 * largest(steps, load) / force.factor : 1);
+  const bool logarithmic = spread(steps);
+  script += "set grid linecolor rgb '#e0e0e0'\nset key bottom right\n";
+  if (logarithmic) {
+    const double least = std::ranges::min(steps, {}, &HistoryPoint::load).load;
+    script += format("set logscale\nset xrange [%.9g:%.9g]\nset format x '%%g'\n", least / force.factor / 1.2,
+                     1.2 * largest(steps, load) / force.factor);
+  } else {
+    script += format("set xrange [0:%.9g]\nset yrange [0:*]\n",
+                     largest(steps, load) > 0 ? 1.03 * largest(steps, load) / force.factor : 1);
+  }
 
   std::string others;
   std::string corrected = "$corrected << EOD\n";
@@ -83,9 +99,10 @@ Gnuplot draw_history(const Problem& problem, const std::vector<HistoryPoint>& st
   others += "$corrected using 1:2 with points pointtype 6 pointsize 1.5 linecolor rgb '#3070c0' title 'corrected for cells', ";
   script += panel(0, "contact area", "area [%]", 0.01, force, steps, others,
                   [](const HistoryPoint& step) { return step.area_fraction; });
-  script += "unset label 10\nset key top right\n";
+  script += "unset label 10\nset key top right\nunset logscale y\nset yrange [0:*]\n";
   script += panel(1, "mean gap", "gap [" + length.symbol + "m]", length.factor, force, steps, "", gap);
-  script += "set key bottom right\n";
+  script +=
+      std::string("set key bottom right\n") + (logarithmic ? "set logscale y\nset yrange [*:*]\nset format y '10^{%L}'\n" : "");
   script += panel(2, "stiffness", "dW/dd [" + stiff.symbol + "N/m]", stiff.factor, force, steps, "", stiffness);
   return run_gnuplot(script + "unset multiplot\n", file);
 }

@@ -46,12 +46,13 @@ std::string title(const Picture& picture, const Layout& layout) {
     return format("set label %d '%s' at screen %s center font ',20' noenhanced textcolor rgb '%s'\n", number, text.c_str(),
                   layout.screen(middle, y).c_str(), colour.c_str());
   };
-  return line(10, format("step %d of %zu, %s", picture.step.number, picture.steps, status), 28,
-              picture.step.good() ? "black" : contact_colour.text()) +
-         line(11,
-              "load " + with_prefix(r.load, "N") + "    mean pressure " + with_prefix(r.mean_pressure, "Pa") + "    approach " +
-                  with_prefix(r.approach, "m") + format("    contact area %.3g %%", 100 * picture.step.area_fraction()) + margin,
-              60, "black");
+  const std::string forces = "load " + with_prefix(r.load, "N") + "    mean pressure " + with_prefix(r.mean_pressure, "Pa");
+  const std::string lengths = "approach " + with_prefix(r.approach, "m") +
+                              format("    contact area %.3g %%", 100 * picture.step.area_fraction()) + margin;
+  const std::string head = line(10, format("step %d of %zu, %s", picture.step.number, picture.steps, status), 28,
+                                picture.step.good() ? "black" : contact_colour.text());
+  if (!layout.narrow()) return head + line(11, forces + "    " + lengths, 60, "black");
+  return head + line(11, forces, 60, "black") + line(12, lengths, 92, "black");
 }
 
 // The value that this fraction of all values does not exceed.
@@ -86,8 +87,8 @@ std::string height_panel(const Surface& surface, const Layout& layout, const std
     const Colour ground = excluded_colour.mixed(palette.at((height - dark) / (bright - dark)), present[i]);
     append(ground.mixed(contact_colour, contact[i]), bytes);
   }
-  return layout.frame(0, "height above mean [" + prefix.symbol + "m], {/:Bold contact in red}" +
-                             (present.size() == shown.size() ? "" : ", excluded in blue")) +
+  return layout.frame(0, "height above mean [" + prefix.symbol + "m]",
+                      std::string("{/:Bold contact in red}") + (present.size() == shown.size() ? "" : ", excluded in blue")) +
          layout.colour_bar(0, palette, dark / prefix.factor, bright / prefix.factor) + layout.image() + bytes;
 }
 
@@ -126,9 +127,8 @@ std::string pressure_panel(const Picture& picture, const Layout& layout, const s
   }
   const auto largest = std::ranges::max_element(picture.pressure);
   const Prefix prefix = prefix_for(bright);
-  std::string text =
-      layout.frame(1, *largest > 0 ? "pressure [" + prefix.symbol + "Pa], largest " + with_prefix(*largest, "Pa") + " in the ring"
-                                   : "pressure: no contact");
+  std::string text = layout.frame(1, "pressure [" + prefix.symbol + "Pa]",
+                                  *largest > 0 ? "largest " + with_prefix(*largest, "Pa") + " in the ring" : "no contact");
   if (*largest > 0) text += ring(surface, layout, static_cast<std::size_t>(largest - picture.pressure.begin()));
   return text + layout.colour_bar(1, palette, 0, bright / prefix.factor) + layout.image() + bytes;
 }
@@ -143,7 +143,7 @@ Gnuplot draw_picture(const Picture& picture, std::FILE* file) {
       format("set terminal pngcairo size %lld,%lld font 'Sans,16' background rgb 'white'\n",
              static_cast<long long>(layout.canvas().width), static_cast<long long>(layout.canvas().height)) +
       "set encoding utf8\nset border back\nset multiplot\n" + title(picture, layout) +
-      height_panel(picture.surface, layout, contact) + "unset label 10\nunset label 11\n" +
+      height_panel(picture.surface, layout, contact) + "unset label 10\nunset label 11\nunset label 12\n" +
       pressure_panel(picture, layout, contact) + "unset multiplot\n";
   return run_gnuplot(script, file);
 }

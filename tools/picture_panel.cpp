@@ -12,7 +12,8 @@ namespace {
 // Lengths in pixels.
 constexpr double usual_side = 800, longest_side = 1200, shortest_side = 80;
 constexpr double left_margin = 115, right_margin = 150, top_margin = 56, bottom_margin = 78;
-constexpr double head = 84, least_room = 575;  // for titles
+constexpr double head = 84, line_height = 32, title_height = 24;
+constexpr double room_for_title = 740, room_for_half = 450;  // of a panel
 constexpr double bar_gap = 16, bar_width = 20;
 
 // The largest of 1, 2, 5 times a power of ten that is not above the value.
@@ -56,22 +57,25 @@ Layout::Layout(const Surface& surface) {
   to_scale_ = width < scale * x + 1 && height < scale * y + 1;
   panel_ = {std::llround(width), std::llround(height)};
   stacked_ = width > 1.5 * height;
-  room_ = {std::max(left_margin + width + right_margin, least_room), top_margin + height + bottom_margin};
-  canvas_ = {std::llround(stacked_ ? room_.x : 2 * room_.x), std::llround(head + (stacked_ ? 2 * room_.y : room_.y))};
+  const double across = left_margin + width + right_margin;
+  narrow_ = across < room_for_title;
+  head_ = head + (narrow_ ? line_height + title_height : 0);
+  room_ = {std::max(across, room_for_half), top_margin + height + bottom_margin};
+  canvas_ = {std::llround(stacked_ ? room_.x : 2 * room_.x), std::llround(head_ + (stacked_ ? 2 * room_.y : room_.y))};
   length_ = prefix_for(std::max(x, y));
   x_length_ = x / length_.factor;
   y_length_ = y / length_.factor;
 }
 
 Layout::Place Layout::corner(int panel) const {
-  return {left_margin + (stacked_ ? 0 : panel * room_.x), head + top_margin + (stacked_ ? panel * room_.y : 0)};
+  return {left_margin + (stacked_ ? 0 : panel * room_.x), head_ + top_margin + (stacked_ ? panel * room_.y : 0)};
 }
 
 std::string Layout::screen(double x, double y) const {
   return format("%.7f,%.7f", x / static_cast<double>(canvas_.width), 1 - y / static_cast<double>(canvas_.height));
 }
 
-std::string Layout::frame(int panel, const std::string& title) const {
+std::string Layout::frame(int panel, const std::string& title, const std::string& more) const {
   const Place at = corner(panel);
   const double width = static_cast<double>(panel_.width), height = static_cast<double>(panel_.height);
   const auto margin = [](const char* side, double place) { return format("set %smargin at screen %.7f\n", side, place); };
@@ -83,11 +87,14 @@ std::string Layout::frame(int panel, const std::string& title) const {
                      margin("b", 1 - (at.y + height + border) / static_cast<double>(canvas_.height));
   double step_x = round_down(x_length_ / std::max(width / 110, 1.0)), step_y = round_down(y_length_ / std::max(height / 75, 1.0));
   if (to_scale_ && std::max(step_x, step_y) <= std::min(x_length_, y_length_)) step_x = step_y = std::max(step_x, step_y);
-  text += format("set xrange [0:%.9g]\nset yrange [%.9g:0]\n", x_length_, y_length_);
+  // The axes reach as far as the border, so that a pixel of the image is one of the picture.
+  const double dx = border * x_length_ / width, dy = border * y_length_ / height;
+  text += format("set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -dx, x_length_ + dx, y_length_ + dy, -dy);
   text += format("set xtics out nomirror %.9g offset 0,0.2\nset ytics out nomirror %.9g offset 0.4,0\n", step_x, step_y);
   text += format("set xlabel 'x [%sm]' offset 0,0.3\nset ylabel 'y [%sm]%s' offset 1.4,0\n", length_.symbol.c_str(),
                  length_.symbol.c_str(), to_scale_ ? "" : ", stretched");
-  return text + format("set label 1 '%s' at screen %s left\n", title.c_str(), screen(at.x, at.y - 28).c_str());
+  return text + format("set label 1 \"%s,%s%s\" at screen %s left\n", title.c_str(), narrow_ ? "\\n" : " ", more.c_str(),
+                       screen(at.x, at.y - 28 - (narrow_ ? title_height : 0)).c_str());
 }
 
 std::string Layout::colour_bar(int panel, const Palette& palette, double low, double high) const {

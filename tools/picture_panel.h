@@ -41,11 +41,13 @@ class Layout {
   };
   Place corner(int panel) const;  // of the panel on the canvas
 
+  bool narrow() const { return narrow_; }
+
   // Fractions of the canvas from its bottom left corner.
   std::string screen(double x, double y) const;
 
-  // A panel's margins, axes and title.
-  std::string frame(int panel, const std::string& title) const;
+  // A panel's margins, axes and title, of two parts that stand below each other where the panel is narrow.
+  std::string frame(int panel, const std::string& title, const std::string& more) const;
   std::string colour_bar(int panel, const Palette& palette, double low, double high) const;
   // How gnuplot is to plot the panel's pixels, three bytes each, that follow in the script; the range of the bar goes with them.
   std::string image() const;
@@ -54,8 +56,9 @@ class Layout {
   double x_length_, y_length_;  // in the display unit
   Prefix length_;
   Size panel_, canvas_;
-  Place room_;  // that a panel has with its title, axes and colour bar
-  bool stacked_, to_scale_;
+  Place room_;   // that a panel has with its title, axes and colour bar
+  double head_;  // height of the lines above the panels
+  bool stacked_, narrow_, to_scale_;
 };
 
 }  // namespace cli

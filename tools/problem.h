@@ -21,7 +21,7 @@ struct SolveArguments {
   std::optional<std::string> displacement, load, pressure;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value
-  std::optional<std::string> out;
+  std::optional<std::string> out, write;
   bool resume = false;
   bool explain = false;
   bool quiet = false;

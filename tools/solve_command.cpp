@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "conclusion.h"
 #include "cores.h"
@@ -16,6 +17,7 @@
 #include "progress_bar.h"
 #include "step_files.h"
 #include "step_record.h"
+#include "step_writers.h"
 #include "table.h"
 #include "text.h"
 
@@ -119,6 +121,9 @@ void report_step(const StepRecord& step, std::size_t steps) {
 
 ExitCode run_solve(const SolveArguments& arguments) {
   if (arguments.resume && !arguments.out) throw Error("--resume goes on in the folder of --out, which is missing");
+  if (arguments.write && !arguments.out) throw Error("--write puts its files into the folder of --out, which is missing");
+  StepWriters writers;
+  if (arguments.write) writers = find_step_writers(*arguments.write);
   const Problem problem = make_problem(arguments);
   const int steps = static_cast<int>(problem.targets.size());
   std::vector<double> gap = problem.input.surface.heights;
@@ -132,7 +137,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");
   const Interrupt interrupt{contact.get()};
   std::optional<StepFiles> files;
-  if (arguments.out) files.emplace(*arguments.out, problem, arguments.resume);
+  if (arguments.out) files.emplace(*arguments.out, problem, arguments.resume, std::move(writers));
   const int finished = files ? files->finished() : 0;
   if (finished > 0) restore(contact.get(), problem, gap, *files);
 

@@ -4,10 +4,12 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "error.h"
 #include "npy_writer.h"
 #include "picture.h"
+#include "step_fields.h"
 #include "surface.h"
 #include "text.h"
 #include "whole_file.h"
@@ -18,14 +20,20 @@ namespace {
 
 constexpr const char* summary_name = "summary.json";
 constexpr const char* history_name = "history.png";
+constexpr const char* table_name = "steps.csv";
+
+// Whether a file of this name is of the whole history.
+bool of_all_steps(std::string_view name) { return name == summary_name || name == history_name || name == table_name; }
 
 std::string step_name(const char* stem, std::size_t number, const char* extension) {
   return format("%s-%zu.%s", stem, number, extension);
 }
 
 std::vector<std::string> step_names(std::size_t number) {
-  return {step_name("pressure", number, "npy"), step_name("gap", number, "npy"), step_name("indentation", number, "npy"),
-          step_name("contact", number, "png")};
+  std::vector<std::string> names = {step_name("pressure", number, "npy"), step_name("gap", number, "npy"),
+                                    step_name("indentation", number, "npy"), step_name("contact", number, "png")};
+  for (const char* extension : step_extensions) names.push_back(step_name("step", number, extension));
+  return names;
 }
 
 HistoryPoint history_point(const EarlierStep& step) {
@@ -49,8 +57,12 @@ std::size_t step_of(const std::string& name) {
 
 }  // namespace
 
-StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume)
-    : folder_(folder), problem_(problem), summary_(problem), earlier_(read_earlier_run(folder_.read(summary_name))) {
+StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers)
+    : folder_(folder),
+      writers_(std::move(writers)),
+      problem_(problem),
+      summary_(problem),
+      earlier_(read_earlier_run(folder_.read(summary_name))) {
   const std::vector<std::string> present = folder_.names();
   remove_unfinished(present);
   refuse_foreign(present);
@@ -73,7 +85,7 @@ StepFiles::~StepFiles() {
 void StepFiles::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
     const std::string target{target_of_temporary(name)};
-    if (target == summary_name || target == history_name || step_of(target) > 0) folder_.remove(name);
+    if (of_all_steps(target) || step_of(target) > 0) folder_.remove(name);
   }
 }
 
@@ -81,8 +93,7 @@ void StepFiles::refuse_foreign(const std::vector<std::string>& present) const {
   const std::size_t own = earlier_ ? earlier_->own_steps() : 0;
   for (const std::string& name : present) {
     const std::size_t step = step_of(name);
-    if (name == summary_name || name == history_name ? earlier_.has_value() : step <= own || step > problem_.targets.size())
-      continue;
+    if (of_all_steps(name) ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
     throw Error("--out: " + in_quotes(folder_.path(name).string()) +
                 " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
   }
@@ -94,7 +105,7 @@ void StepFiles::take_up(const EarlierRun& now) {
   if (!steps.empty() && steps.back().status == "RC_STOP_CANCELLED") steps.pop_back();
   check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).string()));
   for (const EarlierStep& step : steps) {
-    summary_.add(step.fields);
+    add(step.fields);
     history_.push_back(history_point(step));
     all_certified_ = all_certified_ && step.certified();
   }
@@ -131,14 +142,18 @@ std::vector<double> StepFiles::values(const char* stem, std::size_t number) cons
 void StepFiles::begin() {
   begun_ = true;
   const std::size_t kept = static_cast<std::size_t>(finished_), own = earlier_ ? earlier_->own_steps() : 0;
-  write_summary(summary_.text(own > kept ? own : 0));
+  write_whole_file(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
   if (own > 0) folder_.remove(history_name);
+  if (own > 0) folder_.remove(table_name);
   for (std::size_t k = kept + 1; k <= own; ++k) {
     for (const std::string& name : step_names(k)) folder_.remove(name);
   }
 }
 
-void StepFiles::write_summary(const std::string& text) { write_whole_file(folder_.path(summary_name), text); }
+void StepFiles::add(std::span<const JsonEntry> step) {
+  summary_.add(step);
+  table_.add(step);
+}
 
 void StepFiles::write(const StepRecord& step, const Fields& fields) {
   const auto number = unfinished_ = static_cast<std::size_t>(step.number);
@@ -152,6 +167,13 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   folder_.write(step_name("pressure", number, "npy"), array(fields.pressure));
   folder_.write(step_name("gap", number, "npy"), array(fields.gap));
   if (!fields.indentation.empty()) folder_.write(step_name("indentation", number, "npy"), array(fields.indentation));
+  const std::vector<JsonEntry> values = step_fields(step, problem_.system.hardness > 0);
+  for (const NamedWriter& writer : writers_) {
+    folder_.write(step_name("step", number, writer.extension), [&](std::FILE* file) {
+      writer.write(make_image(problem_, values, fields), file);
+      return true;
+    });
+  }
   if (can_draw_) {
     draw(step_name("contact", number, "png"), [&](std::FILE* file) {
       return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
@@ -160,8 +182,9 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
   history_.push_back(
       {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
 
-  summary_.add(step);
-  write_summary(summary_.text());
+  add(values);
+  write_whole_file(folder_.path(table_name), table_.text());
+  write_whole_file(folder_.path(summary_name), summary_.text());
   unfinished_ = 0;
 }
 

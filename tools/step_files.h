@@ -1,8 +1,10 @@
-// The files of `roughcontact solve --out`: those of every step and summary.json. It also reads those of an earlier run to resume.
+// The files of `roughcontact solve --out`: those of every step, summary.json and steps.csv. It also reads those of an earlier run
+// to resume.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,8 @@
 #include "output_folder.h"
 #include "problem.h"
 #include "step_record.h"
+#include "step_table.h"
+#include "step_writers.h"
 #include "summary.h"
 
 namespace cli {
@@ -25,8 +29,8 @@ struct CertifiedStep {
 class StepFiles {
  public:
   // Throws if the folder has files with names that this run would write and that no summary.json lists. resume: continues after
-  // the steps that an earlier run of the same problem has finished, if there was one.
-  StepFiles(const std::string& folder, const Problem& problem, bool resume);
+  // the steps that an earlier run of the same problem has finished, if there was one. writers: of more files of each step.
+  StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers);
   // Removes the files of a step if not all of them could be written.
   ~StepFiles();
   StepFiles(const StepFiles&) = delete;
@@ -49,12 +53,14 @@ class StepFiles {
   void refuse_foreign(const std::vector<std::string>& present) const;
   void take_up(const EarlierRun& now);
   void begin();
-  void write_summary(const std::string& text);
+  void add(std::span<const JsonEntry> step);
   void draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
 
   OutputFolder folder_;
+  StepWriters writers_;
   const Problem& problem_;
   Summary summary_;
+  StepTable table_;
   std::optional<EarlierRun> earlier_;
   int finished_ = 0;
   bool all_certified_ = true, begun_ = false, can_draw_ = true;

@@ -6,7 +6,6 @@
 
 #include "json_text.h"
 #include "problem.h"
-#include "step_record.h"
 
 namespace cli {
 
@@ -14,15 +13,13 @@ class Summary {
  public:
   // The summary of a run of this problem.
   explicit Summary(const Problem& problem);
-  void add(const StepRecord& step);
-  // Adds a step as an earlier summary has it.
+  // The values of a step, as `step_fields` or an earlier summary has them.
   void add(std::span<const JsonEntry> step);
   // removing: steps of an earlier run, 1 to this number, whose files are about to go; 0: none.
   std::string text(std::size_t removing = 0) const;
 
  private:
   JsonText document_;
-  bool hardness_;  // is given
 };
 
 }  // namespace cli

@@ -13,7 +13,8 @@ namespace {
 // H(i, j) depends on |xi - xj| and |yi - yj| only: one table of offsets holds all of it.
 class HalfSpace final : public Influence {
  public:
-  HalfSpace(const rc_host* host, const rc_operator_spec& spec) : system_(spec.system), table_(host, spec) {}
+  HalfSpace(const rc_host* host, const rc_operator_spec& spec, const roughcontact::Component& component)
+      : system_(spec.system), table_(host, spec, component) {}
 
   void prepare(std::int64_t mx, std::int64_t my) override { table_.cover(mx, my); }
 
@@ -112,7 +113,7 @@ std::unique_ptr<Influence> make_influence(const rc_host* host, const rc_operator
                                           const roughcontact::Component& component) {
   switch (spec.system->op) {
     case RC_OPERATOR_HALFSPACE:
-      return std::make_unique<HalfSpace>(host, spec);
+      return std::make_unique<HalfSpace>(host, spec, component);
     case RC_OPERATOR_DENSE:
       return std::make_unique<CallersMatrix>(*spec.system);
     default:

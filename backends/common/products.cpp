@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "common/memory_limit.h"
 #include "common/serial_eigen.h"
 
 namespace rc_common {
+
+namespace {
+
+constexpr double most_lent = 67108864.0;  // bytes of a matrix; limits count larger ones as their operator's
+
+}  // namespace
 
 void estimate_matrix(const rc_facts& facts, rc_estimate& estimate, const roughcontact::Component& component, const char* key) {
   constexpr double operation = 1e-10;        // [s]
@@ -27,7 +35,10 @@ void estimate_matrix(const rc_facts& facts, rc_estimate& estimate, const roughco
 }
 
 Products::Products(const rc_host* host, const rc_operator_spec& spec, const roughcontact::Component& component)
-    : system_(spec.system), influence_(make_influence(host, spec, component)) {}
+    : system_(spec.system), influence_(make_influence(host, spec, component)) {
+  const std::string key = component.name + std::string(" matrices");
+  pool_ = roughcontact::shared<Pool<Stored>>(host, component, key, [] { return std::make_unique<Pool<Stored>>(); });
+}
 
 bool Products::is_bound(const rc_domain& domain) const {
   if (domain.n != size()) return false;
@@ -42,7 +53,6 @@ Products::Change Products::bind(const rc_domain& domain) {
   if (same_entries && is_bound(domain)) return Change::none;
   std::vector<Point> points(static_cast<std::size_t>(domain.n));
   for (std::int64_t i = 0; i < domain.n; ++i) points[static_cast<std::size_t>(i)] = point(domain.index ? domain.index[i] : i);
-  runs_ = runs_of(points);
   points_ = std::move(points);
   influence_->set_zero_mode(domain.zero_mode);
   zero_mode_ = domain.zero_mode;
@@ -65,14 +75,29 @@ const Influence& Products::entries() {
 }
 
 void Products::store() {
-  if (!matrix_) matrix_.emplace(size(), source());
+  if (matrix_) return;
+  if (bytes() <= most_lent) {
+    const auto mine = [&](const Stored& other) { return other.zero_mode == zero_mode_ && other.points == points_; };
+    if (Stored found = pool_->take(mine); found.matrix && mine(found)) {
+      matrix_ = std::move(found.matrix);
+      return;
+    }
+  }
+  matrix_ = std::make_unique<SymmetricMatrix>(size(), source());
+}
+
+void Products::rest() {
+  if (!matrix_ || bytes() > most_lent) return;
+  Stored lent{points_, zero_mode_, std::move(matrix_)};
+  matrix_.reset();
+  pool_->give(std::move(lent));
 }
 
 void Products::apply(const double* x, double* y) {
   if (matrix_)
     matrix_->multiply(x, y);
   else
-    entries().multiply(points_, x, runs_, y);
+    entries().multiply(points_, x, runs_of(points_), y);
 }
 
 void Products::field(const double* x, double* y) {

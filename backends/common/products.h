@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <roughcontact/plugin.hpp>
 #include <span>
 #include <vector>
 
 #include "common/influence.h"
+#include "common/pool.h"
 
 namespace rc_common {
 
@@ -34,14 +34,23 @@ class Products {
 
   void store();
   void forget() { matrix_.reset(); }
-  bool stored() const { return matrix_.has_value(); }
-  double stored_bytes() const { return matrix_ ? SymmetricMatrix::bytes(static_cast<double>(size())) : 0.0; }
+  // Lends a stored matrix that is not large to other operators until the next store().
+  void rest();
+  double stored_bytes() const { return matrix_ ? bytes() : 0.0; }
 
   void apply(const double* x, double* y);  // y = H[T,T] x
   void field(const double* x, double* y);  // y = H[all points, T] x
   double norm();                           // Frobenius, of H[T,T]
 
  private:
+  // A matrix of an operator that rests, and what it is of.
+  struct Stored {
+    std::vector<Point> points;
+    double zero_mode = 0.0;
+    std::unique_ptr<SymmetricMatrix> matrix;
+  };
+
+  double bytes() const { return SymmetricMatrix::bytes(static_cast<double>(size())); }
   Point point(std::int64_t number) const { return {number / system_->nx, number % system_->nx}; }
   bool is_bound(const rc_domain&) const;
 
@@ -49,8 +58,8 @@ class Products {
   std::unique_ptr<Influence> influence_;
   double zero_mode_ = 0.0;
   std::vector<Point> points_;  // of the domain, ascending
-  std::vector<Run> runs_;      // of points_
-  std::optional<SymmetricMatrix> matrix_;
+  std::unique_ptr<SymmetricMatrix> matrix_;
+  std::shared_ptr<Pool<Stored>> pool_;
 };
 
 }  // namespace rc_common

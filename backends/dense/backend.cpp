@@ -35,7 +35,9 @@ const rc_backend backend = {.struct_size = sizeof(rc_backend),
                             .subset = Functions::subset,
                             .shifted = Functions::shifted,
                             .norm = Functions::norm,
-                            .score = Functions::score};
+                            .forget = Functions::forget,
+                            .score = Functions::score,
+                            .rest = Functions::rest};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
                           .abi_major = RC_PLUGIN_ABI_MAJOR,

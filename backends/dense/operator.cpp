@@ -16,6 +16,7 @@ constexpr double beside_a_triangle = 64.0 * 1048576.0;
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
+      options_(spec.options),
       grid_(spec.system->op == RC_OPERATOR_HALFSPACE),
       limit_(host, spec, component, memory_limit_key),
       products_(host, spec, component) {}
@@ -57,6 +58,17 @@ void Operator::shifted(double rho, const double* b, double* x) {
   if (shifted_.size() != n || rho != rho_) factor_shifted(rho);
   std::copy_n(b, n, x);
   shifted_.solve(x);
+}
+
+void Operator::forget() {
+  set_.clear();
+  shifted_.clear();
+}
+
+void Operator::rest() {
+  products_.rest();
+  if (roughcontact::option_int(host_, options_, "resumable") != 0) return forget();  // the next step does so in any case
+  set_.rest();
 }
 
 void Operator::factor_shifted(double rho) {

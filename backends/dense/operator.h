@@ -33,6 +33,9 @@ class Operator {
   void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
   void shifted(double rho, const double* b, double* x);
   double norm() { return products_.norm(); }
+  // The influence coefficients stay.
+  void forget();
+  void rest();
 
  private:
   double budget() const;
@@ -40,6 +43,7 @@ class Operator {
   void factor_shifted(double rho);
 
   const rc_host* host_;
+  const rc_options* options_;
   bool grid_;
   rc_common::MemoryLimit limit_;
   rc_common::Products products_;

@@ -19,6 +19,8 @@ constexpr Eigen::Index block_size = 32;
 // Rows fewer than this are appended one by one, as contiguous vectors.
 constexpr std::int64_t few_rows = 5;
 
+constexpr std::int64_t most_packed = 1024;  // unknowns of a factor that is small
+
 // Factors a small block in place, column by column. A pivot must be larger than what rounding leaves of it in a singular
 // matrix.
 std::optional<UpdatableCholesky::BadPivot> factor_small(Part A, const Eigen::Ref<const Eigen::VectorXd>& smallest_pivot) {
@@ -75,7 +77,32 @@ void UpdatableCholesky::reserve(std::int64_t unknowns) {
   }
 }
 
+void UpdatableCholesky::rest() {
+  if (size_ > most_packed || panels_.empty() || !triangle_.empty()) return;
+  triangle_.reserve(static_cast<std::size_t>(size_ * (size_ + 1) / 2));
+  for (std::int64_t j = 0; j < size_; ++j)
+    for_column(j, j, size_,
+               [this](const double* from, std::int64_t count) { triangle_.insert(triangle_.end(), from, from + count); });
+  panels_.clear();
+}
+
+void UpdatableCholesky::wake() {
+  if (triangle_.empty()) return;
+  reserve(size_);
+  const double* from = triangle_.data();
+  for (std::int64_t j = 0; j < size_; ++j)
+    for_column(j, j, size_, [&from](double* to, std::int64_t count) {
+      std::copy_n(from, count, to);
+      from += count;
+    });
+  triangle_ = std::vector<double>();
+}
+
 void UpdatableCholesky::truncate(std::int64_t size) {
+  if (size == 0)
+    triangle_ = std::vector<double>();
+  else
+    wake();
   size_ = size;
   panels_.resize(static_cast<std::size_t>((size + panel_rows - 1) / panel_rows));
 }
@@ -91,6 +118,7 @@ void UpdatableCholesky::for_column(std::int64_t column, std::int64_t first, std:
 }
 
 std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append(std::int64_t count, const ColumnSource& source) {
+  wake();
   const std::int64_t before = size_, end = size_ + count;
   const double rounding = static_cast<double>(end) * std::numeric_limits<double>::epsilon();
   try {
@@ -159,6 +187,7 @@ std::optional<UpdatableCholesky::BadPivot> UpdatableCholesky::append_to_panel(st
 
 // Removes in batches, the last unknowns first, because the rank-one terms of a batch take memory.
 void UpdatableCholesky::remove(std::span<const std::int64_t> removed) {
+  wake();
   constexpr std::int64_t most_numbers = 4194304;
   while (!removed.empty()) {
     const auto batch = static_cast<std::size_t>(std::max<std::int64_t>(16, most_numbers / size_));

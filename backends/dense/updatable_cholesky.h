@@ -4,7 +4,8 @@
 // is the factorization itself. When an unknown leaves, its column of L becomes a positive rank-one term of the trailing block,
 // which plane rotations absorb (Golub & Van Loan, Matrix Computations, 6.5). That subtracts nothing and is always stable.
 //
-// L is kept in panels of rows, each as long as its last row. That takes half a square, and a growing factor moves no panel.
+// L is kept in panels of rows, each as long as its last row. That takes half a square, and a growing factor moves no panel. Where
+// it rests, a small one is kept as a triangle alone.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,8 @@ class UpdatableCholesky {
   void remove(std::span<const std::int64_t> removed);
   // b = A^-1 b
   void solve(double* b) const;
+  // Until unknowns are next appended, removed or forgotten no solve may follow.
+  void rest();
 
  private:
   static constexpr std::int64_t panel_rows = 128;
@@ -50,6 +53,7 @@ class UpdatableCholesky {
   double* entry(std::int64_t row, std::int64_t column) const { return at(row / panel_rows, column) + row % panel_rows; }
   template <class Visit> void for_column(std::int64_t column, std::int64_t first, std::int64_t last, const Visit&) const;
 
+  void wake();
   void reserve(std::int64_t unknowns);
   void forward(double* x, std::int64_t n) const;
   std::optional<BadPivot> append_row(const ColumnSource&, double rounding);
@@ -58,6 +62,7 @@ class UpdatableCholesky {
 
   std::int64_t size_ = 0;
   std::vector<std::unique_ptr<double[]>> panels_;  // by columns of stride panel_rows; what is above the diagonal is never used
+  std::vector<double> triangle_;                   // at rest: the columns of L from the diagonal on
 };
 
 // Whether removing the ascending `removed` of n unknowns by rotations costs less than factoring again everything from the first

@@ -18,6 +18,8 @@ class WorkingSet {
   // H[points, points] x = b for ascending points. On failure the factor is dropped.
   void solve(const Influence&, std::span<const Point> points, const double* b, double* x);
   void clear();
+  // Until the next solve the factor takes less memory.
+  void rest() { factor_.rest(); }
   double bytes() const { return UpdatableCholesky::bytes(factor_.size()); }
 
  private:

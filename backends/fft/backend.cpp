@@ -36,7 +36,8 @@ const rc_backend backend = {.struct_size = sizeof(rc_backend),
                             .norm = Functions::norm,
                             .apply_float = Functions::apply_float,
                             .forget = Functions::forget,
-                            .score = Functions::score};
+                            .score = Functions::score,
+                            .rest = Functions::rest};
 const rc_backend* const backends[] = {&backend};
 const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
                           .abi_major = RC_PLUGIN_ABI_MAJOR,

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace rc_fft {
@@ -40,6 +42,8 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
       single_(in_single_precision(host, spec.options)),
       team_(*spec.team),
       cache_(cache_limit(*spec.system)),
+      pool_(roughcontact::shared<rc_common::Pool<Workspace>>(host, component, "fft workspaces",
+                                                             [] { return std::make_unique<rc_common::Pool<Workspace>>(); })),
       whole_(spec.system->nx, spec.system->ny) {
   const rc_system& system = *spec.system;
   if (system.op != RC_OPERATOR_HALFSPACE)
@@ -56,6 +60,17 @@ void Operator::check_tolerance() const {
   if (tol < least_single_tol)
     fail(RC_ERR_OPTION, "tol = ", tol, " is below ", least_single_tol,
          ", the limit of fft.precision=single; raise tol or set fft.precision=mixed");
+}
+
+void Operator::wake() {
+  if (resting_) workspace_ = pool_->take();
+  resting_ = false;
+}
+
+void Operator::rest() {
+  if (resting_) return;
+  resting_ = true;
+  pool_->give(std::exchange(workspace_, {}));
 }
 
 Conversion Operator::conversion(const double* x) const {
@@ -112,8 +127,10 @@ template <class Real> double Operator::norm_in() {
   const Lengths lengths =
       periodic() ? Lengths{box_.nx, box_.ny} : Lengths{fast_length(box_lengths().x), fast_length(box_lengths().y)};
   const double mean = zero_mode_ / (static_cast<double>(spec_.system->nx) * static_cast<double>(spec_.system->ny));
-  Transform<Real> squares(lengths, box_.ny, workspace_, team_);
-  squares.load(Eigenvalues::squares(host_, spec_, periodic() ? mean : 0.0, lengths, workspace_));
+  wake();
+  const auto waves = std::make_shared<Waves<Real>>(lengths);
+  waves->load(Eigenvalues::squares(host_, spec_, periodic() ? mean : 0.0, lengths, workspace_), team_);
+  Transform<Real> squares(waves, box_.ny, workspace_, team_);
   const std::vector<double> ones(static_cast<std::size_t>(points_.count()), 1.0);
   std::vector<double> sums(ones.size());
   squares.multiply(points_, 0, 0, ones.data(), points_, sums.data());
@@ -132,31 +149,33 @@ Transforms& Operator::field_transforms() {
   return *grid_transforms_;
 }
 
-template <class Real> Transform<Real>& Operator::made(Transforms& transforms, std::int64_t rows) {
-  std::unique_ptr<Transform<Real>>& transform = transforms.in<Real>();
-  if (transform) return *transform;
-  if ((transform = cache_.recalled<Real>(transforms.lengths))) {
-    if (periodic()) transform->set_zero_mode(zero_mode_);
-    return *transform;
-  }
-  transform = std::make_unique<Transform<Real>>(transforms.lengths, rows, workspace_, team_);
-  try {
+// In the precision asked for, from the other one where that is there: the values are the same.
+template <class Real> std::shared_ptr<const Waves<Real>> Operator::waves(Transforms& transforms) {
+  const Lengths lengths = transforms.lengths;
+  const std::string key =
+      "fft " + std::to_string(lengths.x) + " " + std::to_string(lengths.y) + " " + std::to_string(sizeof(Real));
+  return roughcontact::shared<const Waves<Real>>(host_, component, key, [&] {
+    auto result = std::make_unique<Waves<Real>>(lengths);
     if constexpr (std::is_same_v<Real, float>) {
       if (const auto& source = transforms.in<double>()) {
-        transform->load(*source);
-        return *transform;
+        result->load(source->waves());
+        return result;
       }
     }
-    if (periodic()) {
-      transform->load(Eigenvalues::periodic(host_, spec_, transforms.lengths, workspace_));
-      transform->set_zero_mode(zero_mode_);
-    } else {
-      transform->load(Eigenvalues::free(host_, spec_, transforms.lengths, workspace_));
-    }
-  } catch (...) {
-    transform.reset();
-    throw;
-  }
+    result->load(periodic() ? Eigenvalues::periodic(host_, spec_, lengths, workspace_)
+                            : Eigenvalues::free(host_, spec_, lengths, workspace_),
+                 team_);
+    return result;
+  });
+}
+
+template <class Real> Transform<Real>& Operator::made(Transforms& transforms, std::int64_t rows) {
+  wake();
+  std::unique_ptr<Transform<Real>>& transform = transforms.in<Real>();
+  if (transform) return *transform;
+  if (!(transform = cache_.recalled<Real>(transforms.lengths)))
+    transform = std::make_unique<Transform<Real>>(waves<Real>(transforms), rows, workspace_, team_);
+  if (periodic()) transform->set_zero_mode(zero_mode_);
   return *transform;
 }
 

@@ -6,6 +6,7 @@
 #include <roughcontact/plugin.hpp>
 
 #include "cache.h"
+#include "common/pool.h"
 #include "failure.h"
 #include "points.h"
 #include "transform.h"
@@ -23,6 +24,8 @@ class Operator {
 
   void bind(const rc_domain& domain);
   void forget() { cache_.forget(box_transforms_, grid_transforms_); }
+  // Lends its workspace to other operators until the next product.
+  void rest();
   void apply(const double* x, double* y);
   void apply_float(const float* x, float* y);
   void field(const double* x, double* y);
@@ -35,6 +38,8 @@ class Operator {
   template <class Real> double norm_in();
   bool periodic() const { return spec_.system->boundary == RC_BOUNDARY_PERIODIC; }
   template <class Real> Transform<Real>& made(Transforms& transforms, std::int64_t rows);
+  template <class Real> std::shared_ptr<const Waves<Real>> waves(Transforms& transforms);
+  void wake();
   Transforms& field_transforms();
   Lengths box_lengths() const;   // least lengths for products on the box
   Lengths grid_lengths() const;  // and on the grid
@@ -44,7 +49,9 @@ class Operator {
   bool single_;  // option fft.precision: nothing is kept or made in double precision
   const rc_team& team_;
   Cache cache_;
+  std::shared_ptr<rc_common::Pool<Workspace>> pool_;
   Workspace workspace_;
+  bool resting_ = true;  // the workspace is empty, for all that is known
 
   Box box_;        // the domain's products are computed on it
   Points points_;  // of the domain, in the box

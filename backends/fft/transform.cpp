@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include "lines.h"
 
@@ -48,46 +49,29 @@ template <class Real> class ColumnSink : public Sink<Real> {
 
 }  // namespace
 
-template <class Real>
-Transform<Real>::Transform(Lengths lengths, std::int64_t rows, Workspace& workspace, const rc_team& team)
-    : lengths_(lengths),
-      group_(blocks() * most_lines<Real> * row_size<Real>),
-      line_(round_up(lengths.x, width<Real>)),
-      scratch_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real> +
-               most_lines<Real> * line_),
-      workspace_(workspace),
-      team_(team),
-      parallel_(worth_sharing(lengths)) {
-  // Else the parts of a column would compete for the same cache sets.
-  if (blocks() % 8 == 0) group_ += most_lines<Real> * row_size<Real>;
-  reserve(rows);
-  spectrum_.reserve<Real>(blocks() * width<Real>, lengths.y / 2 + 1, lengths);
-  axes_ = Axes<Real>(lengths);
+template <class Real> Waves<Real>::Waves(Lengths of) : lengths(of) {
+  spectrum.reserve<Real>(blocks() * width<Real>, lengths.y / 2 + 1, lengths);  // before anything that is long in the making
+  axes = Axes<Real>(lengths);
   if (!Split<Real>::suits(lengths)) return;
-  split_ = std::make_unique<const Split<Real>>(lengths.x);
-  wave_.resize(static_cast<std::size_t>(axes_.x->waves()));
-  for (std::int64_t k = 0; k < axes_.x->waves(); ++k) wave_[static_cast<std::size_t>(axes_.x->rank(k))] = k;
-  std::fill_n(spectrum_.data<Real>(), blocks() * width<Real> * (lengths.y / 2 + 1), Real{0});
+  split = std::make_unique<const Split<Real>>(lengths.x);
+  wave.resize(static_cast<std::size_t>(axes.x->waves()));
+  for (std::int64_t k = 0; k < axes.x->waves(); ++k) wave[static_cast<std::size_t>(axes.x->rank(k))] = k;
+  std::fill_n(spectrum.data<Real>(), count(), Real{0});
 }
 
-template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
-  workspace_.rows.reserve<Real>((rows + most_lines<Real> - 1) / most_lines<Real>, group_, lengths_);
-  workspace_.scratch.reserve<Real>(team_.threads, scratch_, lengths_);
-}
-
-template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
+template <class Real> void Waves<Real>::load(const Eigenvalues& source, const rc_team& team) {
   const double factor = scale();
-  roughcontact::for_each(team_, source.blocks(), parallel_, [&](std::int64_t wide, std::int64_t thread) {
+  roughcontact::for_each(team, source.blocks(), worth_sharing(lengths), [&](std::int64_t wide, std::int64_t thread) {
     constexpr std::int64_t parts = Eigenvalues::columns / width<Real>;
     const std::int64_t first = wide * parts, last = std::min(first + parts, blocks());
     source.along_y(wide, thread, [&](std::int64_t rank, const double* values) {
-      if (split_) {
-        const std::int64_t begin = wide * Eigenvalues::columns, end = std::min(begin + Eigenvalues::columns, axes_.x->waves());
+      if (split) {
+        const std::int64_t begin = wide * Eigenvalues::columns, end = std::min(begin + Eigenvalues::columns, axes.x->waves());
         for (std::int64_t x = begin; x < end; ++x) *eigenvalue(x, rank) = static_cast<Real>(factor * values[x - begin]);
         return;
       }
       for (std::int64_t block = first; block < last; ++block) {
-        Real* const to = eigenvalues(block, rank);
+        Real* const to = spectrum.data<Real>() + offset(block, rank);
         const double* const from = values + (block - first) * width<Real>;
         for (std::int64_t c = 0; c < width<Real>; ++c) to[c] = static_cast<Real>(factor * from[c]);
       }
@@ -95,9 +79,44 @@ template <class Real> void Transform<Real>::load(const Eigenvalues& source) {
   });
 }
 
-template <class Real> template <class Other> void Transform<Real>::load(const Transform<Other>& source) {
-  for (std::int64_t x = 0; x < axes_.x->waves(); ++x)
-    for (std::int64_t y = 0; y < axes_.y->waves(); ++y) *eigenvalue(x, y) = static_cast<Real>(*source.eigenvalue(x, y));
+template <class Real> template <class Other> void Waves<Real>::load(const Waves<Other>& source) {
+  for (std::int64_t x = 0; x < axes.x->waves(); ++x)
+    for (std::int64_t y = 0; y < axes.y->waves(); ++y) *eigenvalue(x, y) = static_cast<Real>(*source.eigenvalue(x, y));
+}
+
+template <class Real>
+Transform<Real>::Transform(std::shared_ptr<const Waves<Real>> waves, std::int64_t rows, Workspace& workspace, const rc_team& team)
+    : waves_(std::move(waves)),
+      group_(blocks() * most_lines<Real> * row_size<Real>),
+      line_(round_up(waves_->lengths.x, width<Real>)),
+      scratch_(std::max(Fourier<Real>::scratch_rows(waves_->lengths.x), Fourier<Real>::scratch_rows(waves_->lengths.y)) *
+                   row_size<Real> +
+               most_lines<Real> * line_),
+      workspace_(workspace),
+      team_(team),
+      parallel_(worth_sharing(waves_->lengths)) {
+  // Else the parts of a column would compete for the same cache sets.
+  if (blocks() % 8 == 0) group_ += most_lines<Real> * row_size<Real>;
+  reserve(rows);
+}
+
+template <class Real> void Transform<Real>::set_zero_mode(double eigenvalue) {
+  if (eigenvalue == 0) {
+    own_.reset();
+    return;
+  }
+  if (!own_) {
+    auto own = std::make_unique<Buffer>();
+    own->reserve<Real>(waves_->count(), 1, waves_->lengths);
+    std::copy_n(waves_->spectrum.template data<Real>(), waves_->count(), own->data<Real>());
+    own_ = std::move(own);
+  }
+  *own_->data<Real>() = static_cast<Real>(waves_->scale() * eigenvalue);
+}
+
+template <class Real> void Transform<Real>::reserve(std::int64_t rows) {
+  workspace_.rows.reserve<Real>((rows + most_lines<Real> - 1) / most_lines<Real>, group_, waves_->lengths);
+  workspace_.scratch.reserve<Real>(team_.threads, scratch_, waves_->lengths);
 }
 
 template <class Real>
@@ -137,13 +156,13 @@ void Transform<Real>::rows_forward(const Points& sources, std::int64_t x0, std::
       std::fill_n(spectra(group), blocks() * most_lines<Real> * row_size<Real>, Real{0});
       return;
     }
-    if (split_) {
+    if (waves_->split) {
       for (std::int64_t l = 0; l < y0 + sources.rows(); l += 2)
-        split_->forward(given[l], given[l + 1], x0 + sources.nx(), scratch(thread), room(thread), spectra(0) + l * row_size<Real>,
-                        most_lines<Real> * row_size<Real>);
+        waves_->split->forward(given[l], given[l + 1], x0 + sources.nx(), scratch(thread), room(thread),
+                               spectra(0) + l * row_size<Real>, most_lines<Real> * row_size<Real>);
       return;
     }
-    const Fourier<Real>& along = *axes_.x;
+    const Fourier<Real>& along = *waves_->axes.x;
     LineSource<Real> source(along.passes(), given, x0 + sources.nx());
     along.forward(source, scratch(thread));
     along.passes().to_spectra(scratch(thread), along.rows(), along.waves(), spectra(group));
@@ -155,8 +174,8 @@ template <class Real> void Transform<Real>::columns(std::int64_t y0, std::int64_
     const Column<Real> column{spectra(0) + block * most_lines<Real> * row_size<Real>, group_};
     Real* const rows = scratch(thread);
     ColumnSource<Real> source(column, y0, source_rows);
-    ColumnSink<Real> sink(column, target_rows, axes_.y->spare_row(rows));
-    axes_.y->multiply(source, eigenvalues(block, 0), rows, sink);
+    ColumnSink<Real> sink(column, target_rows, waves_->axes.y->spare_row(rows));
+    waves_->axes.y->multiply(source, eigenvalues(block), rows, sink);
   });
 }
 
@@ -173,12 +192,12 @@ void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conve
       if constexpr (std::is_same_v<Real, Outer>) wanted[i] = targets.row(begin + i, y);
       if (!wanted[i]) wanted[i] = lines(thread) + i * line_;
     }
-    if (split_) {
+    if (waves_->split) {
       for (std::int64_t l = 0; l < rows; l += 2)
-        split_->backward(spectra(0) + l * row_size<Real>, most_lines<Real> * row_size<Real>, l + 1 < rows, scratch(thread),
-                         room(thread), wanted[l], wanted[l + 1], targets.nx());
+        waves_->split->backward(spectra(0) + l * row_size<Real>, most_lines<Real> * row_size<Real>, l + 1 < rows, scratch(thread),
+                                room(thread), wanted[l], wanted[l + 1], targets.nx());
     } else {
-      const Fourier<Real>& along = *axes_.x;
+      const Fourier<Real>& along = *waves_->axes.x;
       along.passes().from_spectra(spectra(group), rows, along.rows(), along.waves(), scratch(thread));
       LineSink<Real> sink(along.passes(), wanted, targets.nx());
       along.backward(scratch(thread), sink);
@@ -190,7 +209,9 @@ void Transform<Real>::rows_backward(const Points& targets, Outer* y, const Conve
 
 template class Transform<double>;
 template class Transform<float>;
-template void Transform<float>::load(const Transform<double>&);
+template struct Waves<double>;
+template struct Waves<float>;
+template void Waves<float>::load(const Waves<double>&);
 template void Transform<double>::multiply(const Points&, std::int64_t, std::int64_t, const double*, const Points&, double*,
                                           const Conversion&);
 template void Transform<float>::multiply(const Points&, std::int64_t, std::int64_t, const float*, const Points&, float*,

@@ -15,17 +15,42 @@
 
 namespace rc_fft {
 
+// What all transforms of these lengths share: their factors, and the eigenvalues of the operator.
+template <class Real> struct Waves {
+  explicit Waves(Lengths of);
+
+  // Takes over eigenvalues of these lengths.
+  void load(const Eigenvalues& source, const rc_team& team);
+  template <class Other> void load(const Waves<Other>& source);
+
+  double scale() const { return 0.5 / points(lengths); }
+  std::int64_t blocks() const { return lengths.x / 2 / width<Real> + 1; }
+  std::int64_t count() const { return blocks() * width<Real> * (lengths.y / 2 + 1); }  // of the eigenvalues
+  // Of the waves along x of a block, and the wave along y of this rank, where the spectrum has its place.
+  std::int64_t offset(std::int64_t block, std::int64_t rank) const { return (block * (lengths.y / 2 + 1) + rank) * width<Real>; }
+  // Of the wave along x of this rank, its place in the spectra.
+  std::int64_t place(std::int64_t rank) const { return split ? wave[static_cast<std::size_t>(rank)] : rank; }
+  Real* eigenvalue(std::int64_t rank_x, std::int64_t rank_y) const {
+    const std::int64_t at = place(rank_x);
+    return spectrum.data<Real>() + offset(at / width<Real>, rank_y) + at % width<Real>;
+  }
+
+  Lengths lengths;
+  Axes<Real> axes;
+  std::unique_ptr<const Split<Real>> split;  // where there are few lines, all in one group; with it waves are in their order
+  std::vector<std::int64_t> wave;            // of each rank along x; likewise
+  Buffer spectrum;  // eigenvalues / (2 x y lengths), [block of waves along x][wave along y][wave of the block], waves by rank
+};
+
 template <class Real> class Transform {
  public:
   // Makes room for targets in `rows` rows; products with more rows enlarge it.
-  Transform(Lengths lengths, std::int64_t rows, Workspace& workspace, const rc_team& team);
+  Transform(std::shared_ptr<const Waves<Real>> waves, std::int64_t rows, Workspace& workspace, const rc_team& team);
 
-  std::size_t bytes() const { return spectrum_.size(); }
-
-  // Takes over eigenvalues of these lengths. To be called before the first product.
-  void load(const Eigenvalues& source);
-  template <class Other> void load(const Transform<Other>& source);
-  void set_zero_mode(double eigenvalue) { *eigenvalues(0, 0) = static_cast<Real>(scale() * eigenvalue); }
+  std::size_t bytes() const { return waves_->spectrum.size(); }
+  const Waves<Real>& waves() const { return *waves_; }
+  // Of the constant vector, in periodic systems; 0 until then. It takes a spectrum of its own where it is not 0.
+  void set_zero_mode(double eigenvalue);
 
   // The sources' box begins at (x0, y0) of the frame, the targets' at its origin. Outer: the vectors' precision.
   template <class Outer>
@@ -33,15 +58,7 @@ template <class Real> class Transform {
                 const Conversion& convert = {});
 
  private:
-  template <class Other> friend class Transform;
-
-  std::int64_t blocks() const { return lengths_.x / 2 / width<Real> + 1; }
-  // Of the wave along x of this rank, its place in the spectra.
-  std::int64_t place(std::int64_t rank) const { return split_ ? wave_[static_cast<std::size_t>(rank)] : rank; }
-  Real* eigenvalue(std::int64_t rank_x, std::int64_t rank_y) const {
-    const std::int64_t at = place(rank_x);
-    return eigenvalues(at / width<Real>, rank_y) + at % width<Real>;
-  }
+  std::int64_t blocks() const { return waves_->blocks(); }
   void reserve(std::int64_t rows);
   // Spectra of lines most_lines * group and following, see Passes.
   Real* spectra(std::int64_t group) const { return workspace_.rows.data<Real>() + group * group_; }
@@ -49,10 +66,8 @@ template <class Real> class Transform {
   Real* lines(std::int64_t thread) const { return scratch(thread) + scratch_ - most_lines<Real> * line_; }
   // For lines that are split, of which there are at most half as many.
   Real* room(std::int64_t thread) const { return lines(thread) + most_lines<Real> / 2 * line_; }
-  double scale() const { return 0.5 / points(lengths_); }
-  // Eigenvalues of the wave along y of this rank, and of the waves along x of a block.
-  Real* eigenvalues(std::int64_t block, std::int64_t rank) const {
-    return spectrum_.data<Real>() + (block * (lengths_.y / 2 + 1) + rank) * width<Real>;
+  const Real* eigenvalues(std::int64_t block) const {
+    return (own_ ? *own_ : waves_->spectrum).template data<Real>() + waves_->offset(block, 0);
   }
 
   template <class Outer>
@@ -60,17 +75,14 @@ template <class Real> class Transform {
   void columns(std::int64_t y0, std::int64_t source_rows, std::int64_t target_rows);
   template <class Outer> void rows_backward(const Points& targets, Outer* y, const Conversion& convert);
 
-  Lengths lengths_;
-  Axes<Real> axes_;
-  std::unique_ptr<const Split<Real>> split_;  // where there are few lines, all in one group; with it waves are in their order
-  std::vector<std::int64_t> wave_;            // of each rank along x; likewise
-  std::int64_t group_;                        // spectra of most_lines lines [reals]
-  std::int64_t line_;                         // a line [reals]
-  std::int64_t scratch_;                      // of a thread: of a transform, and lines [reals]
+  std::shared_ptr<const Waves<Real>> waves_;
+  std::unique_ptr<Buffer> own_;  // the same eigenvalues but that of the constant vector; null: it is 0
+  std::int64_t group_;           // spectra of most_lines lines [reals]
+  std::int64_t line_;            // a line [reals]
+  std::int64_t scratch_;         // of a thread: of a transform, and lines [reals]
   Workspace& workspace_;
   const rc_team& team_;
   bool parallel_;
-  Buffer spectrum_;  // eigenvalues / (2 x y lengths), [block of waves along x][wave along y][wave of the block], waves by rank
 };
 
 }  // namespace rc_fft

@@ -24,6 +24,7 @@ class Turned {
 
   void bind(const rc_domain& domain);
   void forget() { op_.forget(); }
+  void rest() { op_.rest(); }
   void apply(const double* x, double* y);
   void apply_float(const float* x, float* y);
   void field(const double* x, double* y);

@@ -69,7 +69,7 @@ FarField::FarField(const rc_host* host, const rc_operator_spec& spec) {
   step_ = side / 2;
 
   // About 12 radii and 12 angles are more than enough for 9 coefficients.
-  rc_common::Coefficients h(host, spec);
+  rc_common::Coefficients h(host, spec, component);
   h.cover(static_cast<std::int64_t>(fit_to * side / hx) + 1, static_cast<std::int64_t>(fit_to * side / hy) + 1);
   std::vector<Point> samples;
   std::vector<double> values;

@@ -6,6 +6,7 @@
 #include <roughcontact/plugin.hpp>
 
 #include "common/coefficients.h"
+#include "failure.h"
 #include "far_field.h"
 
 namespace rc_split {
@@ -13,7 +14,7 @@ namespace rc_split {
 class Kernel {
  public:
   // Both must outlive it.
-  Kernel(const rc_host* host, const rc_operator_spec& spec) : host_(host), spec_(spec), near_(host, spec) {}
+  Kernel(const rc_host* host, const rc_operator_spec& spec) : host_(host), spec_(spec), near_(host, spec, component) {}
 
   const rc_host* host() const { return host_; }
   const rc_operator_spec& spec() const { return spec_; }

@@ -27,6 +27,7 @@ ContactLaw::ContactLaw(const rc_system& system, const std::vector<double>& heigh
   check(rc_options_create(nullptr, &created));
   const std::unique_ptr<rc_options, DestroyOptions> checked(created);
   check(rc_options_set_int(created, RC_OPT_STIFFNESS, 1));
+  check(rc_options_set_int(created, RC_OPT_RESUMABLE, 1));  // between trials a contact keeps pressures and no factors
   check(rc_options_set_real(created, RC_OPT_TOL, 1e-10));
   for (const auto& [key, value] : options) check(rc_options_parse(created, key.c_str(), value.c_str()));
   rc_contact* contact = nullptr;
@@ -45,6 +46,7 @@ ContactLaw::Answer ContactLaw::press(double approach) {
   step.warm_start = 0;
   step.target = approach;
   step.undeformed_gap = gap_.data();
+  step.borrow = 1;  // gap_ stays where it is while the law lives
   step.p0 = state_.empty() ? nullptr : state_.data();
   trial_.resize(gap_.size());
   rc_result result = RC_RESULT_INIT;

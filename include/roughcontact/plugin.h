@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 6u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 7u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -44,6 +44,12 @@ struct rc_host {
    *  the same time; a message is seen in the thread that called. */
   rc_status (*window)(const rc_host *, const rc_system *, const char *kernel, int64_t first_x, int64_t first_y, int64_t mx,
                       int64_t my, double *out);
+  /** What all contacts of a context with one system, kernel and length unit may share: the object under the component's own
+   *  key. Where nobody holds one, make(argument, object) makes it; threads that want the same one wait. destroy(object) follows
+   *  the last release(), in any thread. What make() reads must be the same for all of them. Both since plugin ABI minor 7. */
+  rc_status (*share)(const rc_host *, const char *key, rc_status (*make)(void *argument, void **object),
+                     void (*destroy)(void *object), void *argument, void **object);
+  void (*release)(const rc_host *, void *object); /* once for each share()                                     */
 };
 
 /** The threads of one contact (option threads). Used by one thread at a time, not from inside a task. */
@@ -172,6 +178,9 @@ typedef struct rc_backend {
   /** What "auto" compares; from counts, never from clocks. NULL: after all that have one. A status other than RC_OK, with
    *  facts->host->fail and the reason: not for this step, unless it is named. Since plugin ABI minor 5. */
   rc_status (*score)(const rc_facts *, rc_estimate *);
+  /** NULL where it would free nothing: a step is over. Memory that only products need may be freed, or lent to the operators of
+   *  other contacts. Later products keep their bits. Since plugin ABI minor 7. */
+  void (*rest)(void *self);
 } rc_backend;
 
 /** Where the unknowns of a half-space problem lie, in the caller's units. */

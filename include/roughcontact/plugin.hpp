@@ -16,8 +16,9 @@
  *     void subset(std::int64_t na, const std::int64_t* a, const double* b, double* x);
  *     void shifted(double rho, const double* b, double* x);
  *     double norm();
- *     // for rc_backend.score:
+ *     // for rc_backend.score, and rc_backend.rest:
  *     static void score(const rc_facts&, rc_estimate&);
+ *     void rest();
  *   };
  *
  * and the functions of its rc_backend are those of roughcontact::Functions<MyOperator>.
@@ -25,14 +26,17 @@
 #ifndef ROUGHCONTACT_PLUGIN_HPP
 #define ROUGHCONTACT_PLUGIN_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <locale>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "plugin.h"
 
@@ -87,6 +91,26 @@ template <class Action> rc_status guard(const rc_host* host, const Component& co
   } catch (...) {
     return report(RC_ERR_INTERNAL, "an exception of unknown type", "");
   }
+}
+
+// rc_host.share: the object under this key, made by make(), a function that returns a std::unique_ptr, where no contact of the
+// context with the same system holds one. A host that is older makes one for each caller.
+template <class T, class Make>
+std::shared_ptr<T> shared(const rc_host* host, const Component& component, const std::string& key, const Make& make) {
+  if (host->struct_size < offsetof(rc_host, release) + sizeof host->release || !host->share) return make();
+  struct Request {
+    const rc_host* host;
+    const Component& component;
+    const Make& make;
+  } request{host, component, make};
+  const auto made = [](void* argument, void** object) -> rc_status {
+    const Request& asked = *static_cast<const Request*>(argument);
+    return guard(asked.host, asked.component, [&] { *object = asked.make().release(); });
+  };
+  void* object = nullptr;
+  using Object = std::remove_const_t<T>;
+  check(host->share(host, key.c_str(), made, [](void* old) { delete static_cast<Object*>(old); }, &request, &object));
+  return {static_cast<Object*>(object), [host](T* held) { host->release(host, const_cast<Object*>(held)); }};
 }
 
 // Options by key; throw if the host does not know the key.
@@ -164,6 +188,9 @@ template <class Operator> struct Functions {
   }
   static rc_status forget(void* self) noexcept {
     return with(self, [&](Operator& op) { op.forget(); });
+  }
+  static void rest(void* self) noexcept {
+    with(self, [&](Operator& op) { op.rest(); });
   }
   static rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
     return guard(facts->host, Operator::component, [&] { Operator::score(*facts, *estimate); });

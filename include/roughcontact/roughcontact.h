@@ -178,7 +178,7 @@ typedef struct rc_result {
   double mean_pressure; /* load / (n hx hy) [force/length^2]                                                         */
   double contact_area; /* contacts hx hy [length^2]                                                                  */
   double energy;       /* (1/2 p'Hp - (d - h)'p) hx hy [force length], the functional that is minimised              */
-  double stiffness;    /* dW/dd of the contact set [force/length], to about tol / 100 of its value; infinite in full
+  double stiffness;    /* dW/dd of the contact set [force/length], to tol of its value or closer; infinite in full
                           periodic contact; NaN where option stiffness is 0                                          */
   double kkt_primal;   /* max(0, -min p) / max|p|; hardness c: at least max(0, max p - c) / c                        */
   double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at

@@ -17,6 +17,7 @@ struct Answer {
   Choice choice;
   Operator* op = nullptr;                                     // bound to the trial set
   std::vector<double> p;                                      // on the trial set, dimensionless
+  std::vector<double> before;                                 // [pressure] there, at an earlier approach; empty: not known
   double length_unit = 1;                                     // [length]
   double pressure_unit = 1;                                   // [force/length^2]
   double hardness = std::numeric_limits<double>::infinity();  // [force/length^2] the largest pressure

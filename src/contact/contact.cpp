@@ -77,11 +77,13 @@ rc_status Contact::certify(const rc_step& step, rc_result& result) { return grid
 
 rc_status Contact::gradient(rc_gradient& gradient) {
   const Cancellation cancellation(*this);
+  const Rest after(grid_.work());
   return differentiate(grid_.work(), memory(), grid_.monitor(), gradient);
 }
 
 rc_status Contact::tangent(rc_tangent& tangent) {
   const Cancellation cancellation(*this);
+  const Rest after(grid_.work());
   return differentiate(grid_.work(), memory(), grid_.monitor(), tangent);
 }
 

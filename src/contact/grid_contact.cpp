@@ -93,6 +93,7 @@ void GridContact::begin(const rc_step& step) {
 }
 
 rc_status GridContact::solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer) {
+  const Rest after(work_);
   Finished finished = nothing_touches(step, work_) ? certified_result(work_, step, {}, monitor, result)
                                                    : solve_step(work_, memory_, step, monitor, result, std::move(nearer));
   if (finished.status == RC_OK) {
@@ -119,11 +120,14 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
       fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " but this point is excluded by the mask");
   }
   begin(step);
+  const Rest after(work_);
   return certify_given(work_, step, Monitor(cancelled_, {}, 0, 1), result);
 }
 
 void GridContact::remember(Finished&& finished, const rc_result& result) {
-  memory_.record({std::move(finished.pressures), result.approach, result.load, true});
+  Pressures kept = finished.pressures.positive();  // points without pressure would take most of the memory
+  if (kept.empty()) kept = std::move(finished.pressures);
+  memory_.record({std::move(kept), result.approach, result.load, true});
   if (leaves_indentation_) overlap_ = std::move(finished.overlap);
 }
 

@@ -78,6 +78,13 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
   return p;
 }
 
+std::vector<double> Memory::earlier(const rc_step& step, const TrialSet& trial) const {
+  std::vector<double> p;
+  for (std::int64_t i = 0; step.p0 && i < trial.n; ++i) p.push_back(std::max(0.0, step.p0[trial.point(i)]));
+  if (!step.p0 && step.warm_start && !last.pressures.empty()) p = last.pressures.at(trial);
+  return p;
+}
+
 std::int64_t Memory::contact_points(std::int64_t room, std::int64_t* index, double* p) const {
   const Pressures& pressures = last.pressures;
   std::int64_t count = 0;

@@ -32,6 +32,8 @@ struct Memory {
   // step's.
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
                             const Pressures* nearer) const;
+  // Pressures there at the approach that a warm step comes from; empty where it comes from none.
+  std::vector<double> earlier(const rc_step& step, const TrialSet& trial) const;
   // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.
   std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;
 };

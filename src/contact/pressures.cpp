@@ -35,6 +35,9 @@ void Pressures::write(double* everywhere, std::int64_t points) const {
 
 Pressures Pressures::positive() const {
   Pressures result;
+  const auto count = static_cast<std::size_t>(std::count_if(p.begin(), p.end(), [](double value) { return value > 0; }));
+  result.on.index.reserve(count);
+  result.p.reserve(count);
   for (std::size_t k = 0; k < p.size(); ++k) {
     if (!(p[k] > 0)) continue;
     result.on.index.push_back(on.point(static_cast<std::int64_t>(k)));

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <numbers>
+#include <sstream>
+#include <variant>
 #include <vector>
 
 #include "core/error.h"
@@ -81,15 +84,36 @@ void probe_callback(System& result) {
   result.length_per_pressure = result.operator_scale = largest;
 }
 
-void take_promises(System& result) {
-  result.lambda_most = result.half_space_wave();
-  const rc_kernel_bounds promised = result.influence->bounds(result.unit, result.lambda_most);
-  (result.periodic() ? result.lambda_wave : result.lambda_min) = promised.lowest;
-  result.galerkin_share = promised.galerkin_share;
-  if (result.influence->built_in()) return;
-  double self = 0;
-  result.influence->coefficients(result.unit, 1, 1, &self);
-  result.least_deflection = std::min(result.least_deflection, self);
+// Everything that a component can see of the half-space, the kernel's options included.
+std::string key_of(const System& system, const rc_options& options, double cell) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  const rc_system& unit = system.unit;
+  text << std::hexfloat << system.kernel << ' ' << unit.nx << ' ' << unit.ny << ' ' << unit.boundary << ' ' << unit.hx << ' '
+       << unit.hy << ' ' << unit.hardness << ' ' << cell << ' ' << system.given.modulus;
+  for (const OptionSpec* spec : options.context->known_options())
+    if (spec->key.starts_with(system.kernel + '.'))
+      std::visit([&](const auto& value) { text << ' ' << spec->key << '=' << value; }, options.values.get(*spec));
+  return text.str();
+}
+
+Promises promises_of(const System& system) {
+  Promises result;
+  result.most = system.half_space_wave();
+  result.bounds = system.influence->bounds(system.unit, result.most);
+  if (!system.influence->built_in()) system.influence->coefficients(system.unit, 1, 1, &result.self);
+  return result;
+}
+
+void take_promises(System& result, const rc_options& options) {
+  const auto make = [&] { return std::make_shared<const Promises>(promises_of(result)); };
+  // Those of other kernels are looked at anew, as the library trusts none.
+  result.promises =
+      result.influence->built_in() ? options.context->shared().get<const Promises>("promises " + result.key, make) : make();
+  result.lambda_most = result.promises->most;
+  (result.periodic() ? result.lambda_wave : result.lambda_min) = result.promises->bounds.lowest;
+  result.galerkin_share = result.promises->bounds.galerkin_share;
+  if (!result.influence->built_in()) result.least_deflection = std::min(result.least_deflection, result.promises->self);
 }
 
 }  // namespace
@@ -132,7 +156,8 @@ System checked_system(const rc_system& system, const rc_options& options, bool p
              " is beyond double precision; choose other units");
       result.unit.hardness = result.capped() ? system.hardness / system.modulus : 0;
       result.positive = !result.periodic() && result.influence->has(RC_KERNEL_POSITIVE);
-      if (probe) take_promises(result);
+      result.key = key_of(result, options, cell);
+      if (probe) take_promises(result, options);
       break;
     }
     case RC_OPERATOR_DENSE:

@@ -11,10 +11,19 @@
 
 namespace rc {
 
+// What a kernel promises and shows of a system: SystemKernel::bounds.
+struct Promises {
+  rc_kernel_bounds bounds;
+  double most = 0;  // periodic: the largest eigenvalue but the mean's
+  double self = 0;  // free boundaries: the coefficient at offset 0, of a kernel that is not built in
+};
+
 struct System {
   rc_system given;                                // as the caller described it
   rc_system unit;                                 // HALFSPACE: modulus 1 and cells of unit area; else as given
   std::shared_ptr<const SystemKernel> influence;  // null without a half-space
+  std::shared_ptr<const Promises> promises;       // of the kernel; of built-in ones shared in the context
+  std::string key;                                // the same text: components may share objects; "" without a half-space
   std::string kernel;                             // resolved name, "" without a half-space
   double length_per_pressure = 1;                 // H [length per pressure] = this times the dimensionless operator
   double operator_scale = 1;                      // products of `unit` divided by this are dimensionless

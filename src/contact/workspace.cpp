@@ -20,6 +20,11 @@ void check_names(const rc_options& options, const System& system) {
   if (options.text(RC_OPT_BACKEND) != "auto") choose(options, system, {});
 }
 
+// Components of systems without a half-space share nothing: their matrix or product is the caller's.
+std::string key_of(const System& system, const Workspace& work) {
+  return system.halfspace() ? system.key : join("contact ", static_cast<const void*>(&work));
+}
+
 // An accuracy goal loosens tol: digits below the grid's own error are wasted.
 rc_options loosened(const rc_options& given) {
   rc_options options = given;
@@ -32,7 +37,7 @@ rc_options loosened(const rc_options& given) {
 
 Workspace::Workspace(const rc_system& given, const rc_options& given_options, const rc_team* team)
     : system(checked_system(given, given_options, true)),
-      host(*given_options.context, system.influence.get()),
+      host(*given_options.context, system.influence.get(), key_of(system, *this)),
       options(given_options),
       team_(team) {
   set_options(given_options);
@@ -74,6 +79,10 @@ void Workspace::forget_operators() {
   std::erase_if(operators_, [](const auto& entry) { return !entry.second->forget(); });
 }
 
+void Workspace::rest_operators() {
+  for (const auto& [name, op] : operators_) op->rest();
+}
+
 std::int64_t Workspace::applications() const {
   std::int64_t total = 0;
   for (const auto& [name, op] : operators_) total += op->applications();
@@ -82,12 +91,21 @@ std::int64_t Workspace::applications() const {
 
 rc_status Workspace::coefficients(std::int64_t mx, std::int64_t my, double* out) {
   constexpr std::int64_t most = 1 << 14;  // values that are kept
+  const auto computed = [&](double* to) { return host.coefficients(&host, &system.unit, system.kernel.c_str(), mx, my, to); };
+  if (mx > most / my) return computed(out);
   if (mx != table_.mx || my != table_.my) {
-    const rc_status status = host.coefficients(&host, &system.unit, system.kernel.c_str(), mx, my, out);
-    if (status == RC_OK && mx <= most / my) table_ = {mx, my, {out, out + mx * my}};
-    return status;
+    rc_status status = RC_OK;
+    const auto make = [&] {
+      auto values = std::make_shared<std::vector<double>>(static_cast<std::size_t>(mx * my));
+      status = computed(values->data());
+      return status == RC_OK ? values : nullptr;
+    };
+    const std::string key = join("coefficients ", mx, " ", my, " ", host.identity);
+    auto values = options.context->shared().get<const std::vector<double>>(key, make);
+    if (!values) return status;
+    table_ = {mx, my, std::move(values)};
   }
-  std::copy(table_.values.begin(), table_.values.end(), out);
+  std::copy(table_.values->begin(), table_.values->end(), out);
   return RC_OK;
 }
 

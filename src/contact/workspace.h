@@ -75,6 +75,8 @@ class Workspace {
   // Factors depend on the order in which points came, transforms on earlier, larger boxes. After this the next answer has the
   // bits of a first one.
   void forget_operators();
+  // A step is over: what operators keep for products only is freed, or lent to other contacts.
+  void rest_operators();
   std::int64_t applications() const;  // of all operators
   // Dimensionless influence coefficients. The last table is kept, because solvers ask for the same one at every step.
   rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
@@ -91,13 +93,25 @@ class Workspace {
  private:
   struct Table {
     std::int64_t mx = 0, my = 0;
-    std::vector<double> values;
+    std::shared_ptr<const std::vector<double>> values;  // shared by contacts of one context with the same system
   };
 
   std::unique_ptr<ThreadTeam> own_team_;
   const rc_team* team_;
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   Table table_;
+};
+
+// At its end the operators rest.
+class Rest {
+ public:
+  explicit Rest(Workspace& work) : work_(work) {}
+  ~Rest() { work_.rest_operators(); }
+  Rest(const Rest&) = delete;
+  Rest& operator=(const Rest&) = delete;
+
+ private:
+  Workspace& work_;
 };
 
 }  // namespace rc

@@ -38,6 +38,10 @@ class Operator {
 
   // Becomes as new, but keeps the count of products. False where the backend cannot do that: then make a new operator.
   bool forget();
+  // No product follows soon.
+  void rest() {
+    if (backend_.rest) backend_.rest(self_);
+  }
 
   // While it lives, it is asked before every product; a status other than 0 stops it.
   class Watch {

@@ -5,6 +5,7 @@
 #include <roughcontact/plugin.h>
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "core/options.h"
+#include "registry/shared_objects.h"
 
 namespace rc {
 
@@ -21,9 +23,18 @@ class SystemKernel;
 // The services handed to components: rc_host's functions find their context behind it, and the kernel of the system that a
 // component works for.
 struct Host : rc_host {
-  explicit Host(const Context& context, const SystemKernel* kernel = nullptr);
+  // identity: the same text for systems whose components may share objects.
+  explicit Host(const Context& context, const SystemKernel* kernel = nullptr, std::string identity = "");
   const Context* context;
   const SystemKernel* kernel;
+  const std::string identity;
+
+  // What its components hold of the context's shared objects.
+  struct Holdings {
+    std::mutex mutex;
+    std::multimap<void*, std::shared_ptr<void>> objects;
+  };
+  const std::unique_ptr<Holdings> holdings = std::make_unique<Holdings>();
 };
 
 inline constexpr std::string_view built_in_origin = "built-in";
@@ -69,6 +80,9 @@ class Context {
   std::vector<const Component<rc_backend>*> backends_for_auto(std::int64_t points) { return for_auto(backends_, points); }
   std::vector<const Component<rc_solver>*> solvers_for_auto(std::int64_t points) { return for_auto(solvers_, points); }
 
+  // Of its contacts.
+  SharedObjects& shared() const { return shared_; }
+
   // Throws Error(RC_ERR_OPTION) with the nearest key. A dotted key loads its component.
   const OptionSpec& option(std::string_view key);
   std::vector<const OptionSpec*> options();
@@ -93,6 +107,7 @@ class Context {
   void load_all();
 
   const ContextConfig config_;
+  mutable SharedObjects shared_;
   Host host_;
   mutable std::recursive_mutex mutex_;
   std::deque<Component<rc_backend>> backends_;

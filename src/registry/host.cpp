@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/error.h"
 #include "registry/context.h"
@@ -64,7 +65,8 @@ void divide(double* values, std::int64_t n, double modulus) {
 
 }  // namespace
 
-Host::Host(const Context& owner, const SystemKernel* of_system) : rc_host{}, context(&owner), kernel(of_system) {
+Host::Host(const Context& owner, const SystemKernel* of_system, std::string of_key)
+    : rc_host{}, context(&owner), kernel(of_system), identity(std::move(of_key)) {
   struct_size = sizeof(rc_host);
   abi_major = RC_PLUGIN_ABI_MAJOR;
   abi_minor = RC_PLUGIN_ABI_MINOR;
@@ -105,6 +107,31 @@ Host::Host(const Context& owner, const SystemKernel* of_system) : rc_host{}, con
       kernel_of(host, name).window(*system, {first_x, first_y, mx, my}, out);
       divide(out, mx * my, system->modulus);
     });
+  };
+  share = [](const rc_host* host, const char* key, rc_status (*make)(void*, void**), void (*destroy)(void*), void* argument,
+             void** object) {
+    return shielded([&] {
+      const Host& own = *static_cast<const Host*>(host);
+      const auto made = [&]() -> std::shared_ptr<void> {
+        void* fresh = nullptr;
+        clear_message();
+        raise_if_failed(make(argument, &fresh), "making a shared object");
+        return {fresh, destroy};
+      };
+      // Components cannot have the keys of the core, which has no space in its own.
+      std::shared_ptr<void> found = own.context->shared().get<void>(join("component ", key, " ", own.identity), made);
+      const std::lock_guard guarded(own.holdings->mutex);
+      *object = own.holdings->objects.emplace(found.get(), found)->first;
+    });
+  };
+  release = [](const rc_host* host, void* object) {
+    Host::Holdings& all = *static_cast<const Host*>(host)->holdings;
+    std::shared_ptr<void> last;  // destroyed outside the lock
+    const std::lock_guard guarded(all.mutex);
+    const auto it = all.objects.find(object);
+    if (it == all.objects.end()) return;
+    last = std::move(it->second);
+    all.objects.erase(it);
   };
 }
 

@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 6);
+VALUE(RC_PLUGIN_ABI_MINOR, 7);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -28,7 +28,7 @@ VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
 VALUE(RC_WANTS_BOX, INT64_C(8589934592));
 VALUE(RC_TAKES_CAP, INT64_C(34359738368));
 
-SIZE(rc_host, 96);
+SIZE(rc_host, 112);
 AT(rc_host, struct_size, 0);
 AT(rc_host, abi_major, 8);
 AT(rc_host, abi_minor, 12);
@@ -42,6 +42,8 @@ AT(rc_host, option_text, 64);
 AT(rc_host, coefficients, 72);
 AT(rc_host, symbol, 80);
 AT(rc_host, window, 88);
+AT(rc_host, share, 96);
+AT(rc_host, release, 104);
 
 SIZE(rc_team, 24);
 AT(rc_team, struct_size, 0);
@@ -96,7 +98,7 @@ AT(rc_estimate, product, 24);
 AT(rc_estimate, field, 32);
 AT(rc_estimate, factor, 40);
 
-SIZE(rc_backend, 160);
+SIZE(rc_backend, 168);
 AT(rc_backend, struct_size, 0);
 AT(rc_backend, name, 8);
 AT(rc_backend, summary, 16);
@@ -117,6 +119,7 @@ AT(rc_backend, apply_float, 128);
 AT(rc_backend, screen, 136);
 AT(rc_backend, forget, 144);
 AT(rc_backend, score, 152);
+AT(rc_backend, rest, 160);
 
 SIZE(rc_grid, 88);
 AT(rc_grid, struct_size, 0);

@@ -107,6 +107,10 @@ void memory_runs_out_for_one_contact_at_most() {
     support::fail_allocation(0);
     if (!failed) break;
     if (own) continue;
+    if (outcome.status == RC_OK) {  // memory that was to be lent after a step is kept or freed instead
+      for (std::size_t i = 0; i < 3; ++i) check(outcome.load[i] == sound.load[i], "load where nothing was refused");
+      continue;
+    }
     check_equal(outcome.status, RC_ERR_MEMORY, outcome.message);
     if (outcome.written == 0) {
       refused_once = true;

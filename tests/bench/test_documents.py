@@ -182,6 +182,10 @@ def check_summary(document):
     assert len(document['meshes']) == 6
     for row in document['meshes'][:-1]:
         assert row['raw_error'] > 0 and abs(row['corrected_error']) < row['raw_error'], row
+    assert len(document['hard']) == 24
+    for row in document['hard']:
+        assert row['excess'] >= 1 and 0 <= row['capped'] <= 1 and abs(row['area'] - row['persson']) < 0.12, row
+        assert row['share'] < 0.99 or row['excess'] < 1.02 and row['capped'] > 0.9, row  # next to full plasticity
 
 
 def physics(folder):
@@ -192,11 +196,11 @@ def physics(folder):
     again = [line for line in run('documents', 'physics', '--quick', '--threads', '1').splitlines() if '^2, surface' in line]
     assert again and all('measured before' in line for line in again), again
     second = load(folder, 'physics')
-    assert all(second[key] == first[key] for key in ('rows', 'curve', 'fits', 'meshes'))
-    assert set(filled) == {'fits', 'curve', 'meshes', 'provenance'}, filled.keys()
+    assert all(second[key] == first[key] for key in ('rows', 'capped', 'curve', 'fits', 'meshes', 'hard'))
+    assert set(filled) == {'fits', 'curve', 'meshes', 'hard', 'provenance'}, filled.keys()
     assert filled['curve'].count('\n') == 2 + 11 and filled['meshes'].count('\n') == 2 + 6, filled
     assert f'{first["fits"]["corrected_kappa"]["mean"]:.2f} (' in filled['fits'], filled['fits']
-    check_pictures(folder, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh')))
+    check_pictures(folder, *(f'physics-{name}' for name in ('area', 'gap', 'patches', 'mesh', 'hardness')))
 
 
 page = {'pareto': 'speed-accuracy'}.get(sys.argv[2], sys.argv[2])

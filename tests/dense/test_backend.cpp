@@ -127,8 +127,8 @@ void callers_matrix_with_a_row_stride(void**) {
 }
 
 void coefficients_are_fetched_late_and_for_the_bounding_box(void**) {
-  stand_in::Operator op(stand_in::half_space(50, 40));
-  const Indices box = {5 * 50 + 7, 5 * 50 + 12, 8 * 50 + 9};  // 6 x 4 cells
+  stand_in::Operator op(stand_in::half_space(200, 100));         // of a small grid all are fetched at once
+  const Indices box = {5 * 200 + 7, 5 * 200 + 12, 8 * 200 + 9};  // 6 x 4 cells
   assert_int_equal(op.bind(box), RC_OK);
   assert_int_equal(stand_in::state().requests, 0);
   VectorXd y;
@@ -139,8 +139,8 @@ void coefficients_are_fetched_late_and_for_the_bounding_box(void**) {
   assert_int_equal(op.apply(VectorXd::Ones(2), y), RC_OK);
   assert_int_equal(stand_in::state().requests, 1);
   assert_int_equal(op.field(VectorXd::Ones(2), y), RC_OK);
-  assert_int_equal(stand_in::state().mx, 50);
-  assert_int_equal(stand_in::state().my, 40);
+  assert_int_equal(stand_in::state().mx, 200);
+  assert_int_equal(stand_in::state().my, 100);
 }
 
 // The caller's matrix is scaled behind the operator's back: what follows it was computed anew, what does not was kept.

@@ -3,11 +3,12 @@
 Usage: excerpts.py DOCUMENT SOURCE...
 """
 import pathlib
-import re
 import sys
 
+import pages
+
 document, *sources = (pathlib.Path(name).read_text() for name in sys.argv[1:])
-pieces = re.findall(r'^```(?:c|cpp)\n(.*?)^```$', document, re.M | re.S)
+pieces = [block.text for block in pages.blocks(document) if block.language in ('c', 'cpp')]
 # A blank line may stand for what the document leaves out.
 missing = [part for piece in pieces for part in piece.strip().split('\n\n') if not any(part in source for source in sources)]
 for part in missing:

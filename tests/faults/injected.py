@@ -60,8 +60,15 @@ SMALL = [
     ("fft", "polonsky-keer", "16", FREE),
     ("fft", "haar-cg", "15", PERIODIC),
     ("split", "haar-cg", "40", FREE),
+    ("dense", "nnls", "12", FREE, "0.05"),
+    ("fft", "haar-cg", "16", PERIODIC, "0.05"),
 ]
-LARGER = [("fft", "haar-cg", "200", FREE), ("fft", "polonsky-keer", "200", PERIODIC), ("split", "haar-cg", "200", FREE)]
+LARGER = [
+    ("fft", "haar-cg", "200", FREE),
+    ("fft", "polonsky-keer", "200", PERIODIC),
+    ("split", "haar-cg", "200", FREE),
+    ("fft", "haar-cg", "200", FREE, "0.05"),
+]
 present = {path.name[4:-3] for path in pathlib.Path(plugins).glob("rcb_*.so")} | {"dense", "callback"}
 for arguments in SMALL:
     if arguments[0] in present:

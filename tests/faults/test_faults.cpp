@@ -1,5 +1,7 @@
 // Lets the k-th allocation fail, k = 1, 2, ... until all succeed. Every call must then return RC_ERR_MEMORY or succeed, write
 // nothing when it failed, lose nothing, and leave its objects fit for another try.
+#include <roughcontact/derivatives.h>
+#include <roughcontact/history.h>
 #include <roughcontact/registry.h>
 
 #include <algorithm>
@@ -16,11 +18,12 @@
 namespace {
 
 constexpr std::int64_t nx = 7, ny = 6, points = nx * ny;
-constexpr double poison = -4321;
+constexpr double poison = -4321, hardness = 0.05;
 
 struct Job {
   const char *name, *solver, *backend;
   std::int32_t op, boundary;
+  double hardness = 0;
 };
 
 std::int32_t apply(const double* x, double* y, std::int64_t n, void*) {
@@ -45,8 +48,13 @@ struct Given {
     system.dense = dense.data();
     system.dense_ld = points;
     system.apply = apply;
+    system.hardness = job.hardness;
   }
 };
+
+bool poisoned(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == poison; });
+}
 
 struct Answer {
   std::vector<double> p = std::vector<double>(points, poison), gap = p;
@@ -57,10 +65,25 @@ struct Answer {
     result.p = p.data();
     result.gap = gap.data();
   }
-  bool untouched() const {
-    const auto poisoned = [](double value) { return value == poison; };
-    return std::all_of(p.begin(), p.end(), poisoned) && std::all_of(gap.begin(), gap.end(), poisoned) && result.points == 0;
+  bool untouched() const { return poisoned(p) && poisoned(gap) && result.points == 0; }
+};
+
+// The derivatives of a step, with all that can be asked for.
+struct Derivatives {
+  std::vector<double> given = std::vector<double>(points, 0.1), by_gap = std::vector<double>(points, poison), dp = by_gap,
+                      dgap = dp;
+  rc_gradient gradient = RC_GRADIENT_INIT;
+  rc_tangent tangent = RC_TANGENT_INIT;
+
+  Derivatives() {
+    gradient.dJ_dp = gradient.dJ_dgap = given.data();
+    gradient.dJ_dundeformed_gap = by_gap.data();
+    tangent.dundeformed_gap = given.data();
+    tangent.dp = dp.data();
+    tangent.dgap = dgap.data();
   }
+  bool no_gradient() const { return poisoned(by_gap) && gradient.products == 0; }
+  bool no_tangent() const { return poisoned(dp) && poisoned(dgap) && tangent.products == 0; }
 };
 
 // A life of a contact, call by call, up to the first that fails. Allocations of the test itself do not count.
@@ -84,24 +107,35 @@ class Life {
     step.control = RC_CONTROL_DISPLACEMENT;
     step.undeformed_gap = given_.gap.data();
     step.target = 0.2;
-    if (failed(rc_contact_solve(contact_, &step, &pressed_.result))) return status_;
-    if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 1)) || failed(rc_contact_set_options(contact_, options_)))
+    if (failed(rc_contact_solve(contact_, &step, &pressed_.result), pressed_.untouched())) return status_;
+    if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 2)) || failed(rc_contact_set_options(contact_, options_)))
       return status_;
     step.control = RC_CONTROL_LOAD;
     step.target = 0.5 * pressed_.result.load;
     step.undeformed_gap = nullptr;
-    if (failed(rc_contact_solve(contact_, &step, &loaded_.result))) return status_;
+    if (failed(rc_contact_solve(contact_, &step, &loaded_.result), loaded_.untouched())) return status_;
+    if (failed(rc_contact_gradient(contact_, &change_.gradient), change_.no_gradient()) ||
+        failed(rc_contact_tangent(contact_, &change_.tangent), change_.no_tangent()))
+      return status_;
     std::copy(loaded_.p.begin(), loaded_.p.end(), checked_.p.begin());
-    return failed(rc_contact_certify(contact_, &step, &checked_.result)) ? status_ : RC_OK;
+    return failed(rc_contact_certify(contact_, &step, &checked_.result), checked_.result.points == 0) ? status_ : RC_OK;
   }
 
-  // What a failed life left behind.
-  bool wrote_nothing() const { return pressed_.untouched() || loaded_.untouched() || checked_.result.points == 0; }
+  // Whether the call that failed did.
+  bool wrote_nothing() const { return wrote_nothing_; }
   double load() const { return pressed_.result.load; }
+  // The indentation that the contact has; none before the first step.
+  std::vector<double> indentation() const {
+    std::vector<double> depth(points, 0.0);
+    if (pressed()) assert_int_equal(rc_contact_indentation(contact_, depth.data()), RC_OK);
+    return depth;
+  }
+  bool pressed() const { return pressed_.result.points > 0; }
 
  private:
-  bool failed(rc_status status) {
+  bool failed(rc_status status, bool wrote_nothing = true) {
     status_ = status;
+    wrote_nothing_ = wrote_nothing;
     return status != RC_OK;
   }
 
@@ -111,7 +145,9 @@ class Life {
   rc_options* options_ = nullptr;
   rc_contact* contact_ = nullptr;
   Answer pressed_, loaded_, checked_;
+  Derivatives change_;
   rc_status status_ = RC_OK;
+  bool wrote_nothing_ = true;
 };
 
 rc_context* made_context() {
@@ -153,10 +189,13 @@ void lives_through_every_failed_allocation(void** state) {
     skip();
   }
   double wanted = 0;
+  std::vector<double> indentation;
   {
     Life life(job, context);
     assert_int_equal(life.live(), RC_OK);
     wanted = life.load();
+    indentation = life.indentation();
+    assert_true((*std::max_element(indentation.begin(), indentation.end()) > 0) == (job.hardness > 0));
   }
   for (const bool forever : {false, true}) {
     bool reached = true;
@@ -169,6 +208,7 @@ void lives_through_every_failed_allocation(void** state) {
       support::fail_allocation(0);
       assert_memory(status, k);
       if (status != RC_OK) assert_true(life.wrote_nothing());
+      if (life.pressed()) assert_true(life.indentation() == indentation);
       assert_int_equal(life.live(), RC_OK);
       assert_true(std::abs(life.load() - wanted) <= 1e-6 * wanted);
     }
@@ -227,6 +267,11 @@ Job jobs[] = {
     {"cholmod*nnls, the caller's matrix", "nnls", "cholmod", RC_OPERATOR_DENSE, RC_BOUNDARY_FREE},
     {"fft*polonsky-keer", "polonsky-keer", "fft", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE},
     {"fft*nnls, periodic", "nnls", "fft", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_PERIODIC},
+    {"dense*nnls, hardness", "nnls", "dense", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, hardness},
+    {"callback*polonsky-keer, hardness", "polonsky-keer", "callback", RC_OPERATOR_CALLBACK, RC_BOUNDARY_FREE, hardness},
+    {"fft*haar-cg, hardness", "haar-cg", "fft", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, hardness},
+    {"fft*haar-cg, periodic, hardness", "haar-cg", "fft", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_PERIODIC, hardness},
+    {"cholmod*admm, hardness", "admm", "cholmod", RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, hardness},
 };
 
 }  // namespace

@@ -101,7 +101,8 @@ void refuses_arguments(void**) {
     change(spec);
     return spec;
   };
-  refuses(gwyddion, "a.txt", changed([](auto& s) { s.format = "pfu"; }), "format: \"pfu\" is not known, give one of gsf");
+  refuses(gwyddion, "a.txt", changed([](auto& s) { s.format = "pfu"; }),
+          "format: \"pfu\" is not known; did you mean \"plu\"?; give one of gsf");
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.unit = "V"; }), "unit: \"V\" is not a length unit");
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.hx = 1; }), "hx = 1, hy = 0 must be positive");
   refuses(gwyddion, "a.txt", changed([](auto& s) { s.hx = s.hy = INFINITY; }), "must be positive and finite");

@@ -202,6 +202,39 @@ void a_restored_history_goes_on() {
   check_same(indentation_of(second, problem.points()), indentation_of(whole, problem.points()), "indentation");
 }
 
+// With a hardness option accuracy solves the whole grid, whose contact yields there: its indentation is the whole grid's.
+void an_accuracy_goal_indents_the_whole_grid() {
+  const Settings goal = {{RC_OPT_ACCURACY, "0.1"}};
+  const Pair fast = {"haar-cg", "fft"};
+  Problem problem;
+  problem.system.nx = problem.system.ny = 256;
+  problem.gap = paraboloid(256, 256, 1, 127.5, 127.5, 3000);
+  problem.target = 1;
+  const Answer elastic = solve(problem, fast, goal);
+  check_status(elastic, RC_WITHIN_GOAL, "without a hardness a coarser grid will do");
+  problem.system.hardness = 0.8 * largest(elastic.p);
+  const Contact contact(problem, fast, goal);
+  const Answer most = contact.solve(problem);
+  check_status(most, RC_OK);
+  check(most.result.capped > 100, "the sphere should yield");
+  rc_accuracy accuracy = RC_ACCURACY_INIT;
+  check(rc_contact_accuracy(contact.handle(), &accuracy) == RC_OK, rc_last_error());
+  check(accuracy.model_nx == 256 && accuracy.error_estimate == 0 && accuracy.left_out == 0, "the whole grid is solved");
+  const Field left = indentation_of(contact, problem.points());
+  for (std::size_t i = 0; i < left.size(); ++i)
+    check(left[i] == (most.p[i] == problem.system.hardness ? std::max(0.0, -most.gap[i]) : 0.0), "the overlap at the hardness");
+
+  // Unloading is elastic contact on the indented surface.
+  Problem half = at(problem, 0.5);
+  const Answer answer = contact.solve(half);
+  check_status(answer, RC_OK);
+  check_same(indentation_of(contact, problem.points()), left, "indentation");
+  for (std::size_t i = 0; i < left.size(); ++i) half.gap[i] += left[i];
+  half.system.hardness = 0;
+  const double expected = solved(half, fast).result.load;
+  check_near(answer.result.load, expected, 1e-2 * expected, "load");
+}
+
 // dW/dd over the points below the hardness is the derivative of the load.
 void stiffness_is_of_the_free_points() {
   Problem problem = yielding();
@@ -230,6 +263,7 @@ int main(int argc, char** argv) {
                              {"certify_sees_the_indentation", certify_sees_the_indentation},
                              {"a_path_is_its_steps", a_path_is_its_steps},
                              {"a_restored_history_goes_on", a_restored_history_goes_on},
+                             {"an_accuracy_goal_indents_the_whole_grid", an_accuracy_goal_indents_the_whole_grid},
                              {"stiffness_is_of_the_free_points", stiffness_is_of_the_free_points}};
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
     for (const std::string& solver : capped_solvers("fft", yielding(boundary).system))

@@ -145,6 +145,33 @@ void a_layer_on_a_rigid_base_is_a_bed_of_springs(void**) {
   }
 }
 
+// The pressures under a flat punch on a half-space, with the transform sin(q a)/(q a), give the change of its compliance to first
+// order: by df is (2/pi) times the integral of df (sin(x)/x)^2 over x = q a.
+double punch_stiffness(const Layer& layer) {
+  constexpr int steps = 30000;  // Simpson's rule, up to s = 30 at least
+  const double step = 30 / std::min(1.0, layer.thickness) / steps;
+  const Kernel kernel(layer);
+  double sum = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const double x = i * step, beyond = kernel.wave(x) * x / 2 - 1 / layer.modulus;
+    sum += (i == steps ? 1 : i % 2 == 1 ? 4 : 2) * beyond * std::pow(std::sin(x) / x, 2);
+  }
+  sum += 1 - 1 / layer.modulus;  // at x = 0
+  return 1 / (1 / layer.modulus + 2 / pi * sum * step / 3);
+}
+
+void a_flat_punch_feels_the_published_share_of_the_layer(void**) {
+  constexpr double little = 1e-3;
+  for (const double xi : {0.1, 0.3, 1.0, 3.0, 10.0})
+    for (const double nu : {0.1, 0.3, 0.45}) {
+      const double stiffer = punch_stiffness({xi, 1 + little, nu, nu}), softer = punch_stiffness({xi, 1 - little, nu, nu});
+      assert_near((stiffer - softer) / (2 * little), gao_modulus_share(xi, nu), 1e-5, "I0");
+      // The same shear modulus: E/(1 - nu^2) = 2 mu/(1 - nu).
+      const auto poisson = [&](double layer) { return 1 - (1 - nu) / punch_stiffness({xi, (1 - nu) / (1 - layer), layer, nu}); };
+      assert_near((poisson(nu + little) - poisson(nu - little)) / (2 * little), gao_poisson_share(xi), 1e-4, "I1");
+    }
+}
+
 // What a point load deflects beyond the layer's own half-space: 1/(2 pi) integral of 2 (f - 1/E1*) J0(q r) over q.
 class Remainder {
  public:
@@ -254,10 +281,18 @@ void what_cannot_be_fitted_is_refused(void**) { assert_int_equal(Kernel({1, 1e-5
 
 }  // namespace
 
+double gao_modulus_share(double xi, double poisson) {
+  const double square = xi * xi;
+  return 2 / pi * std::atan(xi) +
+         ((1 - 2 * poisson) * xi * std::log1p(1 / square) - xi / (1 + square)) / (2 * pi * (1 - poisson));
+}
+double gao_poisson_share(double xi) { return 2 / pi * std::atan(xi) + xi / pi * std::log1p(1 / (xi * xi)); }
+
 const std::vector<CMUnitTest> value_tests = {
     cmocka_unit_test(the_symbol_solves_the_layered_problem),
     cmocka_unit_test(thin_and_thick_layers_are_half_spaces),
     cmocka_unit_test(a_layer_on_a_rigid_base_is_a_bed_of_springs),
+    cmocka_unit_test(a_flat_punch_feels_the_published_share_of_the_layer),
     cmocka_unit_test(coefficients_are_the_transform_of_the_symbol),
     cmocka_unit_test(cells_add_up),
     cmocka_unit_test(windows_agree),

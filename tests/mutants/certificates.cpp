@@ -51,6 +51,8 @@ void figures_of_certificates(Figures& figures) {
       small.list({1, 4, 9, 10}, infinite);
       put(name + "/listed", small, scale);
     }
+  small.list({}, infinite);
+  put("nothing_listed", small, 0.4);
   figures.section("within");
   for (int bad = -1; bad < 4; ++bad)
     for (const double value : {1e-6, 1e-7, nan}) {

@@ -182,12 +182,45 @@ void masks_that_leave_little(Figures& figures) {
     }
 }
 
+// Periodic, with a hardness and the approach at the mean plane, where the scale of the residual is the compression, or next to it, where it is less
+// unless some points are excluded.
+void near_the_mean_plane(Figures& figures) {
+  Small small(4, 2);
+  small.given.boundary = RC_BOUNDARY_PERIODIC;
+  small.given.hardness = 0.5;
+  for (std::size_t i = 0; i < small.points(); ++i) small.gap[i] = 0.25 * static_cast<double>(i % 3 == 2 ? 2 : i % 2);
+  double mean = 0;
+  for (const double h : small.gap) mean += h / static_cast<double>(small.points());
+  Handle handle(small, "dense", "nnls");
+  for (const bool masked : {false, true})
+    for (const double beyond : {0.0, 1e-9}) {
+      std::vector<double> p(small.points(), 0), deformed(small.points());
+      for (std::size_t i = 0; i < p.size(); i += 3) p[i] = 0.03;
+      std::vector<std::uint8_t> mask(small.points(), 1);
+      if (masked) p[3] = mask[3] = 0;
+      rc_step step = RC_STEP_INIT;
+      step.control = RC_CONTROL_DISPLACEMENT;
+      step.undeformed_gap = small.gap.data();
+      step.mask = masked ? mask.data() : nullptr;
+      step.target = mean + beyond;
+      rc_result r{};
+      r.struct_size = sizeof r;
+      r.p = p.data();
+      r.gap = deformed.data();
+      figures.section(std::string("mean_plane/") + (masked ? "mask/" : "") + std::to_string(beyond * 1e9));
+      put(figures, handle.contact, rc_contact_certify(handle.contact, &step, &r), r, p, deformed, false);
+      figures.near("kkt_dual", r.kkt_dual);
+      figures.near("kkt_complementarity", r.kkt_complementarity);
+    }
+}
+
 }  // namespace
 
 void figures_of_results(Figures& figures) {
   beyond_double_precision(figures);
   stopped_far_from_the_answer(figures);
   masks_that_leave_little(figures);
+  near_the_mean_plane(figures);
   double diagonal = 1;
   std::vector<Small> all;
   for (const std::int64_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {

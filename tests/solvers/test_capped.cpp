@@ -15,7 +15,7 @@ const Pair haar{"haar-cg", "fft"};
 const Settings settings = {{RC_OPT_TOL, "1e-8"}};
 constexpr std::int64_t side = 256;
 constexpr double slope = 0.08, hardness = 0.1;  // rms; in units of the modulus
-constexpr double most_excess = 1.6;             // products over those of the elastic contact
+constexpr double most_excess = 1.4;             // products over those of the elastic contact
 const double mean_pressures[] = {0.01, 0.03, 0.05, 0.07, 0.09, 0.095, 0.0999};
 
 Problem rough(std::int64_t nx, std::int64_t ny, std::int32_t boundary, double mean_pressure) {
@@ -101,6 +101,30 @@ void threads_do_not_change_a_bit() {
       }
 }
 
+// Polonsky & Keer's method takes its steps on the points below the hardness alone.
+void half_of_the_contact_at_the_hardness_by_polonsky_and_keer() {
+  const Pair keer{"polonsky-keer", "fft"};
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const bool by_load : {true, false}) {
+      Problem problem = rough(64, 67, boundary, 0.075);
+      const double elastic = static_cast<double>(solved(problem, keer, settings).result.applications);
+      problem = capped(problem, hardness);
+      const Answer expected = solved(problem, haar, settings);
+      if (!by_load) {
+        problem.target = expected.result.approach;
+        problem.control = RC_CONTROL_DISPLACEMENT;
+      }
+      const Answer answer = solved(problem, keer, settings);
+      const double share = static_cast<double>(answer.result.capped) / static_cast<double>(answer.result.contacts);
+      report(std::string(problem.periodic() ? "periodic" : "free") + (by_load ? ", load" : ", approach") + ": " + text(share) +
+             " of the contact at the hardness, " + std::to_string(answer.result.applications) + " products, " + text(elastic) +
+             " without a hardness");
+      check(share > 0.35 && share < 0.65, "half of the contact is at the hardness");
+      check_near(answer.p, expected.p, 1e-5 * hardness, "p");
+      check(static_cast<double>(answer.result.applications) <= 2 * elastic, "too many products");
+    }
+}
+
 // The load that the hardness on every point just bears, and a little less.
 void all_points_at_the_hardness() {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
@@ -119,10 +143,12 @@ void all_points_at_the_hardness() {
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  return run_group("solvers.capped",
-                   {{"products_are_those_of_elastic_contacts", products_are_those_of_elastic_contacts},
-                    {"a_hardness_out_of_reach_changes_no_bit", a_hardness_out_of_reach_changes_no_bit},
-                    {"threads_do_not_change_a_bit", threads_do_not_change_a_bit},
-                    {"all_points_at_the_hardness", all_points_at_the_hardness}},
-                   argc, argv);
+  return run_group(
+      "solvers.capped",
+      {{"products_are_those_of_elastic_contacts", products_are_those_of_elastic_contacts},
+       {"a_hardness_out_of_reach_changes_no_bit", a_hardness_out_of_reach_changes_no_bit},
+       {"threads_do_not_change_a_bit", threads_do_not_change_a_bit},
+       {"half_of_the_contact_at_the_hardness_by_polonsky_and_keer", half_of_the_contact_at_the_hardness_by_polonsky_and_keer},
+       {"all_points_at_the_hardness", all_points_at_the_hardness}},
+      argc, argv);
 }

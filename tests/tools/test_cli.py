@@ -144,7 +144,7 @@ class Output(CommandTest):
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--solver", "polonsky-keer",
                           "--set", "max_iter=1", "--out", "out", code=2, env=without_gnuplot())
         self.assertIn("RC_STOP_MAX_ITER", done.stdout)
-        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
         steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
         self.assertEqual([step["status"] for step in steps], ["RC_STOP_MAX_ITER"] * 2)
 
@@ -178,7 +178,7 @@ class Output(CommandTest):
         self.assertRegex(last, r"^step 2 of 2: [\d.]+ % of the area carries [\d.]+ uN; largest pressure [\d.]+ MPa$".replace("uN", "\u00b5N"))
         steel = ["--E", "210GPa", "--nu", "0.3", "--pitch", "1um"]
         last = self.solve(self.npy(rough()), *steel, "--pressure", "3GPa").stdout.splitlines()[-1]
-        self.assertRegex(last, r"^[\d.]+ % of the area carries [\d.]+ N; largest pressure [\d.]+ GPa, above the hardness of any steel")
+        self.assertRegex(last, r"^[\d.]+ % of the area carries [\d.]+ N; largest pressure [\d.]+ GPa, above the hardness of any steel: .*; --hardness bounds it$")
         last = self.solve(self.npy(rough()), "--modulus", "10MPa", "--pitch", "0.1um", "--pressure", "5MPa").stdout.splitlines()[-1]
         self.assertRegex(last, r"largest pressure [\d.]+ MPa, [\d.]+ E\*: strains are large")
         yielding = [self.npy(rough()), *steel, "--pressure", "3GPa", "--out", "out", "--hardness"]
@@ -283,7 +283,7 @@ class WrongInput(CommandTest):
         surface = self.npy(rough())
         done = self.solve(surface, "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--displacement", "1e-7,1", "--out", "out", code=1)
         self.assertIn("step 2", done.stderr)
-        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
         self.assertEqual(len(json.loads((self.folder / "out/summary.json").read_text())["steps"]), 1)
         self.assertTrue(re.match(r"roughcontact: step 1/2: RC_OK.*\nroughcontact: step 2: .*\n$", done.stderr), done.stderr)
 

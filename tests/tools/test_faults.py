@@ -59,7 +59,7 @@ class Streams(CommandTest):
                         streams = {name: subprocess.DEVNULL for number, name in enumerate(STREAMS) if number not in closed}
                         code = subprocess.run(command + ["--quiet"] * quiet, cwd=self.folder, preexec_fn=closing(closed), timeout=60, **streams).returncode
                         self.assertEqual(code, 0 if quiet or 1 not in closed else 1)
-                        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "summary.json"])
+                        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
                         picture = (out / "contact-1.png").read_bytes()
                         self.assertTrue(picture.startswith(b"\x89PNG") and picture.endswith(b"IEND\xaeB`\x82"))
                         self.assertEqual(np.load(out / "pressure-1.npy").shape, (24, 24))
@@ -83,7 +83,7 @@ class Folder(CommandTest):
         first.communicate()
         self.assertEqual(json.loads((out / "summary.json").read_text())["input"]["nx"], 64)
         self.solve(small, *HERTZ, "--displacement", "1e-8", "--out", "out", env=without_gnuplot())
-        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_a_killed_run_leaves_no_lock(self):
         surface, out = self.npy(rough(64, 64)), self.folder / "out"
@@ -94,12 +94,12 @@ class Folder(CommandTest):
         (out / ".pressure-7.npy.0123456789abcdef.tmp").write_text("half a file")
         (out / ".mine.0123456789abcdef.tmp").write_text("of the user's own")
         self.solve(surface, *HERTZ, "--displacement", "1e-8", "--out", "out", env=without_gnuplot())
-        self.assertEqual(self.names("out"), [".mine.0123456789abcdef.tmp", "gap-1.npy", "pressure-1.npy", "summary.json"])
+        self.assertEqual(self.names("out"), [".mine.0123456789abcdef.tmp", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_files_of_others_are_not_overwritten(self):
         surface = self.npy(paraboloid(24))
         (self.folder / "out").mkdir()
-        for name, contents in (("pressure-2.npy", "mine"), ("gap-1.npy", "mine"), ("contact-1.png", "mine"), ("summary.json", "mine"), ("summary.json", "{}"),
+        for name, contents in (("pressure-2.npy", "mine"), ("gap-1.npy", "mine"), ("contact-1.png", "mine"), ("steps.csv", "mine"), ("summary.json", "mine"), ("summary.json", "{}"),
                                ("summary.json", "[" * 100000), ("summary.json", '{"input": {"targets": 1}, "steps": [{}]}')):
             with self.subTest(name=name, contents=contents[:50]):
                 self.file("out/" + name, contents)
@@ -172,7 +172,7 @@ class Signals(CommandTest):
         run.send_signal(signal.SIGHUP)
         self.assertEqual(run.wait(60), 130)
         run.communicate()
-        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_other_commands_end_without_their_file(self):
         self.file("gnuplot", "#!/bin/sh\ntouch drawing\nwhile [ -e drawing ]; do sleep 0.02; done\n")

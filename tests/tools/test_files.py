@@ -1,4 +1,5 @@
 """Files of `roughcontact`: surfaces it reads, and the folder it writes, whole at every moment."""
+import csv
 import io
 import json
 import os
@@ -109,7 +110,7 @@ class Writing(CommandTest):
     def test_files_of_a_sequence(self):
         z = rough()
         self.solve(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "deep/out")
-        self.assertEqual(self.names("deep/out"), sorted(["history.png", "summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
+        self.assertEqual(self.names("deep/out"), sorted(["history.png", "steps.csv", "summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
         for name in ("gap-1.npy", "pressure-2.npy"):
             array = np.load(self.folder / "deep/out" / name)
             self.assertEqual((array.dtype.str, array.shape, array.flags.c_contiguous), ("<f8", z.shape, True))
@@ -117,25 +118,45 @@ class Writing(CommandTest):
         self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
         self.assertTrue(picture.endswith(b"IEND\xaeB`\x82"))
 
+    def test_steps_as_a_table(self):
+        units = {"approach": "m", "load": "N", "mean_pressure": "Pa", "max_pressure": "Pa", "mean_gap": "m", "corrected_area": "m^2", "largest_patch": "m^2",
+                 "stiffness": "N/m", "seconds": "s", "plastic_volume": "m^3"}
+        few = ["--hardness", "2e7", "--set", "max_iter=2", "--solver", "polonsky-keer"]
+        self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1e5,1e6", "--out", "out", "--quiet", *few, code=2, env=without_gnuplot())
+        steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
+        with open(self.folder / "out/steps.csv", newline="") as file:
+            head, *rows = csv.reader(file)
+        names = [name.split(" [")[0] for name in head]
+        self.assertEqual(names, ["step", *steps[0]])
+        self.assertEqual({name: unit.rstrip("]") for name, _, unit in (field.partition(" [") for field in head) if unit and name in units}, units)
+        self.assertEqual(len(rows), 2)
+        for k, (row, step) in enumerate(zip(rows, steps), 1):
+            self.assertTrue("," in step["message"] or "," in step["note"], step)  # what has to stand in quotes
+            for name, text in zip(names, row):
+                value = k if name == "step" else step[name]
+                self.assertEqual(text, "" if value is None else value if isinstance(value, str) else json.dumps(value) if isinstance(value, int) else text)
+                if isinstance(value, float):
+                    self.assertEqual(float(text), value)
+
     def test_steps_of_an_earlier_run_go(self):
         common = [self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--out", "out"]
         self.solve(*common, "--displacement", "1e-7,2e-7,3e-7")
         self.file("out/pressure-9.npy", "of the user's own")
         self.solve(*common, "--displacement", "1e-7", env=without_gnuplot())
-        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "pressure-9.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "pressure-9.npy", "steps.csv", "summary.json"])
 
     def test_without_gnuplot_all_but_the_pictures(self):
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "out", "--quiet",
                           env=without_gnuplot())
         self.assertEqual(done.stderr, "roughcontact: gnuplot not found: contact-K.png not drawn\n")
-        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
 
     def test_gnuplot_that_fails_leaves_no_picture(self):
         self.file("gnuplot", "#!/bin/sh\necho half a picture\necho boom >&2\nexit 3\n")
         (self.folder / "gnuplot").chmod(0o755)
         done = self.solve(self.npy(rough()), "--pitch", "1e-6", *PRESS, "--out", "out", "--quiet", env=dict(os.environ, PATH=str(self.folder)))
         self.assertEqual(done.stderr, "roughcontact: contact-1.png not drawn, gnuplot failed: boom\n")
-        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "summary.json"])
+        self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_full_disk_leaves_nothing(self):
         def small_disk():
@@ -163,7 +184,7 @@ class Writing(CommandTest):
             self.assertLess(len(steps), 5000)
             self.assertEqual({step["status"] for step in steps[:-1]}, {"RC_OK"})
             self.assertIn(steps[-1]["status"], ("RC_OK", "RC_STOP_CANCELLED"))
-            self.assertEqual(sorted(os.listdir(out)), sorted(["summary.json"] + [n % (k + 1) for k in range(len(steps)) for n in ("gap-%d.npy", "pressure-%d.npy")]))
+            self.assertEqual(sorted(os.listdir(out)), sorted(["steps.csv", "summary.json"] + [n % (k + 1) for k in range(len(steps)) for n in ("gap-%d.npy", "pressure-%d.npy")]))
             for k, step in enumerate(steps, 1):
                 self.assertAlmostEqual(np.load(out / ("pressure-%d.npy" % k)).sum() * 1e-12, step["load"], delta=1e-12 * step["load"])
 

@@ -56,20 +56,21 @@ def drawn_contact(panel):
 
 
 class Pictures(CommandTest):
-    def press(self, z, pressures, pitch="1um", **settings):
+    def press(self, z, pressures, pitch="1um", *arguments, **settings):
         self.solve(self.npy(z), "--pitch", pitch, "--modulus", "1GPa", "--boundary", "periodic", "--tol", "1e-4", "--pressure", pressures, "--out", "out",
-                   "--quiet", **settings)
+                   "--quiet", *arguments, **settings)
         steps = json.loads((self.folder / "out/summary.json").read_text())["steps"]
         for k, step in enumerate(steps, 1):
             yield step, np.load(self.folder / ("out/pressure-%d.npy" % k)), pixels(self.folder / ("out/contact-%d.png" % k))
 
     def test_the_area_drawn_is_the_area_stated(self):
-        for z, pressures in ((rough(64, 64), "0.1MPa,1MPa,10MPa,60MPa"), (rough(1000, 1000, rms=1e-6), "0.02MPa,3MPa"), (rough(2048, 2048, rms=3e-6), "0.3MPa"),
+        """From a thousandth to nearly all; points larger and smaller than pixels."""
+        for z, pressures in ((rough(64, 64), "0.01MPa,0.8MPa,9MPa,45MPa"), (rough(1000, 1000, rms=1e-6), "0.02MPa,3MPa"), (rough(2048, 2048, rms=3e-6), "0.3MPa"),
                              (rough(64, 512, rms=1e-6), "3MPa"), (rough(512, 64, rms=1e-6), "3MPa")):
             for step, pressure, image in self.press(z, pressures):
                 with self.subTest(shape=z.shape, area=step["area_fraction"]):
                     heights, _ = panels(image)
-                    self.assertAlmostEqual(drawn_contact(heights) / step["area_fraction"], 1, delta=0.01)
+                    self.assertAlmostEqual(drawn_contact(heights) / step["area_fraction"], 1, delta=0.003)
 
     def test_the_canvas_is_used(self):
         for shape in ((64, 64), (64, 512), (512, 64), (1, 300)):
@@ -78,6 +79,17 @@ class Pictures(CommandTest):
             self.assertEqual(len(found), 2)
             self.assertGreater(sum(panel.shape[0] * panel.shape[1] for panel in found) / (image.shape[0] * image.shape[1]), 0.18)
             self.assertLess(max(image.shape), 2500)
+
+    def test_nothing_is_cut_off(self):
+        for z, missing in ((rough(512, 64, rms=1e-6), False), (rough(512, 160, rms=1e-6), True), (rough(64, 64), True)):
+            if missing:
+                z[:5, :5] = np.nan
+            ((_, _, image),) = self.press(z, "12.345MPa", "12.345um", "--missing", "exclude")
+            self.assertEqual(image[:, -6:].min(), 255)
+            inked = image.min(axis=2) < 250
+            _, (right, _) = [run for run in runs(inked.mean(axis=0) > 0.3) if run[1] - run[0] > 60]
+            top = np.flatnonzero(inked[:, right:right + 60].all(axis=1))[0]
+            self.assertFalse(inked[top - 55:top - 14, right - 25:right - 3].any())  # the left title ends before the right one begins
 
     def test_rows_go_down_and_the_hottest_spot_stands_out(self):
         for shape in ((64, 64), (32, 128)):
@@ -112,6 +124,17 @@ class Pictures(CommandTest):
         self.solve(*common, "--pressure", targets, "--resume")
         self.assertEqual(pixels(self.folder / "cut/history.png").shape, pixels(self.folder / "out/history.png").shape)
         self.assertEqual((self.folder / "cut/history.png").read_bytes(), whole)
+
+    def test_history_of_loads_that_spread(self):
+        """Ten times the load, ten times the area: on logarithmic axes the steps keep their distance."""
+        list(self.press(rough(128, 128), "10kPa,100kPa,1MPa,10MPa"))
+        image = pixels(self.folder / "out/history.png")
+        red = (np.abs(image - CONTACT).sum(axis=2) < 60)[:, :image.shape[1] // 3]
+        red[:, -40:] = False
+        columns = np.flatnonzero(red[150:480].any(axis=0))
+        self.assertGreater(np.ptp(columns), 0.2 * image.shape[1])
+        middle = np.mean([np.flatnonzero(red[150:480, c])[0] for c in columns if columns[0] + 20 < c < columns.mean()])
+        self.assertGreater(middle, 150)  # area grows along the whole axis
 
     def test_history_of_others_is_kept(self):
         (self.folder / "out").mkdir()

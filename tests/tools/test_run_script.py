@@ -14,15 +14,17 @@ class RunScript(CommandTest):
     def setUp(self):
         super().setUp()
         shutil.copy(SCRIPT, self.folder)
-        for name, text in (("scripts/bootstrap.sh", ""), ("path/cmake", ""), ("build/bin/roughcontact", 'printf "%s\\n" "$@"\n')):
+        for name, text in (("scripts/bootstrap.sh", ""), ("path/cmake", ""), ("path/python3", "exit 1\n"), ("build/bin/roughcontact", 'printf "%s\\n" "$@"\n')):
             path = self.folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("#!/bin/sh\n" + text)
             path.chmod(0o755)
 
+    def environment(self):
+        return dict(os.environ, PATH=str(self.folder / "path") + os.pathsep + os.environ["PATH"])
+
     def asked(self, *arguments):
-        environment = dict(os.environ, PATH=str(self.folder / "path") + os.pathsep + os.environ["PATH"])
-        done = subprocess.run(["./run.sh", *arguments], cwd=self.folder, env=environment, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(["./run.sh", *arguments], cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         return " ".join(done.stdout.splitlines())
 
@@ -32,6 +34,19 @@ class RunScript(CommandTest):
         for told in (["--remove", "none"], ["--remove=quadric"]):
             self.assertNotIn("--remove plane", self.asked("s.x3p", "--E", "210GPa", *told))
         self.assertNotIn("--remove", self.asked())
+
+    def test_a_page_where_it_can_be_made(self):
+        self.assertIn("pip install jinja2 plotly", self.asked("s.x3p", "--E", "210GPa"))
+        python = self.folder / "path/python3"
+        python.write_text('#!/bin/sh\n[ "$1" = -c ] || printf "%s\\n" "$@" >page\n')
+        said = self.asked("s.x3p", "--E", "210GPa", "--out", "folder", "--resume", "--quiet", "--load", "1mN,2mN")
+        self.assertIn("page: folder/report.html", said)
+        self.assertEqual((self.folder / "page").read_text().split(),
+                         "-m roughcontact report s.x3p --E 210GPa --load 1mN,2mN --remove plane --out folder/report.html".split())
+        (self.folder / "page").unlink()
+        (self.folder / "build/bin/roughcontact").write_text("#!/bin/sh\nexit 1\n")
+        self.assertEqual(subprocess.run(["./run.sh", "s.x3p"], cwd=self.folder, env=self.environment(), capture_output=True, timeout=60).returncode, 1)
+        self.assertFalse((self.folder / "page").exists())
 
 
 if __name__ == "__main__":

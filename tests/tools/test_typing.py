@@ -50,6 +50,7 @@ class Completion(CommandTest):
         self.assertEqual(self.candidates("solve", "--set", "greedy.i"), ["greedy.inner="])
         self.assertEqual(self.candidates("solve", "--set", "solver", "=", "haar"), ["solver=haar-cg"])
         self.assertEqual(self.candidates("solve", "--remove", "--resume", "--q"), ["--quiet"])
+        self.assertEqual(self.candidates("solve", "--write", ""), ["vti", "netcdf", "hdf5"])
         self.assertIn("dense", self.candidates("solve", "--backend", ""))
         self.assertEqual(self.candidates("solve", "f"), [])  # a file
         self.assertEqual(self.candidates("generate", "sphere", "--pa"), ["--paraboloid"])

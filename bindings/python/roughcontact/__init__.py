@@ -10,6 +10,8 @@ whose `result` holds the answer, or with check=False returns it with its `status
 case. Ctrl-C ends a running call and raises `Interrupted`, a KeyboardInterrupt whose `result` is what was finished.
 """
 
+from typing import List
+
 from . import analysis as analysis, direct as direct, plot as plot, raw as raw, surface as surface
 from ._errors import (
     ArgumentError as ArgumentError,
@@ -66,4 +68,8 @@ from .system import HalfSpace as HalfSpace, Matrix as Matrix, Product as Product
 
 __version__ = "0.1.0"
 # What is imported above, without the modules that it comes from.
-__all__ = sorted(name for name in set(dir()) - {"contact", "context", "result", "system"} if not name.startswith("_"))
+__all__ = sorted(name for name in set(dir()) - {"List", "contact", "context", "result", "system"} if not name.startswith("_"))
+
+
+def __dir__() -> List[str]:
+    return [*__all__, "__version__"]

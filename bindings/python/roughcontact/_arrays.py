@@ -101,6 +101,14 @@ def as_pitch(pitch: Pitch) -> Tuple[float, float]:
     return float(sides[0]), float(sides[-1])
 
 
+def refuse_one_row(array: NDArray[Any], name: str, pitch: Any, axes: int = 1) -> None:
+    """Arrays with so few axes are rows of cells, whose width has to be said: by a pitch of two numbers."""
+    if array.ndim == axes and pitch is not None and np.ndim(pitch) == 0:
+        raise ArgumentError(
+            f"{name} has one axis: give pitch=(hx, hy), hy being the width of that row of points, or an array [ny, nx]"
+        )
+
+
 def as_shape(shape: Union[int, Sequence[int]]) -> Shape:
     """(ny, nx) or (nx,)"""
     each = tuple(shape) if isinstance(shape, (Sequence, np.ndarray)) and np.ndim(shape) else (shape,)

@@ -1,5 +1,7 @@
 """Many contacts in one call."""
 
+import itertools
+from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
@@ -7,22 +9,25 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given, refuse_one_row
 from ._calls import Callbacks, interruptible
 from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
 from ._files import is_file
 from ._height_map import gap_below
-from ._keywords import Constant, load_of, modulus_of, options_of
+from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
+from ._progress import Bars
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn
-from .contact import control_and_target
+from ._threads import with_threads
+from .contact import control_and_target, refuse_another_pitch
 from .context import Context, Options, OptionSet
 from .result import BatchResult, Grid, Result, result_with_copies
 from .system import HalfSpace, System
 
 
+@lists_options
 def batch(
     heights: Any = None,
     *,
@@ -46,6 +51,7 @@ def batch(
     boundary: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
+    progress: bool = False,
     context: Optional[Context] = None,
     **keywords: Any,
 ) -> BatchResult:
@@ -61,7 +67,9 @@ def batch(
         True ends the batch with Status.STOP_CANCELLED; an exception ends it and is raised
     check: whether a contact that fails or is not certified raises, when all others are done. Every exception of this call that
         comes after its start, `Interrupted` (Ctrl-C, at the end of a running step) included, has all answers as its `result`
-    options: {"threads": 4} for four contacts at the same time, {"time_limit": 60} for seconds of the whole batch
+    progress: whether a bar of the package tqdm shows how many steps are solved
+    options: {"threads": 4} for four contacts at the same time, otherwise as many as there are cores, with `each` one;
+        {"time_limit": 60} for seconds of the whole batch
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
@@ -105,7 +113,10 @@ def batch(
     shared = masks if masks is not None and masks.ndim == axes else None
     grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
 
+    bars, solved = Bars(), itertools.count(1)
+
     def after(contact: int, step: int, answer: Any, _: Any) -> object:
+        bars.show(next(solved))
         if each is not None and not stop:
             own = grid if masks is None or shared is not None else replace(grid, mask=masks[contact])
             return each(contact, step, result_with_copies(answer.contents, own))
@@ -115,14 +126,15 @@ def batch(
     struct.fn = rc_batch_fn(callbacks.guarded(after))
     description, product = system.struct()
     # Without `each` the function is there for Ctrl-C alone: bounds, which only it would see, are not computed.
-    chosen = dict(options or {}) if each is not None else {_constants.RC_OPT_BOUNDS: 0, **dict(options or {})}
+    chosen = dict(options or {}) if each is not None else {_constants.RC_OPT_BOUNDS: 0, **with_threads(options, system, n)}
 
     def call() -> int:
         with OptionSet(chosen, context) as handle:
             return int(contact_library().rc_batch_solve(description, handle, struct))
 
     keep = (system, product, callbacks, targets, gaps, masks, starts, out, whole, statuses, pressures)
-    status, message, interrupt = interruptible(call, lambda: stop.append(True), keep=keep)
+    with bars.over("steps", n * steps) if progress else nullcontext():
+        status, message, interrupt = interruptible(call, lambda: stop.append(True), keep=keep)
     answer = None
     if struct.written == n:
         ends: Dict[str, Any] = {"certified": struct.certified, "first": struct.first, "grid": grid}
@@ -151,6 +163,8 @@ def _surfaces(
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError("exactly one of heights and undeformed_gap is needed")
+    if system is not None:
+        refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
     periodic = False
     if heights is not None and _is_sequence_of_surfaces(heights):
         if mask is not None:
@@ -158,6 +172,8 @@ def _surfaces(
         each = [as_surface(one, pitch, missing=missing) for one in heights]
         if any(one.shape != each[0].shape or one.pitch != each[0].pitch for one in each):
             raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
+        if system is not None:
+            refuse_another_pitch(each[0], system)
         pitch, periodic = each[0].pitch, each[0].periodic
         gaps = np.stack([one.undeformed_gap() for one in each])
         masks = None
@@ -166,12 +182,16 @@ def _surfaces(
     elif heights is not None:
         alone = not isinstance(heights, (np.ndarray, list, tuple))
         leading = 0 if alone or (np.ndim(heights) == 2 if system is None else np.ndim(heights) == len(system.shape)) else 1
-        otherwise = None if system is None else 1.0  # the pitch is the system's
+        otherwise = None if system is None else system.pitch
         surface = as_surface(heights, pitch, mask=mask, missing=missing, leading=leading, otherwise=otherwise)
         gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
+        if system is not None:
+            refuse_another_pitch(surface, system)
         pitch, periodic = surface.pitch, surface.periodic
     else:
         gaps, masks = as_doubles(undeformed_gap, "undeformed_gap"), as_mask(mask, "mask")  # type: ignore[arg-type]
+        if system is None:
+            refuse_one_row(gaps, "undeformed_gap", pitch)
     if system is None:
         if modulus is None or pitch is None:
             raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")

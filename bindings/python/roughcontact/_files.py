@@ -1,6 +1,7 @@
 """Surfaces from files."""
 
 import importlib
+import io
 import os
 import pathlib
 from dataclasses import dataclass
@@ -50,10 +51,10 @@ def read(file: File, *, pitch: Optional[Pitch] = None, unit: Optional[str] = Non
     file: a path, an open binary file, or the bytes of one
     pitch: one number or (hx, hy) [unit]; needed where the file does not say it, else in the place of the file's
     unit: of lengths whose unit the file does not name, and of pitch: "um"; None: "m"
-    format: one of `formats()`; None: by the contents, else by the suffix
+    format: one of `formats()`, or one of the package SurfaceTopography ("opd"); None: by the contents, else by the suffix
 
-    `assumed` of the surface says what the file leaves open. A file whose suffix is none of `formats()` is handed to the package
-    SurfaceTopography, where it is installed.
+    `assumed` of the surface says what the file leaves open. A file whose suffix or format is none of `formats()` is handed to the
+    package SurfaceTopography, where it is installed; `assumed` then says that, too.
     """
     return surface_in(file, pitch, unit, format)
 
@@ -87,10 +88,15 @@ def surface_in(
     try:
         check_formats(status)
     except ArgumentError as error:
-        known = {suffix for each in formats() for suffix in each.suffixes}
-        if format is None and contents is None and pathlib.Path(name).suffix.lower() not in known:
-            return _read_by_surface_topography(name, pitch, unit, otherwise, error)
-        raise
+        known = formats()
+        if format is None:
+            mine = pathlib.Path(name).suffix.lower() in {suffix for each in known for suffix in each.suffixes}
+        else:
+            mine = format in {each.name for each in known}
+        if mine:
+            raise
+        source = name if contents is None else io.BytesIO(contents)
+        return _read_by_surface_topography(source, name, pitch, unit, format, otherwise, error)
     try:
         heights = np.ctypeslib.as_array(out.heights, (out.ny, out.nx)).copy()
         assumed, sides = out.assumed.decode(errors="replace"), (out.hx, out.hy)
@@ -116,7 +122,13 @@ def _text(value: Optional[str], name: str) -> Optional[bytes]:
 
 
 def _read_by_surface_topography(
-    name: str, pitch: Optional[Pitch], unit: Optional[str], otherwise: Optional[Pitch], error: ArgumentError
+    file: Any,
+    name: str,
+    pitch: Optional[Pitch],
+    unit: Optional[str],
+    format: Optional[str],
+    otherwise: Optional[Pitch],
+    error: ArgumentError,
 ) -> Surface:
     """error: why this library does not read the file."""
     try:
@@ -124,23 +136,25 @@ def _read_by_surface_topography(
     except ImportError:
         raise ArgumentError(f"{error}; the package SurfaceTopography, which is not installed, reads more formats") from None
     try:
-        topography = package.read_topography(name)
+        reader = package.open_topography(file, format=format)
+        channel = reader.default_channel
+        own, sizes, points = channel.unit, channel.physical_sizes, channel.nb_grid_pts
+        if len(points) != 2:
+            raise ArgumentError("it holds a profile; a map is needed")
+        topography = reader.topography(**({} if sizes is not None else {"physical_sizes": tuple(map(float, points))}))
+        heights = np.ma.filled(np.ma.asarray(topography.heights(), np.float64), np.nan).T  # its x is the first axis
     except Exception as other:
         raise ArgumentError(f"{error}; nor does SurfaceTopography: {type(other).__name__}: {other}") from other
-    heights = np.ma.filled(np.ma.asarray(topography.heights(), np.float64), np.nan).T  # its x is the first axis
-    if heights.ndim != 2:
-        raise ArgumentError(f"{name}: SurfaceTopography reads a profile from it; a map is needed")
-    own = getattr(topography, "unit", None)
     factor = METRES.get(str(own or unit or "m"))
     if factor is None:
         raise ArgumentError(f"{name}: the unit {own or unit!r} is not a length unit; one of {', '.join(METRES)} is needed")
-    sizes = topography.physical_sizes
     if pitch is not None:
         hx, hy = (side * METRES[unit or "m"] for side in as_pitch(pitch))
     elif sizes is not None:
         hx, hy = sizes[0] / heights.shape[1] * factor, sizes[1] / heights.shape[0] * factor
     else:
         hx, hy = _pitch_or_error(otherwise, name)
-    assumed = "read by the package SurfaceTopography" + ("" if own else "; lengths without a unit are in " + (unit or "m"))
+    assumed = f"read by the package SurfaceTopography, as {reader.format()}"
+    assumed += "" if own else "; lengths without a unit are in " + (unit or "m")
     periodic = bool(getattr(topography, "is_periodic", False))
     return Surface(np.ascontiguousarray(heights * factor), (hx, hy), periodic, None, "m", assumed)

@@ -71,6 +71,7 @@ class ContactFunctions(Protocol):
     rc_pair_supported: Callable[[handle, text, text, rc_system, int32_t, handle], rc_status]
     rc_kernel_coefficients: Callable[[text, double, double, int64_t, int64_t, doubles], rc_status]
     rc_options_describe: Callable[[handle, int64_t, rc_option_spec], rc_status]
+    rc_context_register: Callable[[handle, handle], rc_status]
 
 
 class SurfaceFunctions(Protocol):

@@ -2,9 +2,9 @@
 
 import ctypes
 import weakref
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, TypeVar
+from typing import Any, Callable, ContextManager, Dict, Iterator, List, Optional, Tuple, TypeVar, Union
 
 from ._arrays import Doubles, Mask, as_int
 from ._c import members_for
@@ -12,8 +12,10 @@ from ._calls import Callbacks, check, interruptible
 from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, error_for
 from ._keywords import options_of
 from ._library import contact_library
+from ._progress import Bars
 from ._status import Status
 from ._structs import rc_progress_fn
+from ._threads import with_threads
 from ._use import OwnsHandle, Use
 from .context import Context, Options, OptionSet
 from .result import Grid
@@ -31,6 +33,7 @@ class Progress:
     seconds: float
 
 
+Watch = Union[None, bool, Callable[[Progress], object]]  # True: a bar
 H = TypeVar("H", bound="Handle")
 
 
@@ -42,12 +45,12 @@ class Handle(OwnsHandle):
         system: System,
         *,
         options: Options = None,
-        progress: Optional[Callable[[Progress], object]] = None,
+        progress: Watch = None,
         every: int = 1,
         context: Optional[Context] = None,
         **keywords: Any,
     ) -> None:
-        options = options_of(type(self), options, keywords, context)
+        options = with_threads(options_of(type(self), options, keywords, context), system)
         library = contact_library()
         interval = as_int(every, "every")
         self.system = system
@@ -68,8 +71,10 @@ class Handle(OwnsHandle):
         self._use = Use(self._close)
         self._options.update(options or {})
         self._callbacks = Callbacks()
-        if progress is not None:
-            self._progress = rc_progress_fn(self._callbacks.guarded(_progress_caller(progress)))
+        self._bars = Bars() if progress is True else None
+        if progress is not None and progress is not False:
+            watch = _shown_on(self._bars) if self._bars else progress
+            self._progress = rc_progress_fn(self._callbacks.guarded(_progress_caller(watch)))
             check(library.rc_contact_on_progress(self._handle, self._progress, None, interval))
 
     def close(self) -> None:
@@ -91,6 +96,10 @@ class Handle(OwnsHandle):
     def _holding(self) -> Iterator[ctypes.c_void_p]:
         with self._use.by_caller():
             yield self._handle
+
+    def _bar(self, unit: str, total: Optional[int] = None, done: Optional[Callable[[], int]] = None) -> ContextManager[None]:
+        """Over a call, where bars are asked for."""
+        return self._bars.over(unit, total, done) if self._bars else nullcontext()
 
     def grid(self) -> Grid:
         """Shape, pitch, mask and modulus of what was pressed last."""
@@ -147,7 +156,11 @@ class Handle(OwnsHandle):
         self._use.while_alive(lambda: contact_library().rc_contact_cancel(self._handle))
 
 
-def _progress_caller(progress: Callable[[Progress], object]) -> Callable[[Any, Any], object]:
+def _shown_on(bars: Bars) -> Callable[[Progress], object]:
+    return lambda report: bars.show(report.iteration, report.kkt)
+
+
+def _progress_caller(progress: Any) -> Callable[[Any, Any], object]:
     def call(report: Any, _: Any) -> object:
         return progress(Progress(**members_for(Progress, report.contents)))
 

@@ -48,7 +48,8 @@ def path_on(
     if pressures is not None or each is not None:
         struct.fn = rc_path_fn(callbacks.guarded(after))
     keep = (targets, undeformed_gap, mask, out, applications, tangents, callbacks)
-    with contact._holding() as handle, contact._pressing(undeformed_gap, mask):
+    bar = contact._bar("steps", n, lambda: int(struct.completed))
+    with contact._holding() as handle, contact._pressing(undeformed_gap, mask), bar:
         status, message, interrupt = contact._run(
             lambda: int(contact_library().rc_contact_solve_path(handle, struct)), keep, n > 0
         )

@@ -14,7 +14,7 @@ from ._library import contact_library
 from ._structs import rc_system
 
 Symbol = Callable[[Doubles, Doubles], ArrayLike]
-PERIODIC, ABI_MAJOR, ABI_MINOR = 2, 1, 6  # RC_KERNEL_PERIODIC, RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR
+PERIODIC, ABI_MAJOR, ABI_MINOR = 2, 1, 7  # RC_KERNEL_PERIODIC, RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR
 
 _fail = callback(rc_status, handle, rc_status, text)
 _system = ctypes.POINTER(rc_system)
@@ -82,7 +82,5 @@ def register(context: Any, name: str, symbol: Symbol, summary: str) -> None:
     plugin = rc_plugin()
     plugin.abi_major, plugin.abi_minor, plugin.name, plugin.version = ABI_MAJOR, ABI_MINOR, known, b""
     plugin.n_kernels, plugin.kernels = 1, kernels
-    add = contact_library().rc_context_register
-    add.restype, add.argtypes = ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(rc_plugin)]
-    check(add(context, plugin))
+    check(contact_library().rc_context_register(context, ctypes.byref(plugin)))
     _registered.append((kernel, kernels, plugin))

@@ -2,35 +2,55 @@
 
 import difflib
 import inspect
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Pitch
 from ._errors import ArgumentError
+from ._option_texts import OPTIONS
 from .context import Context, Options, options as all_options
 from .system import System
 
 Constant = Union[float, Sequence[float]]
+#: words of the field that are no keywords, and the keywords that mean the same
+_SAME = {
+    "force": "load",
+    "approach": "displacement",
+    "indentation": "displacement",
+    "young": "E",
+    "poisson": "nu",
+    "method": "solver",
+}
+
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def lists_options(function: F) -> F:
+    """Adds all options to what help() says of a function that takes them as keywords."""
+    if function.__doc__:  # there is none under python -OO
+        head = "\n\n    Options as keywords, with their defaults; `roughcontact.options()` lists those of this machine's plugins as well:"
+        function.__doc__ = function.__doc__.rstrip() + head + "\n" + OPTIONS
+    return function
 
 
 def options_of(
     function: Callable[..., Any], given: Options, keywords: Mapping[str, Any], context: Optional[Context]
 ) -> Options:
-    """given and the options among the keywords, whose names have '_' for '.'; None stands for an option that is not given.
+    """given and the options among the keywords, whose names have '_' for '.' and '-'; None stands for an option that is not given.
 
     function: whose keywords they are; the nearest one is named where a keyword is none
     """
     chosen: Dict[str, Any] = dict(given or {})
     if not keywords:
         return given
-    keys = {spec.key.replace(".", "_"): spec.key for spec in all_options(context)}
+    keys = {spec.key.replace(".", "_").replace("-", "_"): spec.key for spec in all_options(context)}
     for name, value in keywords.items():
         if name not in keys:
             known = [*inspect.signature(function).parameters, *keys]
             begun = [each for each in known if len(each) > 2 and (name.startswith(each) or each.startswith(name))]
-            near = begun or difflib.get_close_matches(name, known, 1, 0.5)
+            near = [_SAME[name]] if name in _SAME else begun or difflib.get_close_matches(name, known, 1, 0.5)
             hint = f"; did you mean {near[0]!r}?" if near else "; see roughcontact.options()"
             raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}{hint}")
         if keys[name] in chosen:
@@ -40,8 +60,15 @@ def options_of(
     return chosen
 
 
+def refuse_text(**given: Any) -> None:
+    for name, value in given.items():
+        if isinstance(value, str):
+            raise ArgumentError(f"{name} = {value!r} is a text; a number is expected, as 3e9 for 3 GPa where lengths are in m")
+
+
 def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Constant]) -> Optional[float]:
     """The contact modulus E*, given, or 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) of two bodies; of one, the other being rigid."""
+    refuse_text(modulus=modulus, E=E, nu=nu)
     if E is None and nu is None:
         return modulus
     if modulus is not None:
@@ -60,6 +87,7 @@ def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Con
 
 def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], displacement: Optional[ArrayLike], system: System) -> Any:
     """load, or that of a mean pressure over the whole grid."""
+    refuse_text(load=load, pressure=pressure, displacement=displacement)
     if pressure is None:
         return load
     for name, other in (("load", load), ("displacement", displacement)):
@@ -68,12 +96,7 @@ def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], displaceme
     return np.asarray(pressure, float) * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1])
 
 
-def refuse_one_row(array: Any, name: str, pitch: Optional[Pitch]) -> None:
-    """One-dimensional arrays are one row of cells, whose width has to be said."""
-    one_axis = (
-        array.ndim == 1 if isinstance(array, np.ndarray) else isinstance(array, (list, tuple)) and np.isscalar((*array, "")[0])
-    )
-    if one_axis and pitch is not None and np.ndim(pitch) == 0:
-        raise ArgumentError(
-            f"{name} has one axis: give pitch=(hx, hy), hy being the width of that row of points, or an array [ny, nx]"
-        )
+def refuse_beside_system(**given: Any) -> None:
+    twice = [name for name, value in given.items() if value is not None]
+    if twice:
+        raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")

@@ -6,7 +6,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, refuse_one_row
 from ._errors import ArgumentError, ShapeError
 from ._files import is_file, surface_in
 from ._height_map import Surface
@@ -98,13 +98,17 @@ def as_surface(
         if getattr(thing, "is_uniform", True) is False:
             raise ArgumentError("the topography is not on a uniform grid; interpolate it onto one")
         heights, found_mask = _without_missing(thing.heights(), mask, missing)
+        refuse_one_row(heights, "the topography", pitch)
         silent = thing.physical_sizes is None or (pitch is not None and heights.ndim == 1)
         sides = _pitch_needed(fallback) if silent else _own_pitch(_pitch_of_topography(thing, heights.shape), pitch)
         found = Surface(heights, sides, bool(getattr(thing, "is_periodic", False)), found_mask, getattr(thing, "unit", None))
     else:
         sides = _pitch_needed(fallback)
+        if unit is not None:
+            raise ArgumentError(f"unit is {unit!r}, but an array does not say its own: give Surface(heights, pitch, unit=)")
         heights, found_mask = _without_missing(thing, mask, missing, leading)
-        found = Surface(heights, sides, False, found_mask, unit)
+        refuse_one_row(heights, "heights", pitch, leading + 1)
+        found = Surface(heights, sides, False, found_mask)
     if found.heights.ndim - leading not in (1, 2):
         raise ShapeError(f"heights have {found.heights.ndim} axes: {leading + 1} or {leading + 2} are needed")
     if periodic is not None:

@@ -4,11 +4,11 @@ from typing import Any, Callable, Optional, Tuple
 
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, refuse_one_row
 from ._errors import ArgumentError
-from ._handle import Progress
+from ._handle import Watch
 from ._history import path_on
-from ._keywords import Constant, load_of, modulus_of, options_of, refuse_one_row
+from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
 from .contact import Contact, control_and_target, gap_and_mask
 from .context import Context, Options
@@ -32,16 +32,12 @@ def system_for(
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     if system is not None:
-        given = {"pitch": pitch, "modulus": modulus, "boundary": boundary, "unit": unit, "hardness": hardness}
-        twice = [name for name, value in given.items() if value is not None]
-        if twice:
-            raise ArgumentError(f"{', '.join(twice)} and system are both given; the system has them")
-        found, mask_array = gap_and_mask(system.shape, heights, undeformed_gap, mask, missing)
+        refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, unit=unit, hardness=hardness)
+        found, mask_array = gap_and_mask(system, heights, undeformed_gap, mask, missing)
         assert found is not None
         return system, found, mask_array
     if modulus is None:
         raise ArgumentError("modulus is missing: the contact modulus E*, or E and nu, or system=")
-    refuse_one_row(heights if undeformed_gap is None else undeformed_gap, "heights or undeformed_gap", pitch)
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
         boundary = boundary or ("periodic" if surface.periodic else None)
@@ -50,10 +46,12 @@ def system_for(
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
     array = as_doubles(undeformed_gap, "undeformed_gap")  # type: ignore[arg-type]
+    refuse_one_row(array, "undeformed_gap", pitch)
     half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
 
+@lists_options
 def solve(
     heights: Any = None,
     *,
@@ -76,32 +74,46 @@ def solve(
     unit: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
-    progress: Optional[Callable[[Progress], object]] = None,
+    progress: Watch = None,
     every: int = 1,
     context: Optional[Context] = None,
     **keywords: Any,
 ) -> Result:
-    """Presses a surface into an elastic half-space.
+    """Presses a surface into an elastic half-space. One of displacement, load and pressure is prescribed.
 
     heights: a `Surface`, a file (see `read`), a topography of SurfaceTopography, or an array [ny, nx]; the highest point
         touches at approach 0 [length]
-    undeformed_gap: the undeformed gap instead of heights [length]
-    displacement: approach of the bodies [length], or load: normal force [force], or pressure: load over the area of the grid
+    displacement: approach of the bodies [length]
+    load: normal force [force]
+    pressure: load over the area of the grid [force/length^2]
+    undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]
+    mask: [ny, nx], 0 where a point carries no pressure; its height may then be anything. None: every point may
+    missing: what is done with masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
+    start: pressures [ny, nx] to begin with [force/length^2]; None: the solver's
+    want_pressure: whether the result holds the pressures [ny, nx]
+    want_gap: whether it holds the deformed gap [ny, nx]; without it sparse contact on a large grid costs no more than the contact
+    check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its status.
+        Status.WITHIN_GOAL never raises
+    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
     pitch: distance of neighbouring points, one number or (hx, hy) with hx along the last axis [length]; a surface brings its
         own
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     E, nu: in the place of modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two
         each
     boundary: "free" or "periodic"; None: as the surface says, free for arrays
-    unit: the lengths of a surface that knows its unit are converted to this one first ("m")
+    unit: the lengths of a surface that knows its unit are converted to this one first ("m"); None: they stay
     hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
-    system: in the place of pitch, modulus, boundary, unit and hardness: a `HalfSpace`, `Matrix` or `Product`
-    options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`
-    keywords: the same by their names, with _ for the dots: tol=1e-6, solver="nnls", fft_precision="single"
-    progress, every, context: as in `Contact`; the others: as in `Contact.solve`
+    options: {"tol": 1e-6, "fft.precision": "single"} and the like; the same as keywords, with _ for dots and hyphens: tol=1e-6,
+        fft_precision="single". None: the defaults, and every core that pays
+    progress: True: a bar of the package tqdm. Or a function, called with a `Progress` at least every `every` iterations on the thread
+        that solves; where it returns True, the step ends with Status.STOP_CANCELLED
+    every: iterations between two calls of progress
+    context: a registry of backends, solvers and kernels of its own; None: the default one
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
@@ -117,6 +129,7 @@ def solve(
         )
 
 
+@lists_options
 def path(
     heights: Any = None,
     *,
@@ -140,7 +153,7 @@ def path(
     unit: Optional[str] = None,
     hardness: Optional[float] = None,
     options: Options = None,
-    progress: Optional[Callable[[Progress], object]] = None,
+    progress: Watch = None,
     every: int = 1,
     context: Optional[Context] = None,
     **keywords: Any,
@@ -157,7 +170,9 @@ def path(
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(path, options, keywords, context)
-    system, undeformed_gap, mask = system_for(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness)
+    system, undeformed_gap, mask = system_for(
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+    )
     load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)

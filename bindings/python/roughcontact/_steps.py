@@ -1,7 +1,7 @@
 """Histories as sequences of steps."""
 
 from dataclasses import dataclass
-from typing import Any, Iterator, Optional
+from typing import Any, Iterator, List, Optional, Union, overload
 
 from ._arrays import Doubles
 
@@ -27,8 +27,14 @@ class Steps:
         found: Any = self
         return len(found.load)
 
-    def __getitem__(self, index: int) -> Step:
+    @overload
+    def __getitem__(self, index: int) -> Step: ...
+    @overload
+    def __getitem__(self, index: slice) -> List[Step]: ...
+    def __getitem__(self, index: Union[int, slice]) -> Union[Step, List[Step]]:
         found: Any = self
+        if isinstance(index, slice):
+            return [self[k] for k in range(len(self))[index]]
         at = range(len(self))[index]
         members = {"target": found.targets[at]}
         for name in Step.__dataclass_fields__:

@@ -6,19 +6,25 @@ A point is in contact where its pressure is positive. periodic joins opposite si
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Dict, Optional, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, given, pointer
+from ._arrays import Doubles, Mask, Pitch, as_doubles, as_int, as_mask, as_pitch, given, pointer, refuse_one_row
 from ._c import members_for
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
 from ._structs import rc_area, rc_histogram, rc_patches, rc_result
 from .system import grid_struct
+
+__all__ = ["area", "patches", "histogram", "conductance", "Area", "Patches", "Histogram", "Conductance"]
+
+
+def __dir__() -> Sequence[str]:
+    return __all__
 
 
 @dataclass(frozen=True)
@@ -83,6 +89,7 @@ def _grid(pressure: ArrayLike, pitch: Pitch, periodic: bool, mask: Optional[Arra
     array = as_doubles(pressure, "pressure")
     if array.ndim not in (1, 2):
         raise ShapeError(f"pressure has {array.ndim} axes: [ny, nx] is needed")
+    refuse_one_row(array, "pressure", pitch)
     return grid_struct(array.shape, as_pitch(pitch), periodic), array, as_mask(mask, "mask", array.shape)
 
 

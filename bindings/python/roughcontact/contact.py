@@ -13,12 +13,14 @@ from ._errors import ArgumentError, ShapeError
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import path_on
+from ._height_map import Surface
 from ._library import contact_library
 from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
 from .result import Level, PathResult, Result, level_from, result_from
+from .system import HalfSpace, System
 
 
 def control_and_target(displacement: Any, load: Any) -> Tuple[int, Any]:
@@ -29,18 +31,27 @@ def control_and_target(displacement: Any, load: Any) -> Tuple[int, Any]:
     return _constants.RC_CONTROL_LOAD, load
 
 
+def refuse_another_pitch(surface: Surface, system: System) -> None:
+    if isinstance(system, HalfSpace) and not np.allclose(surface.pitch, system.pitch, rtol=1e-9, atol=0):
+        raise ArgumentError(
+            f"the surface has the pitch {surface.pitch}, the half-space {system.pitch}; HalfSpace.under(surface, modulus=) makes "
+            "one with the surface's, Surface.in_unit converts lengths"
+        )
+
+
 def gap_and_mask(
-    shape: Tuple[int, ...], heights: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike], missing: str
+    system: System, heights: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike], missing: str
 ) -> Tuple[Optional[Doubles], Optional[Mask]]:
     """What a step presses: from heights, whose highest point touches first, or from a gap; neither: (None, mask)."""
     if heights is not None and undeformed_gap is not None:
         raise ArgumentError("heights and undeformed_gap are both given; give one of them")
     if heights is None:
-        array = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", shape)
-        return array, as_mask(mask, "mask", shape)
-    surface = as_surface(heights, mask=mask, missing=missing, otherwise=1.0)  # the pitch is the system's
-    if surface.shape != shape:
-        raise ShapeError(f"heights have shape {surface.shape}, the grid {shape}")
+        array = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", system.shape)
+        return array, as_mask(mask, "mask", system.shape)
+    surface = as_surface(heights, mask=mask, missing=missing, otherwise=system.pitch)
+    if surface.shape != system.shape:
+        raise ShapeError(f"heights have shape {surface.shape}, the grid {system.shape}")
+    refuse_another_pitch(surface, system)
     return surface.undeformed_gap(), surface.mask
 
 
@@ -49,8 +60,9 @@ class Contact(Handle):
 
     system: `HalfSpace`, `Matrix` or `Product`
     options: see `roughcontact.options()`; those that are fixed cannot be changed later. keywords: as in `solve`
-    progress: called with a `Progress` at least every `every` iterations, on the thread that solves, which is not the main one.
-        True ends the step with Status.STOP_CANCELLED; an exception ends it and is raised by the call
+    progress: True: a bar of the package tqdm, over the iterations of a step or the steps of a path. Or a function, called with a
+        `Progress` at least every `every` iterations, on the thread that solves, which is not the main one; where it returns
+        True, the step ends with Status.STOP_CANCELLED; an exception ends it and is raised by the call
     context: a registry of its own
 
     A context manager; `close` frees what it holds. One thread at a time may use it (`BusyError`), `cancel` may be called by
@@ -90,13 +102,13 @@ class Contact(Handle):
             status. Status.WITHIN_GOAL never raises
         """
         control, target = control_and_target(displacement, load)
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array, p0=first)
         given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
         pressure = np.zeros(self.system.shape) if want_pressure else None
         deformed = np.zeros(self.system.shape) if want_gap else None
-        with self._holding():
+        with self._holding(), self._bar("iterations"):
             if borrow:
                 self._borrowed.append((gap_array, mask_array))
             with self._pressing(gap_array, mask_array):
@@ -123,7 +135,7 @@ class Contact(Handle):
     ) -> Result:
         """Certifies given pressures [force/length^2] for this step; nothing is solved. Arguments as in `solve`."""
         control, target = control_and_target(displacement, load)
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         judged = as_doubles(pressure, "pressure", self.system.shape).copy()
         step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array)
         deformed = np.zeros(self.system.shape) if want_gap else None
@@ -194,7 +206,7 @@ class Contact(Handle):
         check: bool = True,
     ) -> PathResult:
         """Solves a loading history; see `roughcontact.path`. Without either, on the surface of the last step."""
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         control, targets = control_and_target(displacement, load)
         return path_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
 
@@ -275,7 +287,7 @@ class Contact(Handle):
         With options={"resumable": 1} in both contacts the next steps give the same bits as in the other, without it to
         round-off.
         """
-        gap_array, mask_array = gap_and_mask(self.system.shape, heights, undeformed_gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         pressure = as_doubles(last[0], "last[0]", self.system.shape)
         state = given(rc_state(), p=pressure, approach=float(last[1]), load=float(last[2]))
         given(state, undeformed_gap=gap_array, mask=mask_array)

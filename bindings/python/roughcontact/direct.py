@@ -4,12 +4,12 @@ With influence coefficients per force, p are forces.
 """
 
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple
+from typing import Any, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, as_text, columns_and_rows, pointer
+from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, as_text, columns_and_rows, pointer, refuse_one_row
 from ._c import members_for
 from ._calls import interruptible
 from ._constants import RC_OPT_MAX_ITER, RC_OPT_TOL
@@ -19,6 +19,12 @@ from ._status import Status
 from ._structs import rc_direct
 from .context import default
 from .system import row_stride, square
+
+__all__ = ["greedy", "polonsky_keer", "nnls", "gp", "admm", "cmr", "DirectResult"]
+
+
+def __dir__() -> Sequence[str]:
+    return __all__
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,10 +129,15 @@ def cmr(
     z = as_doubles(heights, "heights")
     if z.ndim not in (1, 2):
         raise ShapeError(f"heights have {z.ndim} axes: [ny, nx] is needed")
+    refuse_one_row(z, "heights", pitch)
     (hx, hy), (nx, ny), grids = as_pitch(pitch), columns_and_rows(z.shape), as_int(levels, "levels")
     reach = default("cmr.radius") if radius is None else radius
     p = np.zeros(z.shape)
     name = None if inner is None else as_text(inner, "inner")
     return _call(
-        contact_library().rc_cmr, (nx, ny, hx, hy, modulus, pointer(z), approach, grids, reach, name, pointer(p)), p, None, check
+        contact_library().rc_cmr,
+        (nx, ny, hx, hy, modulus, pointer(z), approach, grids, reach, name, pointer(p)),
+        p,
+        None,
+        check,
     )

@@ -8,13 +8,19 @@ It works below jit, grad and vmap (one after the other). Values pass through Num
 in the type of the undeformed gap: enable jax_enable_x64 to keep all digits.
 """
 
-from typing import Any, Optional, Tuple
+from typing import Any, Optional, Sequence, Tuple
 
 import jax  # type: ignore[import-not-found, unused-ignore]
 import jax.numpy as jnp  # type: ignore[import-not-found, unused-ignore]
 import numpy as np
 
 from . import _press
+
+__all__ = ["Press"]
+
+
+def __dir__() -> Sequence[str]:
+    return __all__
 
 
 class Press(_press.Press):

@@ -9,6 +9,15 @@ A new struct has its size and the values of the header's RC_..._INIT macro. Stru
 a pointer to one. Shapes, units and who keeps what: see the headers.
 """
 
+from typing import List
+
 from ._constants import *  # noqa: F401,F403
 from ._library import contact_library, formats_library, library_file, surface_library  # noqa: F401
 from ._structs import *  # noqa: F401,F403
+
+__all__ = ["contact_library", "surface_library", "formats_library", "library_file"]
+__all__ += [name for name in dir() if name.startswith(("rc_", "RC_"))]
+
+
+def __dir__() -> List[str]:
+    return __all__

@@ -113,11 +113,17 @@ def spectral(
 
 
 def _refuse_wavelengths(spec: rc_surface_spectral_spec, **given: Optional[float]) -> None:
-    """Wave numbers below that of the longest wave on the grid would change nothing; as a rule they are wavelengths."""
+    """Wave numbers below that of the longest wave on the grid, or above q_high, would change nothing; as a rule they are
+    wavelengths."""
     longest = max(spec.nx * spec.hx, spec.ny * spec.hy)
     if not (np.isfinite(longest) and longest > 0):
         return  # the library says what is wrong with the grid
+    highest = spec.q_high or np.pi / max(spec.hx, spec.hy)
     for name, q in given.items():
+        if q is not None and q > highest * (1 + 1e-9):
+            raise ArgumentError(
+                f"{name} = {q:g} is above q_high, {highest:g}, and would change nothing; wave numbers are 2 pi / wavelength"
+            )
         if q is not None and 0 < q < 2 * np.pi / longest * (1 - 1e-9):
             raise ArgumentError(
                 f"{name} = {q:g} is below {2 * np.pi / longest:g}, the wave number of the longest wave on this grid, and would "

@@ -7,12 +7,18 @@
 Values pass through NumPy on the CPU, in double precision.
 """
 
-from typing import Any, Optional, Tuple
+from typing import Any, Optional, Sequence, Tuple
 
 import numpy as np
 import torch  # type: ignore[import-not-found, unused-ignore]
 
 from . import _press
+
+__all__ = ["Press"]
+
+
+def __dir__() -> Sequence[str]:
+    return __all__
 
 
 class Press(_press.Press):

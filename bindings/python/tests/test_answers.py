@@ -54,6 +54,7 @@ def test_a_history_is_a_sequence_of_steps(answers):
     assert len(path) == 3 and [step.load for step in path] == path.load.tolist()
     last = path[-1]
     assert last.target == 1e-4 and last.stiffness == path.stiffness[2] and np.array_equal(last.pressure, path.pressure[2])
+    assert [step.load for step in path[1:]] == path.load[1:].tolist() and path[5:] == []
     with pytest.raises(IndexError):
         path[3]
     assert dataclasses.replace(path, stiffness=None)[0].stiffness is None

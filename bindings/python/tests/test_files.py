@@ -66,7 +66,7 @@ def test_what_is_refused(tmp_path, map_file):
     refused(FileNotFoundError, "absent", rc.read, tmp_path / "absent.txt")
     refused(IsADirectoryError, "directory", rc.read, tmp_path)
     refused(rc.ArgumentError, "V", rc.read, map_file, unit="V")
-    refused(rc.ArgumentError, "pfu", rc.read, map_file, format="pfu")
+    refused(rc.ArgumentError, 'did you mean "x3p"', rc.read, map_file, format="x3")
     (tmp_path / "cut.txt").write_text("1 2\n3\n")
     refused(rc.ArgumentError, "cut.txt: row 2 has 1 values", rc.read, tmp_path / "cut.txt")
 
@@ -117,22 +117,41 @@ def test_other_formats_are_left_to_surface_topography(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
     refused(rc.ArgumentError, "unknown format.*SurfaceTopography, which is not installed", rc.read, path)
 
-    class Topography:
-        unit, physical_sizes, is_periodic = "um", (4.0, 9.0), True
+    class Reader:
+        unit, physical_sizes, nb_grid_pts, is_periodic = "um", (4.0, 9.0), (2, 3), True
+        default_channel = property(lambda self: self)
+
+        def format(self):
+            return "opd"
+
+        def topography(self, **missing):
+            assert missing == ({} if self.physical_sizes else {"physical_sizes": (2.0, 3.0)})
+            return self
 
         def heights(self):
             return np.ma.array(np.arange(6.0).reshape(2, 3), mask=[[1, 0, 0], [0, 0, 0]])
 
-    other = types.SimpleNamespace(read_topography=lambda file: Topography())
+    asked = []
+    other = types.SimpleNamespace(open_topography=lambda file, format: asked.append((file, format)) or Reader())
     monkeypatch.setitem(sys.modules, "SurfaceTopography", other)
     surface = rc.read(path)
     assert np.isnan(surface.heights[0, 0]) and surface.heights[2, 1] == pytest.approx(5e-6)
-    assert surface.pitch == pytest.approx((2e-6, 3e-6)) and surface.periodic and "SurfaceTopography" in surface.assumed
+    assert surface.pitch == pytest.approx((2e-6, 3e-6)) and surface.periodic
+    assert surface.assumed == "read by the package SurfaceTopography, as opd"
     assert rc.read(path, pitch=1, unit="nm").pitch == pytest.approx((1e-9, 1e-9))
+    assert rc.read(b"something").pitch == surface.pitch and asked[-1][0].read() == b"something"
+    assert rc.read(path, format="opd").shape == (3, 2) and asked[-1] == (str(path), "opd")
+    monkeypatch.setattr(Reader, "physical_sizes", None)
+    monkeypatch.setattr(Reader, "unit", None)
+    refused(rc.ArgumentError, "does not say its pitch", rc.read, path)
+    assert rc.solve(path, pitch=2e-6, modulus=1e9, missing="fill", displacement=1.0).grid.pitch == (2e-6, 2e-6)
+    assert rc.read(path, pitch=1, unit="nm").assumed.endswith("lengths without a unit are in nm")
+    monkeypatch.setattr(Reader, "nb_grid_pts", (2,))
+    refused(rc.ArgumentError, "it holds a profile", rc.read, path, pitch=1)
 
-    def fails(file):
+    def fails(file, format):
         raise RuntimeError("no reader")
 
-    other.read_topography = fails
+    other.open_topography = fails
     refused(rc.ArgumentError, "nor does SurfaceTopography: RuntimeError: no reader", rc.read, path)
     refused(rc.ArgumentError, "a.opd", rc.read, path, format="sur")

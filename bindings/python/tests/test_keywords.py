@@ -1,5 +1,8 @@
 """Options, elastic constants and mean pressures as keywords; what is misspelt, contradicts or would be ignored is refused."""
 
+import re
+import types
+
 import numpy as np
 import pytest
 
@@ -15,6 +18,7 @@ def test_options_are_keywords(rough):
     assert (found.solver, found.backend, found.kernel, found.tolerance) == ("polonsky-keer", "dense", "galerkin", 1e-10)
     same = rc.solve(rough, **free, options={"tol": 1e-10}, solver="polonsky-keer", backend="dense", kernel="galerkin")
     assert np.array_equal(found.pressure, same.pressure)
+    assert rc.solve(rough, **PRESS, haar_cg_nested=0, fft_precision="mixed").certified
     assert rc.solve(rough, **PRESS, tol=None).tolerance == rc.solve(rough, **PRESS).tolerance
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), tol=1e-10, nnls_pivoting="single") as contact:
         assert contact.solve(rough, load=1e-4).tolerance == 1e-10
@@ -30,6 +34,8 @@ def test_options_are_keywords(rough):
         ("sovler", "solver"),
         ("dispacement", "displacement"),
         ("max_iters", "max_iter"),
+        ("force", "load"),
+        ("approach", "displacement"),
     ],
 )
 def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
@@ -39,6 +45,14 @@ def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
         rc.solve,
         rough,
         **{wrong: 1},
+    )
+
+
+@pytest.mark.parametrize("wrong", [{"load": "1mN"}, {"modulus": "3GPa"}, {"pressure": "10MPa", "load": None}])
+def test_numbers_with_units_are_the_commands(rough, wrong):
+    name = next(iter(wrong))
+    refused(
+        rc.ArgumentError, f"{name} = '{wrong[name]}' is a text; a number is expected", rc.solve, rough, **{**PRESS, **wrong}
     )
 
 
@@ -85,6 +99,54 @@ def test_one_row_has_to_be_said():
     refused(rc.ArgumentError, "one axis", rc.solve, list(row), pitch=1.0, modulus=1.0, load=0.1)
 
 
+ROW = -np.linspace(-1, 1, 32) ** 2
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda pitch: rc.path(ROW, pitch=pitch, modulus=1.0, load=[0.1]),
+        lambda pitch: rc.batch(undeformed_gap=-ROW, pitch=pitch, modulus=1.0, load=0.1),
+        lambda pitch: rc.HalfSpace.under(ROW, pitch=pitch, modulus=1.0),
+        lambda pitch: rc.surface.analyze(ROW, pitch=pitch),
+        lambda pitch: rc.surface.psd(ROW, pitch=pitch),
+        lambda pitch: rc.surface.power_law(ROW, pitch=pitch),
+        lambda pitch: rc.surface.cmr_advice(ROW, 1, pitch=pitch),
+        lambda pitch: rc.surface.downsample(ROW, "max", pitch=pitch),
+        lambda pitch: rc.analysis.area(-ROW, pitch=pitch),
+        lambda pitch: rc.analysis.patches(-ROW, pitch=pitch),
+        lambda pitch: rc.analysis.histogram(-ROW, 4, pitch=pitch),
+        lambda pitch: rc.direct.cmr(ROW, pitch=pitch, modulus=1.0, approach=0.1, levels=1),
+    ],
+)
+def test_everywhere(call):
+    refused(rc.ArgumentError, "one axis: give pitch=\\(hx, hy\\)", call, 1.0)
+    call((1.0, 1.0))
+
+
+def test_a_surface_is_pressed_with_its_own_pitch(rough):
+    """Neither a pitch that is given nor that of a half-space replaces it."""
+    for call in (rc.solve, rc.path):
+        refused(rc.ArgumentError, "surface has its own", call, rough, **PRESS, pitch=2e-6)
+    refused(rc.ArgumentError, "surface has its own", rc.batch, [rough], **PRESS, pitch=2e-6)
+    for judge in (rc.surface.analyze, rc.surface.psd, rc.plot.heights):
+        refused(rc.ArgumentError, "surface has its own", judge, rough, pitch=2e-6)
+    other = rc.HalfSpace(rough.shape, pitch=2e-6, modulus=1e9)
+    for call, pressed in ((rc.solve, rough), (rc.batch, [rough]), (rc.batch, rough)):
+        refused(rc.ArgumentError, "surface has the pitch", call, pressed, system=other, load=1e-4)
+    with rc.Contact(other) as contact:
+        refused(rc.ArgumentError, "surface has the pitch", contact.solve, rough, load=1e-4)
+        contact.solve(rough.heights, load=1e-4)
+
+
+def test_nothing_beside_a_system_is_ignored(rough):
+    half_space = rc.HalfSpace.under(rough, modulus=1e9)
+    for beside in ({"modulus": 2e9}, {"pitch": 1e-6}, {"boundary": "free"}, {"hardness": 1e9}, {"E": 1e9, "nu": 0.3}):
+        for call in (rc.solve, rc.path, rc.batch):
+            refused(rc.ArgumentError, "system are both given", call, rough, system=half_space, load=1e-4, **beside)
+    refused(rc.ArgumentError, "does not say its own", rc.solve, rough.heights, pitch=1, unit="um", **PRESS)
+
+
 def test_wavelengths_are_no_wave_numbers():
     how = {"pitch": 1e-6, "rms_height": 1e-7}
     refused(
@@ -97,10 +159,46 @@ def test_wavelengths_are_no_wave_numbers():
     )
     refused(rc.ArgumentError, "q_low", rc.surface.spectral, (64, 64), q_low=20e-6, **how)
     rc.surface.spectral((64, 64), q_rolloff=2 * np.pi / 64e-6, **how)
+    refused(rc.ArgumentError, "q_rolloff = 20 is above q_high, 3.14", rc.surface.spectral, (64, 64), pitch=1.0, q_rolloff=20.0)
+    refused(
+        rc.ArgumentError,
+        "q_rolloff = 2 is above q_high, 1",
+        rc.surface.spectral,
+        (64, 64),
+        pitch=1.0,
+        q_rolloff=2.0,
+        q_high=1.0,
+    )
 
 
 def test_modules_show_what_they_are_for():
-    assert "pressure" in dir(rc.plot) and "np" not in dir(rc.plot) and "as_surface" not in dir(rc.plot)
-    assert "spectral" in dir(rc.surface) and "ctypes" not in dir(rc.surface) and "pointer" not in dir(rc.surface)
-    for module in (rc.plot, rc.surface):
-        assert all(hasattr(module, name) for name in module.__all__)
+    assert "np" not in dir(rc.plot) and "spectral" in dir(rc.surface) and "ctypes" not in dir(rc.surface)
+    assert set(dir(rc)) == {*rc.__all__, "__version__"} and not any(name.startswith("_") for name in rc.__all__)
+    for module in (rc.plot, rc.surface, rc.analysis, rc.direct, rc.raw):
+        assert sorted(module.__all__) == dir(module) and all(hasattr(module, name) for name in module.__all__)
+    for module in (rc, rc.plot, rc.surface, rc.analysis, rc.direct):
+        for name in module.__all__:
+            thing = getattr(module, name)  # what is shown is of this package
+            home = thing.__name__ if isinstance(thing, types.ModuleType) else type(thing).__module__
+            assert "roughcontact" in (thing.__module__ if isinstance(thing, (type, types.FunctionType)) else home), name
+    namespace = {}
+    exec("from roughcontact import *", namespace)
+    assert set(namespace) - {"__builtins__"} == set(rc.__all__)
+    names = {name for name in dir(rc.raw) if not name.startswith(("rc_", "RC_"))}
+    assert names == {"contact_library", "surface_library", "formats_library", "library_file"}
+
+
+def test_help_names_every_keyword_with_its_default():
+    import inspect
+
+    text = inspect.getdoc(rc.solve)
+    for name in inspect.signature(rc.solve).parameters:
+        assert name == "keywords" or re.search(rf"^(E, )?{name}(, nu)?: ", text, re.M), name
+    for name in ("load", "displacement", "pressure", "hardness", "pitch"):
+        assert re.search(rf"^{name}: [^\n]*(\n +[^\n]*)?\[(force|length)", text, re.M), f"{name} has no unit"
+    known = [spec for spec in rc.options(rc.Context(environment=False)) if spec.key not in ("threads",)]
+    for function in (rc.solve, rc.path, rc.batch):
+        lines = dict(re.findall(r"^ +(\w+)=(\S*?)(?: \([^)]*\))?: ", inspect.getdoc(function), re.M))
+        for spec in known:
+            said = lines[re.sub("[.-]", "_", spec.key)]
+            assert (said.strip("'") if spec.kind is str else spec.kind(float(said))) == spec.default, spec

@@ -46,3 +46,29 @@ def test_axes_are_made_where_none_are_given(rough):
     ax = rc.plot.heights(rough.heights, pitch=1.0)
     assert len(ax.images) == 1
     pyplot.close(ax.figure)
+
+
+@pytest.mark.parametrize("shape", [(48, 64), (16, 128)])
+def test_rows_go_down_and_specks_are_seen(shape):
+    """As in the command's pictures (tests/tools/test_pictures.py): the first row on top, the contact brighter than its ground."""
+    from matplotlib import pyplot
+
+    surface = rc.surface.spectral(shape, pitch=1e-6, rms_height=1e-7, seed=3)
+    result = rc.solve(surface, modulus=1e9, load=2e-5)
+    touching = result.pressure > 0
+    assert 0 < touching.mean() < 0.05 and not np.array_equal(touching, touching[::-1])
+    figure, ax = pyplot.subplots(figsize=(9, 7))
+    for draw in (rc.plot.pressure, rc.plot.patches):
+        ax.clear()
+        draw(result, ax=ax)
+        ax.set_axis_on()
+        figure.canvas.draw()
+        pixels = np.asarray(figure.canvas.buffer_rgba())[..., :3].astype(float)
+        box = ax.get_window_extent()
+        left, top = box.x0, pixels.shape[0] - box.y1
+        rows = (top + (np.arange(shape[0]) + 0.5) / shape[0] * box.height).astype(int)
+        columns = (left + (np.arange(shape[1]) + 0.5) / shape[1] * box.width).astype(int)
+        cells = pixels[np.ix_(rows, columns)]
+        far = np.abs(cells - np.array(matplotlib.colors.to_rgb(rc.plot.DARK)) * 255).sum(2)
+        assert np.array_equal(far > 60, touching)
+    pyplot.close(figure)

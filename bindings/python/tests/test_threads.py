@@ -1,5 +1,6 @@
 """Several Python threads: contacts of their own run side by side, one contact refuses a second user."""
 
+import os
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -9,6 +10,7 @@ import pytest
 from conftest import refused
 
 import roughcontact as rc
+from roughcontact._threads import with_threads
 
 LONG = {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}
 
@@ -73,3 +75,46 @@ def test_a_second_thread_is_told(small_matrix):
         leave.set()
         worker.join()
         assert answer[0].status == rc.Status.STOP_CANCELLED
+
+
+def cores(monkeypatch, number, **variables):
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(number)))
+    for name in ("OMP_THREAD_LIMIT", "OMP_NUM_THREADS"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+
+
+def test_every_core_is_used_where_it_pays(monkeypatch):
+    large = rc.HalfSpace((256, 256), pitch=1, modulus=1)
+    cores(monkeypatch, 3)
+    for given, expected in (({}, 3), ({"threads": 2}, 2), ({"options": {"threads": 1}}, 1)):
+        with rc.Contact(large, **given) as contact:
+            assert contact._options["threads"] == expected
+    assert with_threads(None, rc.HalfSpace((128, 128), pitch=1, modulus=1)) == {"threads": 1}  # too small
+    assert with_threads({"tol": 1}, rc.HalfSpace((512, 512), pitch=1, modulus=1)) == {"threads": 3, "tol": 1}
+    assert with_threads(None, rc.Product(lambda p: p, (512, 512), pitch=1)) == {"threads": 1}
+    assert with_threads(None, rc.Matrix(np.eye(1024), pitch=1)) == {"threads": 3}
+    assert with_threads(None, rc.HalfSpace((8, 8), pitch=1, modulus=1), 2) == {"threads": 2}
+    cores(monkeypatch, 3, OMP_NUM_THREADS="2")
+    assert with_threads(None, large) == {"threads": 2}
+    cores(monkeypatch, 3, OMP_NUM_THREADS="2", OMP_THREAD_LIMIT="1")
+    assert with_threads(None, large) == {"threads": 1}
+
+
+def test_the_number_of_cores_does_not_change_the_bits(monkeypatch):
+    surface = rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, seed=1)
+    found = []
+    for number in (1, 2, 5):
+        cores(monkeypatch, number)
+        found.append((rc.solve(surface, modulus=1e9, load=1e-3), rc.batch([surface] * 3, modulus=1e9, load=1e-3).load))
+    for one, many in found[1:]:
+        assert np.array_equal(one.pressure, found[0][0].pressure) and np.array_equal(many, found[0][1])
+
+
+def test_a_contact_keeps_its_threads_when_options_change(monkeypatch):
+    cores(monkeypatch, 2)
+    with rc.Contact(rc.HalfSpace((128, 128), pitch=1.0, modulus=1.0)) as contact:
+        contact.set_options({"tol": 1e-7})
+        cores(monkeypatch, 4)
+        contact.set_options({"tol": 1e-8})

@@ -164,6 +164,7 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   result.p = to_p;
   result.gap = to_gap;
   if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = nan;
+  result.stiffness_lower = result.stiffness_upper = nan;
   Bounds{}.write(result);
   result.points = given.system.points();
   result.contacts = p.on.n;

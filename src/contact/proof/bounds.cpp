@@ -327,8 +327,6 @@ void Bounds::write(rc_result& result) const {
   result.proven_contacts = proven_contacts;
   result.proven_open = proven_open;
   result.undecided = undecided;
-  result.stiffness_lower = stiffness_lower;
-  result.stiffness_upper = stiffness_upper;
   result.proven_capped = proven_capped;
 }
 

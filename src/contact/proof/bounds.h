@@ -16,7 +16,6 @@ struct Bounds {
   double duality_gap = std::numeric_limits<double>::quiet_NaN();        // [force length]
   double load_lower = duality_gap, load_upper = duality_gap;            // [force]
   double area_lower = duality_gap, area_upper = duality_gap;            // [length^2]
-  double stiffness_lower = duality_gap, stiffness_upper = duality_gap;  // [force/length]
   std::int64_t proven_contacts = -1, proven_open = -1, undecided = -1, proven_capped = -1;
 
   void write(rc_result& result) const;
@@ -28,7 +27,7 @@ struct ProvenSets {
   std::vector<std::int64_t> possible;  // proven neither to be open nor to carry the hardness
 };
 
-// The stiffness interval is left NaN: it takes solves. compression: the approach less the lowest gap. p must be 0 on excluded
+// compression: the approach less the lowest gap. p must be 0 on excluded
 // points. If the answer does not list all points, H must have no negative entries.
 Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer,
                     ProvenSets* sets = nullptr);

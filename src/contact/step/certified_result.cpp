@@ -136,8 +136,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
     ProvenSets sets;
     const bool asked = work.options.integer(RC_OPT_STIFFNESS) == 2;
     bounds = prove_bounds(system, *spectrum, surface, compression, answer, asked ? &sets : nullptr);
-    work.record.proven.reset();
-    if (asked && bounds.undecided >= 0) work.record.proven = std::move(sets);
+    work.record.proven = asked && bounds.undecided >= 0 ? std::optional(std::move(sets)) : std::nullopt;
   }
   Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression), system.hardness);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/conjugate_gradients.h"
@@ -20,10 +21,14 @@ constexpr double single_error = 2e-6;  // of a product in single precision, rela
 constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
 constexpr double rounding = 1e-12;     // what those in double precision add in all, over |b|, at most
 
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double least_residual = 1e-10;  // where a form is not found as exactly as wanted
+
 constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, from which on the trees have the points alone
-constexpr float sharp = 2;         // differences in the finest blocks, over those of haar-cg: no other level counts them
-constexpr double heavy = 4;        // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
-constexpr double turned = 0.36;    // of the grid's sides, by which the second pair of trees begins elsewhere
+constexpr std::size_t small_grid = 1 << 13;  // cells; trees over all of them take no longer to set up and apply
+constexpr float sharp = 2;       // differences in the finest blocks, over those of haar-cg: no other level counts them
+constexpr double heavy = 4;      // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
+constexpr double turned = 0.36;  // of the grid's sides, by which the second pair of trees begins elsewhere
 
 double dot(std::span<const double> a, std::span<const double> b) {
   return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
@@ -64,7 +69,7 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
   }
   Cells cells{width, height, {}, {}};
   const auto all = static_cast<std::size_t>(width * height);
-  std::vector<std::uint8_t> active(all < sparse * place.size() ? all : 0);
+  std::vector<std::uint8_t> active(all < sparse * place.size() || all <= small_grid ? all : 0);
   if (active.empty()) {
     std::vector<std::size_t> sorted = place;
     std::sort(sorted.begin(), sorted.end());
@@ -113,6 +118,72 @@ rc_status ContactSetSolve::operator()(std::span<const double> b, double tol, std
   for (std::size_t k = 0; k < bounds.size(); ++k)
     if (const rc_status status = solve(b.subspan(k * n, n), tol, x.subspan(k * n, n), bounds[k]); status != RC_OK) return status;
   return RC_OK;
+}
+
+// The multiple of x nearest to A^-1 b in the norm of the energy, and its residual.
+rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<double> x, std::span<double> r) {
+  std::copy(b.begin(), b.end(), r.begin());
+  double largest = 0;
+  for (const double value : x) largest = std::max(largest, std::abs(value));
+  if (!std::isnormal(largest)) {
+    std::fill(x.begin(), x.end(), 0.0);
+    return RC_OK;
+  }
+  for (double& value : x) value /= largest;
+  std::vector<double> product(x.size());
+  const rc_status status = (op_.capabilities() & RC_CAP_FLOAT) != 0 ? multiply<float>(x, product) : multiply<double>(x, product);
+  if (status != RC_OK) return status;
+  const double along = dot(b, x), curvature = dot(x, product), length = along > 0 && curvature > 0 ? along / curvature : 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] *= length;
+    r[i] -= length * product[i];
+  }
+  return RC_OK;
+}
+
+// Products in single precision bring x near, one in double precision tells how near. What single precision adds to the residual
+// is found by that; the iteration then goes on from the true residual.
+rc_status ContactSetSolve::form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
+  const double size = std::sqrt(dot(b, b));
+  std::vector<double> r(b.size()), z(b.size());
+  bound = {};
+  if (const rc_status status = rough_start(b, x, r); status != RC_OK || size == 0) return status;
+  const bool single = (op_.capabilities() & RC_CAP_FLOAT) != 0;
+  const auto tell = [&](double residual) {
+    bound.residual = residual + rounding * size;
+    bound.form = dot(b, x) + dot(r, x);
+    bound.error = bound.residual * bound.residual / lowest_ + rounding * size * std::sqrt(dot(x, x));
+    return bound.error <= tol * bound.form;
+  };
+  for (double before = unbounded;;) {
+    double last = 0, drifted = 0;
+    Stall stalls(smaller, patience);
+    const auto enough = [&](int, double rr) {
+      const double now = std::sqrt(rr);
+      if (single) drifted += single_error * (last + now);
+      last = now;
+      return tell(size * now) || now < 2 * drifted || stalls(now);
+    };
+    const auto turn = [&](int step, double, const std::vector<double>& q, std::vector<double>& t) {
+      precondition(r, size, z);
+      const double beta = step > 0 ? -dot(z, q) / dot(t, q) : 0;
+      for (std::size_t i = 0; i < t.size(); ++i) t[i] = z[i] + beta * t[i];
+      return dot(r, t) / size;
+    };
+    const auto multiply_by = [&](const std::vector<double>& t, std::vector<double>& q) {
+      return single ? multiply<float>(t, q) : multiply<double>(t, q);
+    };
+    const ConjugateGradientsEnd end = conjugate_gradients(x, r, size, sum_of, multiply_by, enough, turn);
+    if (end.status != 0) return end.status;
+    if (!end.definite()) break;
+    if (const rc_status status = multiply<double>(x, z); status != RC_OK) return status;
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - z[i];
+    const double now = std::sqrt(dot(r, r)) / size;
+    if (tell(size * now)) return RC_OK;
+    if (!(now < 0.3 * before)) break;
+    before = now;
+  }
+  return solve(b, least_residual, x, bound);
 }
 
 rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {

@@ -40,6 +40,8 @@ class ContactSetSolve {
   // where none is known; answers out. RC_STOP_STALLED where round-off may keep a residual larger, or a status with which a
   // product ended. Throws where H is not positive definite (NUMERIC).
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, std::span<ContactSetBound> bounds);
+  // Until bound.error <= tol bound.form: the form is exact to twice the digits of x. x: a multiple of it is the start.
+  rc_status form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
 
  private:
   // Two trees over every cell of the grid, or over the points of the set alone.
@@ -56,6 +58,7 @@ class ContactSetSolve {
 
   Trees trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const;
   rc_status solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
+  rc_status rough_start(std::span<const double> b, std::span<double> x, std::span<double> r);
   template <class Real> rc_status multiply(std::span<const double> t, std::span<double> q);
   void precondition(std::span<const double> r, double unit, std::span<double> z);
 

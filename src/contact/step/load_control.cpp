@@ -132,6 +132,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr);
+    if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
     const double wanted = load / answer.pressure_unit;
     const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());
     if (direct) {

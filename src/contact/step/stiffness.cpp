@@ -11,7 +11,7 @@ namespace rc {
 
 namespace {
 
-constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the solves, which follow the tolerance: the error is quadratic in them
+constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the solves, which follow the tolerance
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // The pressures x of a flat punch of the shape of a set of points, and its stiffness 1'x; dimensionless.
@@ -30,13 +30,17 @@ struct FlatPunch {
   }
 };
 
-FlatPunch pressed(Workspace& work, Operator& op, std::span<const std::int64_t> set, std::vector<double> start, bool proven) {
+enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
+
+FlatPunch pressed(Workspace& work, Operator& op, std::span<const std::int64_t> set, std::vector<double> start, Wanted wanted) {
   SubsetSolve solve(work, op, set);
   FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
   const std::vector<double> ones(set.size(), 1.0);
   punch.rate.resize(set.size());
-  punch.status = solve(ones, std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol), punch.rate, punch.bound);
-  if (proven && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
+  const double tol = std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol);
+  punch.status =
+      wanted == Wanted::form ? solve.form(ones, tol, punch.rate, punch.bound) : solve(ones, tol, punch.rate, punch.bound);
+  if (wanted == Wanted::proof && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
   if (solve.iterates())
     work.options.context->log(RC_LOG_INFO,
                               join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(ones.size()))));
@@ -64,7 +68,7 @@ FlatPunch pressed_at(Workspace& work, Operator& op, const std::vector<std::int64
     op.bind(trial);
     positions = positions_in(trial, points);
   }
-  return pressed(work, op, *positions, std::move(start), true);
+  return pressed(work, op, *positions, std::move(start), Wanted::proof);
 }
 
 }  // namespace
@@ -82,10 +86,17 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
     result.value = unbounded;
     return result;
   }
-  FlatPunch punch = pressed(work, *answer.op, contact, {}, false);
+  // Between points in contact at both approaches the pressures have grown as a flat punch's do.
+  const bool interval = work.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
+  std::vector<double> grown;
+  for (const std::int64_t position : contact) {
+    const auto i = static_cast<std::size_t>(position);
+    if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.pressure_unit - answer.before[i]);
+  }
+  FlatPunch punch = pressed(work, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
   result.value =
       punch.status == RC_OK ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
-  if (punch.status != RC_OK || work.options.integer(RC_OPT_STIFFNESS) < 2) return result;
+  if (punch.status != RC_OK || !interval) return result;
   for (std::int64_t& position : contact) position = answer.op->trial().point(position);
   result.points = std::move(contact);
   result.rate = std::move(punch.rate);

@@ -57,6 +57,16 @@ rc_status SubsetSolve::operator()(std::span<const double> b, double tol, std::sp
   return status;
 }
 
+rc_status SubsetSolve::form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
+  if (!preconditioned_) {
+    std::fill(x.begin(), x.end(), 0.0);
+    return (*this)(b, tol, x, bound);
+  }
+  const rc_status status = preconditioned_->form(b, tol, x, bound);
+  raise_if_failed(status, "the solve on the contact set");
+  return status;
+}
+
 rc_status SubsetSolve::prove(std::span<const double> b, std::span<const double> x, ContactSetBound& bound) {
   if (preconditioned_ || !(lowest_ > 0)) return RC_OK;
   std::vector<double> spread(static_cast<std::size_t>(op_.trial().n)), product(spread.size());

@@ -34,7 +34,7 @@ template <Machine M> class HaarIteration {
   static constexpr int first_interval = 2, longest_interval = 16;
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
   // The same where points are at the cap; added after a bound at which the violation rose, taken off after any other.
-  static constexpr double capped_admission = 0.3, capped_rise = 0.3, capped_relief = 0.1;
+  static constexpr double capped_admission = 0.3, capped_rise = 0.3, capped_relief = 0.2;
   static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
   static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
 
@@ -284,9 +284,12 @@ template <Machine M> class HaarIteration {
     violation_ = violation;
   }
 
+  // Worse than no pressure at all: on a periodic surface steps raise the load without end.
+  bool runs_away() const { return now_.merit > 0 && task_.periodic_mean > 0 && !follows() && !mean_tried_; }
+
   // After a bound: whether the merit rose, or the residual has not halved for `patience` bounds.
   bool in_trouble() {
-    bool trouble = !follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit);
+    bool trouble = runs_away() || (!follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit));
     merit_before_ = now_.merit;
     ++since_best_;
     ++stalled_;
@@ -305,6 +308,7 @@ template <Machine M> class HaarIteration {
   void safeguard() {
     ++rises_;
     if (rises_ > tolerated_rises && mean_ > 0 && !task_.by_load) return drop_mean();
+    if (runs_away()) return add_mean();
     if (rises_ <= 1) return;
     if (task_.periodic_mean > 0 && !follows() && !mean_tried_) return add_mean();
     interval_ = std::min(longest_interval, 2 * interval_);

@@ -1,0 +1,52 @@
+"""python -m roughcontact report: arguments in, exit status out."""
+
+import pathlib
+import sys
+from typing import Sequence
+
+from .._errors import ArgumentError, Interrupted, RoughContactError
+from .content import collect
+from .page import missing_packages, page, write_whole
+from .request import read_request
+from .wording import conclusion
+
+CERTIFIED, UNCERTIFIED, WRONG, INTERRUPTED = 0, 1, 2, 130
+USAGE = "usage: python -m roughcontact report FILE [options]; see python -m roughcontact report --help"
+
+
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def report(arguments: Sequence[str]) -> int:
+    request = read_request(arguments)
+    absent = missing_packages()
+    if absent:
+        raise ArgumentError(
+            f"{' and '.join(absent)} not installed, which a page is made with: pip install 'roughcontact[report]'"
+        )
+    out = pathlib.Path(request.out)
+    if not out.parent.is_dir():
+        raise ArgumentError(f"--out: the folder {str(out.parent)!r} does not exist")
+    if out.is_dir():
+        raise ArgumentError(f"--out: {request.out!r} is a folder, name the page")
+    content = collect(request)
+    write_whole(out, page(content))
+    print(f"{request.out}: {conclusion(content)}")
+    return CERTIFIED if content.certified else UNCERTIFIED
+
+
+def main(arguments: Sequence[str]) -> int:
+    try:
+        if not arguments or arguments[0] in ("-h", "--help"):
+            print(USAGE)
+            return CERTIFIED if arguments else WRONG
+        if arguments[0] != "report":
+            raise ArgumentError(f"{arguments[0]!r} is no command; {USAGE}")
+        return report(arguments[1:])
+    except (RoughContactError, OSError) as error:
+        print(f"roughcontact report: {_one_line(error)}", file=sys.stderr)
+        return WRONG
+    except (Interrupted, KeyboardInterrupt):
+        print("roughcontact report: interrupted, no page is written", file=sys.stderr)
+        return INTERRUPTED

@@ -1,0 +1,203 @@
+"""What a report tells: the surface is read and pressed, and all that the page shows is gathered. Lengths in m, forces in N."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from .. import surface as surfaces
+from .._arrays import Doubles
+from .._errors import ArgumentError, LibraryNotFoundError
+from .._files import read
+from .._height_map import Surface
+from .._maps import as_surface
+from .._status import Status
+from ..analysis import Histogram, Patches
+from ..contact import Contact
+from ..context import version
+from ..result import Result
+from ..surface import PowerLaw, Spectrum, Statistics
+from ..system import HalfSpace
+from .blocks import largest, means, side_of_blocks
+from .request import Request
+
+MOST_CELLS = 150000  # of a map on the page
+BINS = 60
+
+
+@dataclass(frozen=True)
+class Step:
+    """result: without its arrays; fraction, corrected: of the nominal area, the latter less what partly touching cells add"""
+
+    result: Result
+    fraction: float
+    corrected: float
+    mean_gap: float
+    max_pressure: float
+    patches: int
+    largest_patch: float
+
+
+@dataclass(frozen=True, eq=False)
+class Maps:
+    """Of the surface as pressed, and of the last step: block by block of side x side points, heights, gaps and shares of contact
+    their means, pressures the largest."""
+
+    side: int
+    pitch: Tuple[float, float]
+    heights: Doubles
+    pressure: Doubles
+    gap: Doubles
+    contact: Doubles
+
+
+@dataclass(frozen=True, eq=False)
+class Content:
+    """surface: as pressed; missing: points that the file does not have
+    statistics, spectrum, law: None where the library for them is absent or points are missing
+    persson: rms slope of Persson's line; None where it is not known
+    bearing: (share of the area that is higher, height)
+    """
+
+    request: Request
+    surface: Surface
+    assumed: str
+    missing: int
+    statistics: Optional[Statistics]
+    spectrum: Optional[Spectrum]
+    law: Optional[PowerLaw]
+    bearing: Tuple[Doubles, Doubles]
+    steps: List[Step]
+    maps: Maps
+    histogram: Optional[Histogram]
+    patches: Patches
+    version: str
+
+    @property
+    def persson(self) -> Optional[float]:
+        return self.statistics.rms_slope if self.statistics else None
+
+    @property
+    def nominal_area(self) -> float:
+        return float(np.prod(self.surface.shape) * self.surface.pitch[0] * self.surface.pitch[1])
+
+    @property
+    def certified(self) -> bool:
+        return all(step.result.status in (Status.OK, Status.WITHIN_GOAL) for step in self.steps)
+
+    def persson_area(self, load: float) -> float:
+        """Persson's share of the area in contact, erf(sqrt(2) p/(E* h')), h' the rms slope (J. Chem. Phys. 115 (2001) 3840)."""
+        assert self.persson
+        return math.erf(math.sqrt(2) * load / (self.nominal_area * self.request.modulus * self.persson))
+
+
+def _prepared(request: Request) -> Tuple[Surface, int, str]:
+    """(the surface as it is pressed, how many points are missing in the file, what the file leaves open)"""
+    found = read(request.file, pitch=request.pitch, unit=request.unit, format=request.format)
+    missing = int(found.missing.sum())
+    if missing == found.heights.size:
+        raise ArgumentError(f"{request.file}: all points are missing")
+    assumed = found.assumed
+    if request.remove != "none":
+        found = found.without(request.remove)
+    if missing and request.missing == "reject":
+        raise ArgumentError(
+            f"{request.file}: {missing} of {found.heights.size} points are missing; give --missing fill to interpolate them or "
+            "--missing exclude to keep them out of contact"
+        )
+    return as_surface(found, missing=request.missing), missing, assumed
+
+
+def _judged(surface: Surface, periodic: bool) -> Tuple[Optional[Statistics], Optional[Spectrum], Optional[PowerLaw]]:
+    if surface.mask is not None or np.ptp(surface.heights) == 0:
+        return None, None, None
+    try:
+        statistics = surfaces.analyze(surface, periodic=periodic)
+    except LibraryNotFoundError:
+        return None, None, None
+    try:
+        return statistics, surfaces.psd(surface, periodic=periodic), surfaces.power_law(surface, periodic=periodic)
+    except ArgumentError:  # too few points
+        return statistics, None, None
+
+
+def _closed(result: Result) -> Doubles:
+    """The gap; where the bodies yield, the overlap is closed."""
+    assert result.gap is not None
+    closed: Doubles = np.maximum(result.gap, 0) if result.capped > 0 else result.gap
+    return closed
+
+
+def _step(result: Result, patches: Patches) -> Step:
+    assert result.pressure is not None
+    grid = result.grid
+    cells = result.points * grid.pitch[0] * grid.pitch[1]
+    return Step(
+        result=replace(result, pressure=None, gap=None),
+        fraction=result.contacts / result.points,
+        corrected=result.area().corrected_area / cells,
+        mean_gap=float(np.nanmean(_closed(result))),
+        max_pressure=float(result.pressure.max()),
+        patches=len(patches),
+        largest_patch=float(patches.area.max(initial=0)),
+    )
+
+
+def _maps(surface: Surface, result: Result) -> Maps:
+    assert result.pressure is not None
+    side = side_of_blocks(surface.shape, MOST_CELLS)
+    heights = np.where(surface.missing, np.nan, surface.heights)
+    return Maps(
+        side=side,
+        pitch=(surface.pitch[0] * side, surface.pitch[1] * side),
+        heights=means(heights - np.nanmean(heights), side),
+        pressure=largest(result.pressure, side),
+        gap=means(_closed(result), side),
+        contact=means((result.pressure > 0).astype(float), side),
+    )
+
+
+def _options(request: Request) -> Dict[str, Any]:
+    named = {"tol": request.tol, "accuracy": request.accuracy, "threads": request.threads}
+    return {"stiffness": 1, **{name: value for name, value in named.items() if value is not None}}
+
+
+def collect(request: Request) -> Content:
+    surface, missing, assumed = _prepared(request)
+    boundary = request.boundary or ("periodic" if surface.periodic else "free")
+    system = HalfSpace(
+        surface.shape, pitch=surface.pitch, modulus=request.modulus, boundary=boundary, hardness=request.hardness
+    )
+    cells = float(np.prod(surface.shape) * surface.pitch[0] * surface.pitch[1])
+    control, scale = ("load", cells) if request.control == "pressure" else (request.control, 1.0)
+    steps: List[Step] = []
+    gap: Optional[Doubles] = surface.undeformed_gap()
+    mask = surface.mask
+    with Contact(system, options=_options(request)) as contact:
+        for target in request.targets:
+            result = contact.solve(
+                undeformed_gap=gap, mask=mask, want_gap=True, check=False, **{control: scale * target}  # type: ignore[arg-type]
+            )
+            gap = mask = None  # as in the step before
+            patches = result.patches()
+            steps.append(_step(result, patches))
+    assert result.pressure is not None
+    heights = np.sort(surface.heights[~surface.missing])[::-1]
+    shares = np.linspace(0, 1, 201)
+    statistics, spectrum, law = _judged(surface, boundary == "periodic")
+    return Content(
+        request=request,
+        surface=replace(surface, periodic=boundary == "periodic"),
+        assumed=assumed,
+        missing=missing,
+        statistics=statistics,
+        spectrum=spectrum,
+        law=law,
+        bearing=(shares, heights[np.round(shares * (len(heights) - 1)).astype(int)] - heights.mean()),
+        steps=steps,
+        maps=_maps(surface, result),
+        histogram=result.histogram(BINS) if result.contacts else None,
+        patches=patches,
+        version=".".join(map(str, version())),
+    )

@@ -1,0 +1,68 @@
+"""The page: figures and words put into the template, in one file."""
+
+import base64
+import gzip
+import importlib.util
+import json
+import os
+import pathlib
+from typing import Any, Dict, Tuple
+
+from . import wording
+from .content import Content
+from .figures import figures_of
+
+NEEDED = ("jinja2", "plotly")
+
+
+def missing_packages() -> Tuple[str, ...]:
+    """Which of the packages that a page is made with are absent."""
+    return tuple(name for name in NEEDED if importlib.util.find_spec(name) is None)
+
+
+def _packed(text: str) -> str:
+    """Compressed, so that the page stays small; the browser unpacks it. The same text gives the same bytes."""
+    return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
+
+
+def page(content: Content) -> str:
+    """The page's HTML."""
+    figures, plotly = figures_of(content)
+    drawn = ",".join(f"{json.dumps(each.name)}:{each.figure.to_json()}" for each in figures)
+    words: Dict[str, Any] = {
+        "name": pathlib.Path(content.request.file).name,
+        "conclusion": wording.conclusion(content),
+        "certificate": wording.certificate(content),
+        "doubts": wording.doubts(content),
+        "step_head": wording.STEP_HEAD,
+        "steps": wording.step_rows(content),
+        "proof_head": wording.PROOF_HEAD,
+        "proofs": wording.proof_rows(content),
+        "surface": wording.surface_rows(content),
+        "assumptions": wording.assumptions(content),
+        "citation": wording.CITATION,
+        "persson": wording.PERSSON if content.persson else None,
+        "command": content.request.command,
+        "version": content.version,
+        "figures": {each.name: each for each in figures},
+        "plotly": _packed(plotly),
+        "drawn": _packed("{" + drawn + "}"),
+    }
+    jinja = importlib.import_module("jinja2")
+    text = (pathlib.Path(__file__).parent / "page.html.j2").read_text(encoding="utf-8")
+    made = jinja.Environment(autoescape=True, undefined=jinja.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    rendered: str = made.from_string(text).render(words)
+    return rendered
+
+
+def write_whole(path: pathlib.Path, text: str) -> None:
+    """Under a temporary name first, so that a page is whole or not there."""
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        with open(temporary, "x", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)

@@ -1,0 +1,169 @@
+"""What `python -m roughcontact report` is asked for: its options, checked, in SI units."""
+
+import argparse
+import difflib
+import shlex
+from dataclasses import dataclass
+from typing import Any, List, NoReturn, Optional, Sequence, Tuple
+
+from .._errors import ArgumentError
+from .._height_map import METRES
+from .._keywords import modulus_of
+from .quantities import quantities, quantity, targets
+
+CURVE_POINTS, CURVE_SPAN = 10, 100.0  # of the history up to a single target, and how far below that it begins
+
+
+@dataclass(frozen=True)
+class Request:
+    """control, targets: "displacement", "load" or "pressure", and its values; curve: whether only the last target was asked
+    for, and the others lead up to it; pitch: in `unit`; modulus: E*; material: what it was made of, in words"""
+
+    file: str
+    out: str
+    format: Optional[str]
+    pitch: Optional[Tuple[float, float]]
+    unit: Optional[str]
+    missing: str
+    remove: str
+    boundary: Optional[str]
+    modulus: float
+    material: str
+    hardness: Optional[float]
+    control: str
+    targets: List[float]
+    curve: bool
+    tol: Optional[float]
+    accuracy: Optional[float]
+    threads: Optional[int]
+    command: str
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise ArgumentError(message)
+
+
+def parser() -> Parser:
+    made = Parser(
+        prog="python -m roughcontact report",
+        description="Press a rough surface against a flat and write one page that tells what was found, how sure it is, and what was assumed.",
+        epilog="Lengths, pressures and forces may have a unit with an SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit), Pa and N. "
+        "Exit status: 0 every step is certified, 1 the page is written but a step is not certified, 2 wrong input.",
+        allow_abbrev=False,
+    )
+    made.add_argument("file", metavar="FILE", help="surface file, see roughcontact.formats()")
+    made.add_argument("--out", default="report.html", metavar="PAGE", help="the page to write (report.html)")
+    made.add_argument("--format", metavar="NAME", help="format of the file, where contents and extension do not say it")
+    made.add_argument("--pitch", metavar="H or HX,HY", help="cell size, where the file does not say it")
+    made.add_argument("--unit", choices=[*METRES], help="unit of lengths without one (m)")
+    made.add_argument("--missing", choices=["reject", "fill", "exclude"], default="reject", help="missing points")
+    made.add_argument(
+        "--remove", choices=["none", "mean", "plane", "quadric"], default="none", help="least-squares form to take off (none)"
+    )
+    made.add_argument("--boundary", choices=["free", "periodic"], help="as the file says, else free")
+    made.add_argument("--modulus", metavar="E*", help="contact modulus, or")
+    made.add_argument("--E", metavar="E", help="Young's modulus, with")
+    made.add_argument("--nu", metavar="NU", help="Poisson's ratio")
+    made.add_argument("--E2", metavar="E", help="Young's modulus of the other body; rigid without")
+    made.add_argument("--nu2", metavar="NU", help="Poisson's ratio of the other body")
+    made.add_argument("--hardness", metavar="H", help="largest pressure; above it the surface yields")
+    made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n; or")
+    made.add_argument("--pressure", metavar="TARGETS", help="mean pressure; or")
+    made.add_argument("--displacement", metavar="TARGETS", help="approach from first touch")
+    made.add_argument("--tol", metavar="TOL", help="largest relative residual of a certified step")
+    made.add_argument(
+        "--accuracy", metavar="GOAL", help="relative error that the load may have: a coarser grid is solved where that will do"
+    )
+    made.add_argument("--threads", metavar="N", help="threads; all cores")
+    return made
+
+
+def _number(option: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ArgumentError(f"{option}: {text!r} is not a number") from None
+
+
+def _threads(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise ArgumentError(f"--threads: {text!r} is not a whole number above 0")
+    return int(text)
+
+
+def _elasticity(given: Any) -> Tuple[float, str]:
+    """(E*, where it comes from)"""
+    bodies = [[getattr(given, name) for name in names] for names in (("E", "nu"), ("E2", "nu2"))]
+    if given.modulus is not None:
+        if any(value is not None for body in bodies for value in body):
+            raise ArgumentError("give either --modulus or --E and --nu, not both")
+        return quantity("--modulus", given.modulus, "pressure"), "the contact modulus was given"
+    if bodies[0] == [None, None]:
+        raise ArgumentError("the elastic modulus is missing, give --modulus or --E and --nu")
+    young, poisson = [], []
+    for which, (E, nu) in zip(("", "2"), bodies):
+        if (E is None) != (nu is None):
+            raise ArgumentError(f"--E{which} and --nu{which} go together")
+        if E is not None:
+            young.append(quantity("--E" + which, E, "pressure"))
+            poisson.append(_number("--nu" + which, nu))
+    modulus = modulus_of(None, young, poisson)
+    assert modulus is not None
+    told = " and ".join(f"E = {E}, \u03bd = {nu}" for E, nu in bodies if E is not None)
+    return modulus, told + ("" if len(young) == 2 else "; the other body is rigid")
+
+
+def _loading(given: Any, unit: float) -> Tuple[str, List[float], bool]:
+    kinds = {"displacement": ("length", unit), "load": ("force", 1.0), "pressure": ("pressure", 1.0)}
+    asked = [name for name in kinds if getattr(given, name) is not None]
+    if not asked:
+        raise ArgumentError("what to press with is missing, give --displacement, --load or --pressure")
+    if len(asked) > 1:
+        raise ArgumentError(f"give only one of --{asked[0]} and --{asked[1]}")
+    found = targets("--" + asked[0], getattr(given, asked[0]), *kinds[asked[0]])
+    if len(found) > 1 or not found[0] > 0:
+        return asked[0], found, False
+    last = CURVE_POINTS - 1
+    return asked[0], [found[0] * CURVE_SPAN ** (k / last - 1) for k in range(last)] + found, True
+
+
+def read_request(arguments: Sequence[str]) -> Request:
+    """Raises an ArgumentError at the first argument that is wrong; exits where help is asked for."""
+    made = parser()
+    given, unknown = made.parse_known_args(arguments)
+    if unknown:
+        known = [name for action in made._actions for name in action.option_strings if name != "--help"]
+        word = unknown[0].split("=")[0]
+        near = [name for name in known if len(name) > 4 and word.startswith(name)] or difflib.get_close_matches(word, known, 1)
+        raise ArgumentError(f"{unknown[0]!r} is not expected" + (f"; did you mean {near[0]!r}?" if near else "; see --help"))
+    unit = METRES[given.unit or "m"]
+    modulus, material = _elasticity(given)
+    control, steps, curve = _loading(given, unit)
+    pitch = None
+    if given.pitch is not None:
+        sides = [quantity("--pitch", text, "length", unit) / unit for text in given.pitch.split(",")]
+        quantities("--pitch", given.pitch.split(","), "length", unit)
+        if len(sides) > 2:
+            raise ArgumentError(f"--pitch: {given.pitch!r} is neither H nor HX,HY")
+        pitch = (sides[0], sides[-1])
+    return Request(
+        file=given.file,
+        out=given.out,
+        format=given.format,
+        pitch=pitch,
+        unit=given.unit,
+        missing=given.missing,
+        remove=given.remove,
+        boundary=given.boundary,
+        modulus=modulus,
+        material=material,
+        hardness=None if given.hardness is None else quantity("--hardness", given.hardness, "pressure"),
+        control=control,
+        targets=steps,
+        curve=curve,
+        tol=None if given.tol is None else _number("--tol", given.tol),
+        accuracy=None if given.accuracy is None else _number("--accuracy", given.accuracy),
+        threads=None if given.threads is None else _threads(given.threads),
+        command=shlex.join(["python3", "-m", "roughcontact", "report", *arguments]),
+    )

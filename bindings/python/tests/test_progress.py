@@ -1,0 +1,96 @@
+"""progress=True: a bar over the iterations of a step, the steps of a path, the steps of a batch."""
+
+import io
+import sys
+import types
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+
+PRESS = {"modulus": 1e9, "solver": "gp"}
+
+
+class Bar:
+    """What the package does with a bar of tqdm."""
+
+    made = []
+
+    def __init__(self, total, unit, leave):
+        self.total, self.unit, self.n, self.seen, self.open, self.said = total, unit, 0, [], True, ""
+        Bar.made.append(self)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.open = False
+
+    def update(self, by):
+        assert self.open
+        self.n += by
+        self.seen.append(self.n)
+
+    def set_postfix_str(self, text, refresh):
+        self.said = text
+
+
+@pytest.fixture
+def bars(monkeypatch):
+    monkeypatch.setattr(Bar, "made", [])
+    monkeypatch.setitem(sys.modules, "tqdm.auto", types.SimpleNamespace(tqdm=Bar))
+    return Bar.made
+
+
+def test_a_step_counts_iterations(rough, bars):
+    found = rc.solve(rough, **PRESS, load=1e-4, progress=True)
+    (bar,) = bars
+    assert not bar.open and bar.total is None and bar.unit == " iterations" and 0 < bar.n <= found.iterations
+    assert bar.said.startswith("residual ") and bar.seen == sorted(bar.seen)
+    assert np.array_equal(found.pressure, rc.solve(rough, **PRESS, load=1e-4).pressure) and len(bars) == 1
+
+
+def test_a_path_counts_steps(rough, bars):
+    rc.path(rough, **PRESS, load=[1e-4, 2e-4, 3e-4], progress=True)
+    (bar,) = bars
+    assert (bar.total, bar.n, bar.unit, bar.open) == (3, 3, " steps", False) and {1, 2, 3} <= set(bar.seen)
+
+
+def test_a_batch_counts_steps_of_all_contacts(rough, bars):
+    for threads in (1, 2):
+        rc.batch([rough, rough], modulus=1e9, load=[1e-4, 2e-4, 3e-4], threads=threads, progress=True)
+        assert (bars[-1].total, bars[-1].n) == (6, 6)
+    rc.batch([rough], modulus=1e9, load=1e-4)
+    assert len(bars) == 2
+
+
+def test_a_contact_shows_a_bar_for_each_call(rough, bars):
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), progress=True, solver="gp") as contact:
+        contact.solve(rough, load=1e-4)
+        contact.path(load=[2e-4, 3e-4])
+        contact.certify(contact.solve(load=1e-4).pressure, load=1e-4)
+    assert [bar.total for bar in bars] == [None, 2, None] and not any(bar.open for bar in bars)
+
+
+def test_a_bar_ends_with_a_call_that_fails(rough, bars):
+    with pytest.raises(rc.NotCertifiedError):
+        rc.solve(rough, **PRESS, load=1e-4, max_iter=2, progress=True)
+    with pytest.raises(rc.InfeasibleError):
+        rc.solve(rough, **PRESS, load=-1.0, progress=True)
+    assert len(bars) == 2 and not any(bar.open for bar in bars)
+
+
+def test_without_tqdm_a_warning_says_so(rough, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    with pytest.warns(RuntimeWarning, match="tqdm is not installed"):
+        assert rc.solve(rough, **PRESS, load=1e-4, progress=True).certified
+    rc.solve(rough, **PRESS, load=1e-4, progress=False)
+
+
+def test_the_bars_of_tqdm(rough, monkeypatch):
+    pytest.importorskip("tqdm")
+    shown = io.StringIO()
+    monkeypatch.setattr(sys, "stderr", shown)
+    rc.path(rough, modulus=1e9, load=[1e-4, 2e-4], progress=True)
+    assert "2/2" in shown.getvalue() and "residual" in shown.getvalue()

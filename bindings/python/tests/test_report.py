@@ -1,0 +1,211 @@
+"""What a report tells, without the packages that make a page of it."""
+
+import math
+import pathlib
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+from conftest import refused
+from roughcontact.report import command, page, wording
+from roughcontact.report.blocks import largest, means, side_of_blocks
+from roughcontact.report.content import collect
+from roughcontact.report.quantities import quantity, targets, with_prefix
+from roughcontact.report.request import CURVE_POINTS, read_request
+
+STEEL = ["--E", "210GPa", "--nu", "0.3"]
+
+
+@pytest.fixture
+def file(tmp_path, rough):
+    np.save(tmp_path / "rough.npy", rough.heights * 1e6)
+    return str(tmp_path / "rough.npy")
+
+
+def collected(file, *arguments):
+    return collect(read_request([file, "--unit", "um", "--pitch", "1", *STEEL, "--boundary", "periodic", *arguments]))
+
+
+def test_quantities():
+    for text, kind, value in (
+        ("39nm", "length", 39e-9),
+        ("210 GPa", "pressure", 210e9),
+        ("1mN", "force", 1e-3),
+        ("1MN", "force", 1e6),
+        ("5", "length", 5e-6),
+    ):
+        assert quantity("--x", text, kind, 1e-6) == pytest.approx(value if text != "5" else 5e-6, rel=1e-15)
+    assert targets("--load", "1mN,2mN,0", "force") == [1e-3, 2e-3, 0]
+    assert targets("--pressure", "1MPa:3MPa:3", "pressure") == [1e6, 2e6, 3e6]
+    assert (
+        with_prefix(39e-9, "m") == "39 nm" and with_prefix(0.99996e3, "N") == "1 kN" and with_prefix(math.nan, "N") == "unknown"
+    )
+    for text, words in (
+        ("1kg", "unit of a force"),
+        ("x", "is not a number"),
+        ("-1", "0 or more"),
+        ("1mN,2", "some have none"),
+        ("1:2", "not a range"),
+        ("1:2:0", "not a range"),
+    ):
+        refused(rc.ArgumentError, words, targets, "--load", text, "force")
+
+
+def test_a_request():
+    request = read_request(
+        ["a.x3p", *STEEL, "--E2", "70GPa", "--nu2", "0.33", "--load", "1mN", "--pitch", "39nm,0.04um", "--unit", "nm"]
+    )
+    assert request.modulus == pytest.approx(1 / ((1 - 0.09) / 210e9 + (1 - 0.33**2) / 70e9))
+    assert request.pitch == pytest.approx((39, 40)) and request.control == "load" and request.curve
+    assert len(request.targets) == CURVE_POINTS and request.targets[-1] == 1e-3 and request.targets[0] == pytest.approx(1e-5)
+    assert request.command.endswith("--load 1mN --pitch 39nm,0.04um --unit nm")
+    assert not read_request(["a b.x3p", "--modulus", "1GPa", "--load", "1,2"]).curve
+
+
+def test_one_clear_line_and_status_2(file, tmp_path, capsys, monkeypatch):
+    good = [file, "--pitch", "1um", *STEEL, "--load", "1mN", "--out", str(tmp_path / "page.html")]
+    for arguments, words in (
+        (["report"], "required: FILE"),
+        (["rapport"], "is no command"),
+        (["report", file, "--load", "1"], "the elastic modulus is missing"),
+        (["report", file, *STEEL], "what to press with is missing"),
+        (["report", *good, "--pressure", "1"], "only one of"),
+        (["report", *good, "--modulus", "1"], "not both"),
+        (["report", *good, "--hardnes", "1"], "did you mean '--hardness'?"),
+        (["report", *good, "--threads", "1.5"], "whole number"),
+        (["report", *good, "--tol", "small"], "is not a number"),
+        (["report", *good, "--remove", "plain"], "invalid choice"),
+        (["report", "absent.x3p", *STEEL, "--load", "1"], "No such file"),
+        (["report", file, *STEEL, "--load", "1"], "does not say its pitch"),
+        (["report", *good[:-1], str(tmp_path / "none" / "page.html")], "does not exist"),
+        (["report", *good[:-1], str(tmp_path)], "is a folder"),
+        (["report", *good, "--tol", "-1"], "tol"),
+    ):
+        monkeypatch.setattr(page, "NEEDED", ("numpy",))
+        assert command.main(arguments) == 2, arguments
+        told = capsys.readouterr()
+        assert told.out == "" and told.err.count("\n") == 1 and words in told.err, (arguments, told.err)
+    monkeypatch.setattr(page, "NEEDED", ("numpy", "no_such_package"))
+    assert command.main(["report", *good]) == 2
+    assert (
+        "no_such_package not installed, which a page is made with: pip install 'roughcontact[report]'"
+        in capsys.readouterr().err
+    )
+    assert not (tmp_path / "page.html").exists()
+
+
+def test_the_numbers_are_those_of_solve(file, rough):
+    content = collected(file, "--pressure", "20MPa,100MPa", "--tol", "1e-8")
+    assert len(content.steps) == 2 and content.certified and content.surface.periodic
+    for step, target in zip(content.steps, (20e6, 100e6)):
+        result = rc.solve(rough, modulus=content.request.modulus, pressure=target, tol=1e-8, want_gap=True, stiffness=1)
+        assert step.result.load == pytest.approx(result.load) and step.fraction == pytest.approx(
+            result.contacts / result.points, abs=1e-3
+        )
+        assert step.mean_gap == pytest.approx(result.gap.mean(), rel=1e-4) and step.max_pressure == pytest.approx(
+            result.pressure.max(), rel=1e-4
+        )
+        assert step.result.stiffness == pytest.approx(result.stiffness, rel=1e-3)
+        assert step.corrected == pytest.approx(result.area().corrected_area / content.nominal_area, rel=1e-3)
+    assert step.patches == len(content.patches) and content.histogram.contacts == step.result.contacts
+    assert content.persson == pytest.approx(rc.surface.analyze(rough).rms_slope)
+    assert content.persson_area(step.result.load) == pytest.approx(
+        math.erf(math.sqrt(2) * 100e6 / content.request.modulus / content.persson)
+    )
+    assert content.maps.side == 1 and np.array_equal(content.maps.pressure > 0, content.maps.contact > 0)
+    assert (
+        content.bearing[1][0] == pytest.approx(rough.heights.max() - rough.heights.mean())
+        and (np.diff(content.bearing[1]) <= 0).all()
+    )
+
+
+def test_words(file):
+    content = collected(file, "--pressure", "5GPa")
+    assert f"{100 * content.steps[-1].fraction:.3g} % of the area carries" in wording.conclusion(content)
+    assert "above the hardness of any steel" in wording.conclusion(content)
+    assert "10 of 10 steps are certified" in wording.certificate(content)
+    told = " ".join(wording.assumptions(content))
+    for words in (
+        "lengths without a unit are in um",
+        "The pitch was given: 1 µm × 1 µm",
+        "No point is missing",
+        "no hardness was given",
+        "E = 210GPa",
+        "were added for the curves",
+    ):
+        assert words in told, told
+    assert all(len(row) == len(wording.STEP_HEAD) for row in wording.step_rows(content))
+    assert all(len(row) == len(wording.PROOF_HEAD) for row in wording.proof_rows(content))
+    assert dict(wording.surface_rows(content))["rms height"] == "100 nm"
+    soft = collect(
+        read_request(
+            [file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"]
+        )
+    )
+    assert "E*: strains are large" in wording.conclusion(soft)
+    assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
+        "below the hardness of 1 TPa."
+    )
+    yielding = collected(file, "--pressure", "5GPa", "--hardness", "8GPa")
+    assert (
+        "of the contact is at the hardness of 8 GPa and carries" in wording.conclusion(yielding)
+        and yielding.steps[-1].mean_gap >= 0
+    )
+    assert "no hardness" not in " ".join(wording.assumptions(yielding))
+
+
+def test_a_goal_for_the_accuracy(tmp_path):
+    np.save(
+        tmp_path / "smooth.npy",
+        rc.surface.spectral((256, 256), pitch=1e-6, rms_height=1e-7, hurst=1, q_high=2 * np.pi / 32e-6).heights,
+    )
+    goal = [
+        str(tmp_path / "smooth.npy"),
+        "--pitch",
+        "1um",
+        *STEEL,
+        "--boundary",
+        "periodic",
+        "--pressure",
+        "50MPa,100MPa",
+        "--accuracy",
+        "0.2",
+    ]
+    content = collect(read_request(goal))
+    assert content.certified and [step.result.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
+    assert "2 were solved on a coarser grid" in wording.certificate(content)
+    assert "% of the area carries" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
+    assert all("points solved" in row[-2] for row in wording.proof_rows(content))
+
+
+def test_missing_points_and_a_plane(tmp_path, rough):
+    z = rough.heights + 1e-6 * np.arange(64) / 64
+    z[3, 4] = np.nan
+    np.save(tmp_path / "z.npy", z)
+    file = [str(tmp_path / "z.npy"), "--pitch", "1um", *STEEL, "--pressure", "20MPa,50MPa"]
+    refused(rc.ArgumentError, "1 of 3072 points are missing; give --missing fill", collect, read_request(file))
+    tilted = collect(read_request([*file, "--missing", "fill"]))
+    assert any("level them with --remove plane" in doubt for doubt in wording.doubts(tilted))
+    level = collect(read_request([*file, "--missing", "exclude", "--remove", "plane"]))
+    assert not any("plane" in doubt for doubt in wording.doubts(level)) and level.missing == 1 and level.statistics is None
+    assert np.isnan(level.maps.heights).sum() == 1 and level.maps.pressure[3, 4] == 0
+    assert "1 missing points were kept out of contact." in wording.assumptions(level)
+
+
+def test_the_template_is_in_the_package():
+    assert (pathlib.Path(page.__file__).parent / "page.html.j2").exists()
+
+
+def test_nothing_in_contact(file):
+    content = collected(file, "--load", "0")
+    assert wording.conclusion(content) == "Nothing carries pressure." and content.histogram is None
+
+
+def test_blocks_are_true():
+    values = np.arange(35.0).reshape(5, 7)
+    assert side_of_blocks((5, 7), 35) == 1 and side_of_blocks((5, 7), 34) == 2 and side_of_blocks((1, 1000), 10) == 100
+    assert np.array_equal(largest(values, 2)[0], [8, 10, 12, 13]) and largest(values, 2)[2, 3] == 34
+    assert means(values, 2)[0, 0] == 4 and means(values, 2)[2, 3] == 34
+    values[0, 0] = np.nan
+    assert means(values, 2)[0, 0] == np.mean([1, 7, 8]) and np.array_equal(means(values, 1), values, equal_nan=True)

@@ -1,0 +1,41 @@
+# Checks the values of this project's options, so that a wrong one gets one line that says what is right. Alone, to try values:
+# cmake -DRC_SANITIZE=... -P cmake/RoughcontactOptions.cmake
+cmake_minimum_required(VERSION 3.22)
+get_filename_component(source ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
+file(GLOB backends RELATIVE ${source}/backends ${source}/backends/*/backend.cpp)
+list(TRANSFORM backends REPLACE "/.*" "")
+list(JOIN backends ", " known_backends)
+
+foreach(option RC_BUILTIN_BACKENDS RC_MODULE_BACKENDS)
+  foreach(name IN LISTS ${option})
+    if(NOT name IN_LIST backends)
+      message(FATAL_ERROR "${option}: there is no backend \"${name}\"; there are ${known_backends}, separated by semicolons")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES ${option})
+endforeach()
+# The callback is linked in whatever is asked for, and what is linked in is no plugin.
+list(REMOVE_ITEM RC_BUILTIN_BACKENDS callback)
+list(REMOVE_ITEM RC_MODULE_BACKENDS callback ${RC_BUILTIN_BACKENDS})
+
+foreach(option RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS RC_BUILD_EXAMPLES RC_BUILD_BENCH RC_BUILD_FUZZERS RC_WERROR)
+  if(DEFINED ${option} AND NOT "${${option}}" MATCHES "^([Oo][Nn]|[Oo][Ff][Ff]|[Tt][Rr][Uu][Ee]|[Ff][Aa][Ll][Ss][Ee]|[Yy][Ee][Ss]|[Nn][Oo]|[YyNn]|[0-9]+)?$")
+    message(FATAL_ERROR "${option} = \"${${option}}\" is neither ON nor OFF")
+  endif()
+endforeach()
+
+string(REPLACE "," ";" sanitizers "${RC_SANITIZE}")
+foreach(name IN LISTS sanitizers)
+  if(NOT name MATCHES "^(address|leak|thread|memory|undefined)$")
+    message(FATAL_ERROR "RC_SANITIZE: there is no sanitizer \"${name}\"; there are address, leak, memory, thread, undefined, separated by commas")
+  endif()
+endforeach()
+if("thread" IN_LIST sanitizers AND ("address" IN_LIST sanitizers OR "leak" IN_LIST sanitizers OR "memory" IN_LIST sanitizers))
+  message(FATAL_ERROR "RC_SANITIZE = \"${RC_SANITIZE}\": thread goes with undefined alone")
+endif()
+
+foreach(name IN LISTS RC_TEST_FAMILIES)
+  if(NOT EXISTS ${source}/tests/${name}/CMakeLists.txt)
+    message(FATAL_ERROR "RC_TEST_FAMILIES: there is no family \"${name}\"; families are the folders of tests/, separated by semicolons")
+  endif()
+endforeach()

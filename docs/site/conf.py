@@ -1,0 +1,141 @@
+"""Sphinx' settings for the site of the documents; scripts/site.sh runs it.
+
+The pages are those of the source tree. The front page is README.md, to which the contents are appended; pages of the reference are
+made from the sources by reference.py.
+"""
+
+import os
+import pathlib
+import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+tree = pathlib.Path(__file__).parents[2]
+
+project = 'roughcontact'
+version = release = re.search(r'^project\(.* VERSION ([0-9.]+)', (tree / 'CMakeLists.txt').read_text(), re.M)[1]
+root_doc = 'README'
+extensions = ['breathe', 'myst_parser', 'sphinx.ext.autodoc']
+exclude_patterns = ['tests/data/README.md', 'tests/pairs/README.md']
+html_theme = 'furo'
+html_title = f'roughcontact {release}'
+html_theme_options = {'sidebar_hide_name': False}
+html_copy_source = False
+smartquotes = False  # h' is the slope
+html_show_copyright = False
+myst_heading_anchors = 4
+# Fragments of programs are no programs: the lexers say so, and are not asked.
+suppress_warnings = ['misc.highlighting_failure']
+breathe_projects = {'roughcontact': os.environ['RC_DOXYGEN_XML']}
+breathe_default_project = 'roughcontact'
+breathe_domain_by_extension = {'h': 'c'}
+autodoc_member_order = 'groupwise'
+autodoc_typehints = 'none'
+autodoc_default_options = {'members': True, 'undoc-members': False, 'exclude-members': 'RCError'}
+
+CONTENTS = """
+```{toctree}
+:caption: Start
+:hidden:
+
+docs/install
+docs/tutorial
+docs/how-to/ten-tasks
+docs/gallery
+examples/README
+```
+
+```{toctree}
+:caption: How to
+:hidden:
+
+docs/how-to/file-to-report
+docs/how-to/modulus-and-units
+docs/how-to/limits
+docs/how-to/tolerance
+docs/how-to/grid
+docs/how-to/many-surfaces
+docs/how-to/cite
+docs/command-line
+docs/python
+docs/fortran
+docs/octave
+docs/fem
+docs/surface-files
+docs/surfaces
+docs/derivatives
+docs/speed-accuracy
+docs/plugins
+```
+
+```{toctree}
+:caption: Reference
+:hidden:
+
+docs/reference
+docs/options
+docs/errors
+docs/certificate
+docs/compatibility
+packaging/README
+```
+
+```{toctree}
+:caption: Explanation
+:hidden:
+
+docs/decisions
+docs/paper
+docs/failures
+docs/physics
+docs/performance
+docs/benchmarks
+docs/peers
+```
+
+```{toctree}
+:caption: Work on it
+:hidden:
+:glob:
+
+CONTRIBUTING
+CHANGELOG
+backends/*/README
+src/solvers/haar_cg/README
+fuzz/README
+```
+"""
+REFERENCE = """
+```{toctree}
+../reference/c
+../reference/fortran
+../reference/python
+```
+"""
+
+
+def complete(app, docname, source):
+    """The contents belong to the site, not to the pages as a forge shows them."""
+    source[0] += {'README': CONTENTS, 'docs/reference': REFERENCE}.get(docname, '')
+
+
+def marked_up(line):
+    plain = re.sub(r'([*|\\_])', r'\\\1', line)
+    return re.sub(r'`([^`]+)`', lambda match: '``' + re.sub(r'\\([*|\\_])', r'\1', match[1]) + '``', plain)
+
+
+def as_written(app, what, name, obj, options, lines):
+    """Docstrings are plain text: a line stays one unless it was full, and what is between backquotes is code."""
+    joined = []
+    for line in lines:
+        full = joined and len(joined[-1].split('\n')[-1]) > 95
+        if full and line.strip():
+            joined[-1] += '\n' + line
+        else:
+            joined.append(line)
+    lines[:] = ['| ' + marked_up(' '.join(part.strip() for part in line.split('\n'))) if line.strip() else '' for line in joined] + ['']
+
+
+def setup(app):
+    app.connect('source-read', complete)
+    app.connect('autodoc-process-docstring', as_written)

@@ -1,0 +1,29 @@
+"""bare.py FILE.x3p: what packaging/bare.sh runs in a bare system. Each library of the wheel, with what it links, is loaded and used."""
+
+import importlib.metadata
+import pathlib
+import sys
+
+import numpy as np
+
+import roughcontact as rc
+
+package = pathlib.Path(rc.__file__).parent
+assert pathlib.Path(rc.library_file()).parent == package / "lib", rc.library_file()
+
+surface = rc.surface.spectral((64, 64), pitch=1e-6, rms_height=1e-7, seed=2)  # by GSL
+loads = []
+for backend in ("dense", "fft", "split", "cholmod"):  # FFTW, SuiteSparse
+    solver = "nnls" if backend == "cholmod" else "auto"
+    result = rc.solve(surface.heights, pitch=1e-6, E=70e9, nu=0.33, displacement=5e-8, backend=backend, solver=solver)
+    assert result.certified and result.backend == backend, result
+    loads.append(result.load)
+assert np.ptp(loads) < 1e-6 * loads[0], loads
+
+read = rc.read(sys.argv[1], format="x3p")  # by libzip and pugixml
+assert read.heights.size > 1 and np.isfinite(read.heights).any(), read
+history = rc.path(surface, modulus=78e9, pressure=[1e6, 2e6])
+assert len(history) == 2 and "img" in result._repr_html_()
+licences = [file.name for file in importlib.metadata.files("roughcontact") if "licenses" in file.parts]
+assert {"LICENSE", "libgsl27", "libfftw3-double3", "GPL-3"} <= set(licences), licences
+print(f"load {result.load:.4f} N by", ", ".join(sorted(each.name for each in rc.backends())), f"- {len(licences)} texts of licences")

@@ -1,0 +1,160 @@
+"""Runs the commands that the pages show (blocks of `sh`) as a reader would type them, against an installation.
+
+Usage: commands.py BUILD [--full] [PAGE...]
+
+The blocks of a page run one after another in one shell, in a folder that has the page's own files, a copy of examples/ and a
+measured surface, `surface.gsf`. A block after "`NAME`:" is written to that file before. The next block of the page, if it is `text`,
+is what the commands print; ... in it stands for any text. A comment on the line before a block says where that is not so:
+
+  <!-- not run: REASON -->       it installs packages, builds the tree, takes hours
+  <!-- run in full: REASON -->   it takes longer than a test of the middle tier may: with --full alone
+  <!-- needs: NAME ... -->       not run where one of these programs, or python:MODULE, is missing
+
+Blocks without a language show no commands, but for synopses, with [ and |.
+"""
+
+import argparse
+import importlib.util
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import pages
+
+sys.path.insert(0, str(pages.SOURCE / 'tests/support'))
+try:
+    import stand_ins  # noqa: E402
+except ImportError as absent:
+    print(f'skipped: {absent}')
+    sys.exit(77)
+
+MARK = '-- block %d of the page ends --'
+PROGRAMS = r'(roughcontact|roughcontact-bench|build/bin/\S+|cmake|ctest|cc|gfortran|pip|python3?|make|sudo|\S+\.sh|scripts/\S+)'
+
+
+def is_here(name):
+    kind, _, module = name.partition(':')
+    return importlib.util.find_spec(module) if kind == 'python' else shutil.which(name)
+
+
+def left_out(block, full):
+    """Why this block is not run here; empty: it is."""
+    rule, _, told = block.comment.partition(': ')
+    if rule == 'not run':
+        return told
+    if rule == 'run in full':
+        return '' if full else f'with --full: {told}'
+    if rule == 'needs':
+        absent = [name for name in told.split() if not is_here(name)]
+        return f'there is no {", ".join(absent)}' if absent else ''
+    return f'unknown comment: {block.comment}' if rule else ''
+
+
+def matches(expected, printed):
+    """Whether the text is as printed, ... for anything; spaces at the ends of lines do not count."""
+    trim = lambda text: re.sub(r'[ \t]+$', '', text, flags=re.M).strip('\n')  # noqa: E731
+    pattern = '.*?'.join(map(re.escape, trim(expected).split('...')))
+    return re.fullmatch(pattern, trim(printed), re.S)
+
+
+def without_language(found):
+    """Blocks that show a command, not a synopsis, and would not be run."""
+    return [
+        block
+        for block in found
+        if not block.language and not re.search(r'\[|\|', block.text) and re.search(rf'^{PROGRAMS} ', block.text, re.M)
+    ]
+
+
+class Reader:
+    """An installation, and somebody who types what pages say."""
+
+    def __init__(self, build, scratch):
+        self.scratch = scratch
+        prefix = scratch / 'prefix'
+        subprocess.run(['cmake', '--install', build, '--prefix', prefix], check=True, stdout=subprocess.DEVNULL)
+        packages = next(prefix.rglob('roughcontact.pc')).parent
+        (scratch / 'bin').mkdir()
+        for program in ('sudo', 'apt-get', 'pip'):
+            (scratch / 'bin' / program).write_text(f'#!/bin/sh\necho "{program}: mark this block as not run" >&2\nexit 1\n')
+            (scratch / 'bin' / program).chmod(0o755)
+        python = next(iter(prefix.rglob('roughcontact/__init__.py')), None)
+        self.environment = {
+            'PATH': f'{scratch}/bin:{prefix}/bin:{pathlib.Path(sys.executable).parent}:{os.environ["PATH"]}',
+            'PKG_CONFIG_PATH': str(packages),
+            'CMAKE_PREFIX_PATH': str(prefix),
+            'LC_ALL': 'C.UTF-8',
+            'LD_LIBRARY_PATH': str(packages.parent),
+            'PYTHONPATH': str(python.parent.parent) if python else '',
+            'MPLBACKEND': 'agg',
+        }
+
+    def run(self, page, found):
+        """What each block printed, and what the shell said where one failed."""
+        home = self.scratch / '-'.join(page.relative_to(pages.SOURCE).with_suffix('').parts)
+        shutil.copytree(pages.SOURCE / 'examples', home / 'examples')
+        (home / 'surface.gsf').write_bytes(stand_ins.gsf(*stand_ins.film(), 'XYUnits = m\nZUnits = m\n'))
+        for block in found:
+            if block.name and block.language not in ('sh', 'text'):
+                (home / block.name).write_text(block.text)
+        folder = home / 'examples' if page.parent.name == 'examples' else home
+        commands = [(k, block) for k, block in enumerate(found) if block.language == 'sh']
+        script = '\n'.join(f'{block.text}echo "{MARK % k}" | tee /dev/stderr' for k, block in commands)
+        done = subprocess.run(
+            ['bash', '-euo', 'pipefail', '-c', script],
+            cwd=folder,
+            env={**self.environment, 'HOME': str(home)},
+            text=True,
+            capture_output=True,
+            timeout=1500,
+            stdin=subprocess.DEVNULL,
+        )
+        printed, rest, said = {}, done.stdout, done.stderr
+        for k, block in commands:
+            mark = MARK % k + '\n'
+            if mark not in rest:
+                return printed, f'{page}:{block.line}: exit code {done.returncode}\n{block.text}{rest}{said}'
+            printed[k], _, rest = rest.partition(mark)
+            said = said.partition(mark)[2]
+        return printed, ''
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('build', type=pathlib.Path)
+    parser.add_argument('--full', action='store_true')
+    parser.add_argument('pages', type=pathlib.Path, nargs='*')
+    arguments = parser.parse_args()
+    ran, excluded, compared, wrong = 0, [], 0, []
+    with tempfile.TemporaryDirectory() as scratch:
+        reader = Reader(arguments.build, pathlib.Path(scratch))
+        for page in [page.resolve() for page in arguments.pages] or pages.pages():
+            found = pages.blocks(page.read_text(encoding='utf-8'))
+            wrong += [
+                f'{page}:{block.line}: a command in a block without a language\n{block.text}'
+                for block in without_language(found)
+            ]
+            reasons = {k: left_out(block, arguments.full) for k, block in enumerate(found) if block.language == 'sh'}
+            excluded += [f'{page.relative_to(pages.SOURCE)}:{found[k].line}: {why}' for k, why in reasons.items() if why]
+            kept = [block for k, block in enumerate(found) if not reasons.get(k)]
+            if all(block.language != 'sh' for block in kept):
+                continue
+            printed, failure = reader.run(page, kept)
+            wrong += [failure] if failure else []
+            ran += len(printed)
+            for k, text in printed.items():
+                if k + 1 < len(kept) and kept[k + 1].language == 'text':
+                    compared += 1
+                    if not matches(kept[k + 1].text, text):
+                        wrong.append(f'{page}:{kept[k].line}:\n{kept[k].text}prints\n{text}instead of\n{kept[k + 1].text}')
+    print('\n'.join(wrong + excluded))
+    print(f'{ran} blocks of commands were run, the output of {compared} compared, {len(excluded)} left out, {len(wrong)} wrong')
+    return 1 if wrong or not ran else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
