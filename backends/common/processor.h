@@ -2,7 +2,8 @@
 // program is loaded, would not work with sanitizers.
 #pragma once
 
-#if defined(__x86_64__) && defined(__GNUC__)
+// RC_BASELINE_VECTORS: the baseline's build alone.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(RC_BASELINE_VECTORS)
 #define RC_HAS_WIDER_VECTORS
 #endif
 
