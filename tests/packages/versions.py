@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""One version and one set of options: what the packages of every kind say is what CMake says.
+"""One version, one set of options and of Debian packages: what the packages of every kind and docs/python.md say is what CMake and
+scripts/packages*.txt say.
 
 versions.py SOURCE VERSION
 """
@@ -37,6 +38,12 @@ def main() -> int:
     for name in RECIPES:
         for option in set(re.findall(r"\bRC_[A-Z_]+\b", (source / name).read_text())) - options:
             wrong.append(f"{name} sets {option}, which no CMakeLists.txt declares")
+    known = {"g++"}  # of build-essential
+    for file in (source / "scripts").glob("packages*.txt"):
+        known |= set(file.read_text().split())
+    document = re.search(r"^apt-get install (.*)$", (source / "docs" / "python.md").read_text(), re.M)
+    assert document, "docs/python.md names no packages"
+    wrong += [f"docs/python.md names {name}, which scripts/packages*.txt do not" for name in set(document[1].split()) - known]
     print("\n".join(wrong) or f"{len(says)} files say {version}")
     return 1 if wrong else 0
 
