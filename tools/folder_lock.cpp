@@ -17,8 +17,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".r
   if (file_.state() == State::not_supported)
     report(format("%s cannot be locked (%s): see to it that no other run writes into it", where.c_str(), cause));
   if (file_.state() == State::held_by_another)
-    throw Error(where + " is being written to by " +
-                (file_.holder().empty() ? "another process" : "process " + file_.holder()) +
+    throw Error(where + " is being written to by " + (file_.holder().empty() ? "another process" : "process " + file_.holder()) +
                 ": wait for its end, or give another folder");
 }
 

@@ -1,6 +1,7 @@
 #include "solve_command.h"
 
 #include <roughcontact/history.h>
+
 #include <cstdio>
 #include <optional>
 #include <sstream>
@@ -12,8 +13,8 @@
 #include "cores.h"
 #include "error.h"
 #include "interrupt.h"
-#include "platform/terminal.h"
 #include "library.h"
+#include "platform/terminal.h"
 #include "progress_bar.h"
 #include "step_files.h"
 #include "step_record.h"

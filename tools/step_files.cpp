@@ -183,9 +183,9 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
       {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
 
   add(values);
-  write_whole_file(folder_.path(table_name), table_.text());
   write_whole_file(folder_.path(summary_name), summary_.text());
   unfinished_ = 0;
+  write_whole_file(folder_.path(table_name), table_.text());
 }
 
 void StepFiles::write_history() {

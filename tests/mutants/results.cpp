@@ -182,8 +182,8 @@ void masks_that_leave_little(Figures& figures) {
     }
 }
 
-// Periodic, with a hardness and the approach at the mean plane, where the scale of the residual is the compression, or next to it, where it is less
-// unless some points are excluded.
+// Periodic, with a hardness and the approach at the mean plane, where the scale of the residual is the compression, or next to
+// it, where it is less unless some points are excluded.
 void near_the_mean_plane(Figures& figures) {
   Small small(4, 2);
   small.given.boundary = RC_BOUNDARY_PERIODIC;

@@ -177,7 +177,8 @@ struct Question {
     if (!known) whole.seconds = given.backend->seconds + usual_products * given.backend->product + given.backend->field;
     whole.bytes += given.backend->bytes;
     if (any_backend && whole.bytes > rc_platform::machine_bytes())
-      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ", rc_platform::machine_bytes());
+      return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ",
+                   rc_platform::machine_bytes());
     if (!(whole.seconds >= 0)) return leave(list, &by, backend, "its estimate on ", backend.name, " is not a time");
     const bool repeats = (backend.caps & RC_CAP_THREAD_INVARIANT) != 0 || !deterministic;
     list.push_back({&by, &backend, whole.seconds, whole.bytes, scored && known, repeats, {}});

@@ -143,7 +143,7 @@ rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<doub
 
 // Products in single precision bring x near, one in double precision tells how near. What single precision adds to the residual
 // is found by that; the iteration then goes on from the true residual.
-rc_status ContactSetSolve::form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
+rc_status ContactSetSolve::form(std::span<const double> b, double tol, double mean, std::span<double> x, ContactSetBound& bound) {
   const double size = std::sqrt(dot(b, b));
   std::vector<double> r(b.size()), z(b.size());
   bound = {};
@@ -153,7 +153,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, std::span
     bound.residual = residual + rounding * size;
     bound.form = dot(b, x) + dot(r, x);
     bound.error = bound.residual * bound.residual / lowest_ + rounding * size * std::sqrt(dot(x, x));
-    return bound.error <= tol * bound.form;
+    return bound.error <= tol * bound.form * (1 - mean * (bound.form + bound.error));
   };
   for (double before = unbounded;;) {
     double last = 0, drifted = 0;

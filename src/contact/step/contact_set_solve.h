@@ -40,8 +40,8 @@ class ContactSetSolve {
   // where none is known; answers out. RC_STOP_STALLED where round-off may keep a residual larger, or a status with which a
   // product ended. Throws where H is not positive definite (NUMERIC).
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, std::span<ContactSetBound> bounds);
-  // Until bound.error <= tol bound.form: the form is exact to twice the digits of x. x: a multiple of it is the start.
-  rc_status form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
+  // Until form / (1 - mean form) is known to tol: the form is exact to twice the digits of x. x: a multiple of it is the start.
+  rc_status form(std::span<const double> b, double tol, double mean, std::span<double> x, ContactSetBound& bound);
 
  private:
   // Two trees over every cell of the grid, or over the points of the set alone.

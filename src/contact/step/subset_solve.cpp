@@ -62,7 +62,7 @@ rc_status SubsetSolve::form(std::span<const double> b, double tol, std::span<dou
     std::fill(x.begin(), x.end(), 0.0);
     return (*this)(b, tol, x, bound);
   }
-  const rc_status status = preconditioned_->form(b, tol, x, bound);
+  const rc_status status = preconditioned_->form(b, tol, mean_, x, bound);
   raise_if_failed(status, "the solve on the contact set");
   return status;
 }

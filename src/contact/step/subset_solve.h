@@ -28,7 +28,7 @@ class SubsetSolve {
   // Until |b - A x| <= tol |b|. x: a start in, the answer out. Throws what fails; RC_STOP_STALLED where round-off may keep a
   // larger residual.
   rc_status operator()(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
-  // Until 2 b'x - x'Ax, which bound.form is, is off b'A^-1 b by at most tol of it.
+  // bound.form: 2 b'x - x'Ax, close to s = b'A^-1 b. Until s / (1 - mean() s) is known to tol.
   rc_status form(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
   // The bound of an answer that came without one: NaN where lowest() is 0. Where the solve does not iterate, one product.
   rc_status prove(std::span<const double> b, std::span<const double> x, ContactSetBound& bound);

@@ -38,8 +38,8 @@ struct File {
 std::string distrust(const struct stat& info, const std::string& path) {
   if (info.st_mode & S_IWOTH) return "plugin refused: " + path + " is world-writable; chmod o-w it";
   if (info.st_uid != 0 && info.st_uid != geteuid())
-    return "plugin refused: " + path + " is owned by user " + std::to_string(info.st_uid) + ", neither root nor the current user " +
-           std::to_string(geteuid());
+    return "plugin refused: " + path + " is owned by user " + std::to_string(info.st_uid) +
+           ", neither root nor the current user " + std::to_string(geteuid());
   return {};
 }
 
@@ -86,7 +86,8 @@ std::string obstacle(const std::string& path) {
   if (std::string reason = flaw(file.number, info.st_size, path); !reason.empty()) return reason;
   if (program_is_static())
     return "plugin " + path +
-           " is not loaded: this program is linked statically (-static), where libraries that plugins need cannot run; link the C "
+           " is not loaded: this program is linked statically (-static), where libraries that plugins need cannot run; link the "
+           "C "
            "library dynamically, or build the backend into the library (RC_BUILTIN_BACKENDS)";
   return {};
 }

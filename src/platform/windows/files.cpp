@@ -21,14 +21,19 @@ namespace {
 int number_of(DWORD error) {
   switch (error) {
     case ERROR_FILE_NOT_FOUND:
-    case ERROR_PATH_NOT_FOUND: return ENOENT;
+    case ERROR_PATH_NOT_FOUND:
+      return ENOENT;
     case ERROR_FILE_EXISTS:
-    case ERROR_ALREADY_EXISTS: return EEXIST;
+    case ERROR_ALREADY_EXISTS:
+      return EEXIST;
     case ERROR_DISK_FULL:
-    case ERROR_HANDLE_DISK_FULL: return ENOSPC;
+    case ERROR_HANDLE_DISK_FULL:
+      return ENOSPC;
     case ERROR_ACCESS_DENIED:
-    case ERROR_SHARING_VIOLATION: return EACCES;
-    default: return EIO;
+    case ERROR_SHARING_VIOLATION:
+      return EACCES;
+    default:
+      return EIO;
   }
 }
 
@@ -82,8 +87,8 @@ bool rename_over(const fs::path& from, const fs::path& to) {
 void remove_file(const wchar_t* path) noexcept { DeleteFileW(path); }
 
 bool may_write_into(const fs::path& folder) {
-  const HANDLE opened = CreateFileW(folder.c_str(), FILE_ADD_FILE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
-                                    OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
+  const HANDLE opened = CreateFileW(folder.c_str(), FILE_ADD_FILE, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
+                                    nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
   if (opened == INVALID_HANDLE_VALUE) errno = number_of(GetLastError());
   return opened != INVALID_HANDLE_VALUE && CloseHandle(opened);
 }

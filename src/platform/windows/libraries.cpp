@@ -42,9 +42,7 @@ bool is_well_known(PSID user, std::initializer_list<WELL_KNOWN_SID_TYPE> kinds) 
 }
 
 // TrustedInstaller, who owns what Windows itself brings.
-bool installs_windows(PSID user) {
-  return name_of(user) == "S-1-5-80-956008885-3418522649-1831038044-1853292631-2271478464";
-}
+bool installs_windows(PSID user) { return name_of(user) == "S-1-5-80-956008885-3418522649-1831038044-1853292631-2271478464"; }
 
 bool is_current_user(PSID user) {
   HANDLE opened = nullptr;
@@ -141,8 +139,8 @@ const char* trusted_environment(const char* name) { return std::getenv(name); }
 std::string file_of(const void* code) {
   HMODULE module = nullptr;
   wchar_t path[32768];
-  if (!GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_PIN, static_cast<const wchar_t*>(code),
-                          &module))
+  if (!GetModuleHandleExW(GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_PIN,
+                          static_cast<const wchar_t*>(code), &module))
     return {};
   const DWORD length = GetModuleFileNameW(module, path, std::size(path));
   return length > 0 && length < std::size(path) ? to_utf8(path) : std::string();
@@ -169,7 +167,8 @@ std::vector<std::string> names_in(const std::string& folder) {
 OpenedPlugin open_plugin(const std::string& path) {
   OpenedPlugin opened{nullptr, obstacle(path)};
   if (!opened.error.empty()) return opened;
-  const HMODULE code = LoadLibraryExW(to_wide(path).c_str(), nullptr, LOAD_LIBRARY_SEARCH_DEFAULT_DIRS | LOAD_LIBRARY_SEARCH_DLL_LOAD_DIR);
+  const HMODULE code =
+      LoadLibraryExW(to_wide(path).c_str(), nullptr, LOAD_LIBRARY_SEARCH_DEFAULT_DIRS | LOAD_LIBRARY_SEARCH_DLL_LOAD_DIR);
   if (!code) {
     opened.error = "plugin " + path + " cannot be loaded: " + error_text(GetLastError());
     return opened;

@@ -29,8 +29,8 @@ Ended run(const std::string& program, const std::vector<std::string>& arguments,
   start.hStdOutput = inheritable(output);
   start.hStdError = inheritable(errors);
   PROCESS_INFORMATION child{};
-  if (!CreateProcessW(nullptr, words.data(), nullptr, nullptr, TRUE, CREATE_NEW_PROCESS_GROUP | CREATE_NO_WINDOW, nullptr, nullptr,
-                      &start, &child)) {
+  if (!CreateProcessW(nullptr, words.data(), nullptr, nullptr, TRUE, CREATE_NEW_PROCESS_GROUP | CREATE_NO_WINDOW, nullptr,
+                      nullptr, &start, &child)) {
     const DWORD error = GetLastError();
     return {-1, error == ERROR_FILE_NOT_FOUND, error_text(error)};
   }

@@ -53,7 +53,9 @@ bool is_terminal(std::FILE* stream) { return _isatty(_fileno(stream)) != 0; }
 
 std::size_t terminal_width() {
   CONSOLE_SCREEN_BUFFER_INFO info{};
-  return GetConsoleScreenBufferInfo(GetStdHandle(STD_ERROR_HANDLE), &info) && info.dwSize.X > 0 ? static_cast<std::size_t>(info.dwSize.X) : 80;
+  return GetConsoleScreenBufferInfo(GetStdHandle(STD_ERROR_HANDLE), &info) && info.dwSize.X > 0
+             ? static_cast<std::size_t>(info.dwSize.X)
+             : 80;
 }
 
 void when_asked_to_end(void (*handler)(int)) {
