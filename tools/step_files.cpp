@@ -75,7 +75,9 @@ StepFiles::~StepFiles() {
     const auto told = read_earlier_run(folder_.read(summary_name));
     if (!told || told->steps.size() >= unfinished_) return;
     for (const std::string& name : step_names(unfinished_)) folder_.remove(name);
-    if (told->steps.empty()) folder_.remove(summary_name);
+    if (!told->steps.empty()) return;
+    folder_.remove(table_name);
+    folder_.remove(summary_name);
   } catch (...) {
     return;  // the next run tidies up
   }
@@ -183,9 +185,9 @@ void StepFiles::write(const StepRecord& step, const Fields& fields) {
       {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
 
   add(values);
+  write_whole_file(folder_.path(table_name), table_.text());
   write_whole_file(folder_.path(summary_name), summary_.text());
   unfinished_ = 0;
-  write_whole_file(folder_.path(table_name), table_.text());
 }
 
 void StepFiles::write_history() {

@@ -21,8 +21,7 @@ constexpr double single_error = 2e-6;  // of a product in single precision, rela
 constexpr double drift = 0.005;        // share of the tolerance that one such product may add to the residual
 constexpr double rounding = 1e-12;     // what those in double precision add in all, over |b|, at most
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr double least_residual = 1e-10;  // where a form is not found as exactly as wanted
+constexpr double fallback_residual = 1e-10;  // where a form is not found as exactly as wanted
 
 constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, from which on the trees have the points alone
 constexpr std::size_t small_grid = 1 << 13;  // cells; trees over all of them take no longer to set up and apply
@@ -155,7 +154,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
     bound.error = bound.residual * bound.residual / lowest_ + rounding * size * std::sqrt(dot(x, x));
     return bound.error <= tol * bound.form * (1 - mean * (bound.form + bound.error));
   };
-  for (double before = unbounded;;) {
+  for (double before = std::numeric_limits<double>::infinity();;) {
     double last = 0, drifted = 0;
     Stall stalls(smaller, patience);
     const auto enough = [&](int, double rr) {
@@ -183,7 +182,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
     if (!(now < 0.3 * before)) break;
     before = now;
   }
-  return solve(b, least_residual, x, bound);
+  return solve(b, fallback_residual, x, bound);
 }
 
 rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound) {
