@@ -22,8 +22,8 @@ class Coefficients {
   void cover(std::int64_t mx, std::int64_t my) {
     if (mx <= mx_ && my <= my_) return;
     const bool small = system_->nx <= small_grid / system_->ny;
-    mx = small ? system_->nx : std::max(mx, mx_);
-    my = small ? system_->ny : std::max(my, my_);
+    mx = std::max({mx, mx_, small ? system_->nx : 0});
+    my = std::max({my, my_, small ? system_->ny : 0});
     mx_ = my_ = 0;
     table_.reset();  // freed first, so that old and new do not exist together
     const std::string key = component_.name + (" coefficients " + std::to_string(mx) + " " + std::to_string(my));

@@ -1,6 +1,7 @@
 #include "contact/grid_contact.h"
 
 #include <cmath>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -125,7 +126,12 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
 }
 
 void GridContact::remember(Finished&& finished, const rc_result& result) {
-  Pressures kept = finished.pressures.positive();  // points without pressure would take most of the memory
+  Pressures kept;
+  try {
+    kept = finished.pressures.positive();  // points without pressure would take most of the memory
+  } catch (const std::bad_alloc&) {
+    kept = {};  // the answer is written: all of them are kept
+  }
   if (kept.empty()) kept = std::move(finished.pressures);
   memory_.record({std::move(kept), result.approach, result.load, true});
   if (leaves_indentation_) overlap_ = std::move(finished.overlap);

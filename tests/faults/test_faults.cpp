@@ -107,18 +107,18 @@ class Life {
     step.control = RC_CONTROL_DISPLACEMENT;
     step.undeformed_gap = given_.gap.data();
     step.target = 0.2;
-    if (failed(rc_contact_solve(contact_, &step, &pressed_.result), pressed_.untouched())) return status_;
+    if (failed(rc_contact_solve(contact_, &step, &pressed_.result)) && left(pressed_.untouched(), "solve")) return status_;
     if (failed(rc_options_set_int(options_, RC_OPT_STIFFNESS, 2)) || failed(rc_contact_set_options(contact_, options_)))
       return status_;
     step.control = RC_CONTROL_LOAD;
     step.target = 0.5 * pressed_.result.load;
     step.undeformed_gap = nullptr;
-    if (failed(rc_contact_solve(contact_, &step, &loaded_.result), loaded_.untouched())) return status_;
-    if (failed(rc_contact_gradient(contact_, &change_.gradient), change_.no_gradient()) ||
-        failed(rc_contact_tangent(contact_, &change_.tangent), change_.no_tangent()))
-      return status_;
+    if (failed(rc_contact_solve(contact_, &step, &loaded_.result)) && left(loaded_.untouched(), "solve by load")) return status_;
+    if (failed(rc_contact_gradient(contact_, &change_.gradient)) && left(change_.no_gradient(), "gradient")) return status_;
+    if (failed(rc_contact_tangent(contact_, &change_.tangent)) && left(change_.no_tangent(), "tangent")) return status_;
     std::copy(loaded_.p.begin(), loaded_.p.end(), checked_.p.begin());
-    return failed(rc_contact_certify(contact_, &step, &checked_.result), checked_.result.points == 0) ? status_ : RC_OK;
+    if (failed(rc_contact_certify(contact_, &step, &checked_.result))) left(checked_.result.points == 0, "certify");
+    return status_;
   }
 
   // Whether the call that failed did.
@@ -133,10 +133,16 @@ class Life {
   bool pressed() const { return pressed_.result.points > 0; }
 
  private:
-  bool failed(rc_status status, bool wrote_nothing = true) {
+  bool failed(rc_status status) {
     status_ = status;
-    wrote_nothing_ = wrote_nothing;
+    wrote_nothing_ = true;
     return status != RC_OK;
+  }
+  // What a failed call left; true.
+  bool left(bool nothing, const char* call) {
+    wrote_nothing_ = nothing;
+    if (!nothing) print_error("%s wrote something and failed: %s\n", call, rc_last_error());
+    return true;
   }
 
   const Job job_;
