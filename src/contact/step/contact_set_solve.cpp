@@ -119,6 +119,24 @@ rc_status ContactSetSolve::operator()(std::span<const double> b, double tol, std
   return RC_OK;
 }
 
+// Until enough(step, |r|^2 / size^2). single: whether the next product is in single precision, which enough() may change. z:
+// scratch. beta comes from the product, not from norms: the trees work in single precision, so each step is made conjugate to the
+// last only.
+template <class Enough>
+ConjugateGradientsEnd ContactSetSolve::descend(std::span<double> x, std::vector<double>& r, std::vector<double>& z, double size,
+                                               const bool& single, const Enough& enough) {
+  const auto turn = [&](int step, double, const std::vector<double>& q, std::vector<double>& t) {
+    precondition(r, size, z);
+    const double beta = step > 0 ? -dot(z, q) / dot(t, q) : 0;
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = z[i] + beta * t[i];
+    return dot(r, t) / size;
+  };
+  const auto multiply_by = [&](const std::vector<double>& t, std::vector<double>& q) {
+    return single ? multiply<float>(t, q) : multiply<double>(t, q);
+  };
+  return conjugate_gradients(x, r, size, sum_of, multiply_by, enough, turn);
+}
+
 // The multiple of x nearest to A^-1 b in the norm of the energy, and its residual.
 rc_status ContactSetSolve::rough_start(std::span<const double> b, std::span<double> x, std::span<double> r) {
   std::copy(b.begin(), b.end(), r.begin());
@@ -163,16 +181,7 @@ rc_status ContactSetSolve::form(std::span<const double> b, double tol, double me
       last = now;
       return tell(size * now) || now < 2 * drifted || stalls(now);
     };
-    const auto turn = [&](int step, double, const std::vector<double>& q, std::vector<double>& t) {
-      precondition(r, size, z);
-      const double beta = step > 0 ? -dot(z, q) / dot(t, q) : 0;
-      for (std::size_t i = 0; i < t.size(); ++i) t[i] = z[i] + beta * t[i];
-      return dot(r, t) / size;
-    };
-    const auto multiply_by = [&](const std::vector<double>& t, std::vector<double>& q) {
-      return single ? multiply<float>(t, q) : multiply<double>(t, q);
-    };
-    const ConjugateGradientsEnd end = conjugate_gradients(x, r, size, sum_of, multiply_by, enough, turn);
+    const ConjugateGradientsEnd end = descend(x, r, z, size, single, enough);
     if (end.status != 0) return end.status;
     if (!end.definite()) break;
     if (const rc_status status = multiply<double>(x, z); status != RC_OK) return status;
@@ -212,17 +221,7 @@ rc_status ContactSetSolve::solve(std::span<const double> b, double tol, std::spa
     if (now + drifted + rounding <= tol) return true;
     return stalled = now < rounding || stalls(now);
   };
-  // beta from the product, not from norms: the trees work in single precision, so each step is made conjugate to the last only.
-  const auto turn = [&](int step, double, const std::vector<double>& q, std::vector<double>& t) {
-    precondition(r, size, z);
-    const double beta = step > 0 ? -dot(z, q) / dot(t, q) : 0;
-    for (std::size_t i = 0; i < t.size(); ++i) t[i] = z[i] + beta * t[i];
-    return dot(r, t) / size;
-  };
-  const auto multiply_by = [&](const std::vector<double>& t, std::vector<double>& q) {
-    return single ? multiply<float>(t, q) : multiply<double>(t, q);
-  };
-  const ConjugateGradientsEnd end = conjugate_gradients(x, r, size, sum_of, multiply_by, enough, turn);
+  const ConjugateGradientsEnd end = descend(x, r, z, size, single, enough);
   if (end.status != 0) return end.status;
   if (!end.definite())
     fail(RC_ERR_NUMERIC, "the operator is not positive definite: t'Ht = ", end.curvature, " on a set of ", set_.size(),

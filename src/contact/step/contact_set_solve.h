@@ -17,6 +17,8 @@
 
 namespace rc {
 
+struct ConjugateGradientsEnd;
+
 // What is known of a solution x.
 struct ContactSetBound {
   double residual = 0;  // |b - A x| is at most that
@@ -59,6 +61,9 @@ class ContactSetSolve {
   Trees trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const;
   rc_status solve(std::span<const double> b, double tol, std::span<double> x, ContactSetBound& bound);
   rc_status rough_start(std::span<const double> b, std::span<double> x, std::span<double> r);
+  template <class Enough>
+  ConjugateGradientsEnd descend(std::span<double> x, std::vector<double>& r, std::vector<double>& z, double size,
+                                const bool& single, const Enough& enough);
   template <class Real> rc_status multiply(std::span<const double> t, std::span<double> q);
   void precondition(std::span<const double> r, double unit, std::span<double> z);
 

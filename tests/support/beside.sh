@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# beside.sh PYTHON PACKAGES ARGUMENT...: pytest with these arguments in a virtual environment that has the packages (in one word).
+# beside.sh PYTHON PACKAGES ARGUMENT...: Python with these arguments in a virtual environment that has the packages (in one word).
 # Exits with 77 where pip cannot get them.
 set -euo pipefail
 python=$1
@@ -9,6 +9,6 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 skip() { echo "skipped: $*"; exit 77; }
 "$python" -m venv "$scratch/venv" >"$scratch/log" 2>&1 || skip "$python makes no virtual environment (Debian: python3-venv)"
-PYTHONPATH='' "$scratch/venv/bin/pip" install -q "numpy>=1.21" "pytest>=7" "${packages[@]}" >"$scratch/log" 2>&1 ||
+PYTHONPATH='' "$scratch/venv/bin/pip" install -q "${packages[@]}" >"$scratch/log" 2>&1 ||
   skip "pip cannot get ${packages[*]}: $(tail -1 "$scratch/log")"
-"$scratch/venv/bin/python" -m pytest -q -p no:cacheprovider "$@"
+"$scratch/venv/bin/python" "$@"
