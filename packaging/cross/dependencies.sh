@@ -64,9 +64,8 @@ made libgsl.a || {
   unpack gsl
   cd "$prefix/work"
   CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib ./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --quiet CFLAGS=-O2
-  make -j "$jobs" --quiet
-  make --quiet install-libLTLIBRARIES install-pkgconfigDATA
-  make --quiet -C gsl install
+  parts=$(sed -n 's/^SUBDIRS = //p' Makefile)
+  make -j "$jobs" --quiet SUBDIRS="${parts/ doc/}" install  # Debian's source has no documents
 }
 cd "$prefix"
 rm -rf work
