@@ -48,6 +48,7 @@ std::string refusal(const CLI::App& app, const std::vector<std::string>& words, 
 // words: what follows the name of the command.
 int run(const std::vector<std::string>& words) {
   CLI::App app{"Normal contact of rough surfaces on an elastic half-space, every answer certified", "roughcontact"};
+  app.allow_windows_style_options(false);  // "/x" is a path
   app.set_version_flag("--version", version());
   cli::CommandLine line;
   cli::add_commands(app, line);

@@ -53,7 +53,11 @@ made libpugixml.a || by_cmake pugixml
 made libzip.a || by_cmake libzip -DENABLE_COMMONCRYPTO=OFF -DENABLE_GNUTLS=OFF -DENABLE_MBEDTLS=OFF -DENABLE_OPENSSL=OFF \
   -DENABLE_WINDOWS_CRYPTO=OFF -DENABLE_BZIP2=OFF -DENABLE_LZMA=OFF -DENABLE_ZSTD=OFF -DBUILD_TOOLS=OFF -DBUILD_REGRESS=OFF \
   -DBUILD_EXAMPLES=OFF -DBUILD_DOC=OFF
-made libcmocka.a || by_cmake cmocka -DWITH_EXAMPLES=OFF
+made libcmocka.a || {
+  by_cmake cmocka -DWITH_EXAMPLES=OFF -DWITH_STATIC_LIB=ON
+  rm "$prefix"/lib/libcmocka*
+  cp "$prefix/work/build/src/libcmocka-static.a" "$prefix/lib/libcmocka.a"
+}
 sse2=OFF
 [[ $host != x86_64-* ]] || sse2=ON
 export CFLAGS=-DWITH_OUR_MALLOC  # its CMake files do not look for the system's own call for aligned memory
