@@ -32,8 +32,8 @@ configure() (
 # use SYSTEM FOLDER BACKEND...: what was installed, as a program of that system uses it; 77 where the emulator is missing.
 use() {
   local program=${emulator%%;*} native=build-cross/native
-  if [ -n "$program" ] && ! command -v "$program" >/dev/null; then
-    echo "$1: built, not run: $program is not installed"
+  if ! command -v "$program" >/dev/null; then
+    echo "$1: built, not run: ${program:-an emulator} is not installed"
     return 77
   fi
   if [ -e build-gcc/lib/roughcontact/abi-1/rcb_fft.so ]; then
