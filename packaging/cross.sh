@@ -11,7 +11,7 @@ case ${1:-} in --smoke | --test) what=$1; shift ;; esac
 [ $# -gt 0 ] || { sed -n '2,8s/^# //p' "$0"; exit 2; }
 tree=$(cd "$(dirname "$0")/.." && pwd)
 cd "$tree"
-[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed -n '/^describe/!s/\.cmake$//p')
+[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed 's/\.cmake$//')
 dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-build-cross/dependencies}")
 version=$(sed -nE 's/^project\(roughcontact VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
 mkdir -p build-cross
@@ -76,7 +76,7 @@ core=(-DRC_BUILD_SURFACE=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_TOOLS=OFF -DRC_BU
   -DRC_MODULE_BACKENDS=fft)
 if [ $# = 1 ]; then
   [ -e "packaging/cross/$1.cmake" ] || { echo "packaging/cross has no $1.cmake"; exit 2; }
-  eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$1.cmake" -P packaging/cross/describe.cmake)"
+  eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$1.cmake" -P packaging/cross/parts/describe.cmake)"
   if [ "$what" = --smoke ]; then smoke "$1"; else everything "$1"; fi
   exit
 fi

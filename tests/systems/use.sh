@@ -12,7 +12,7 @@ trap 'rm -rf "$scratch"' EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
 cc='' fc='' emulator=''
-eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$system.cmake" -P "$tree/packaging/cross/describe.cmake")"
+eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$system.cmake" -P "$tree/packaging/cross/parts/describe.cmake")"
 IFS=';' read -ra run <<<"$emulator"
 root="$scratch/größe λ 1"
 cp -r "$folder" "$root"
