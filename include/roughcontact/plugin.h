@@ -1,7 +1,7 @@
 /* roughcontact plugin interface: how a backend (a way to multiply by H), a solver or a kernel (the entries of H) is added from
  * outside.
  *
- * A plugin is a shared object rcb_<name>.so (Windows: rcb_<name>.dll) that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
+ * A plugin is a shared object rcb_<name>.so that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
  * its head). It links nothing of the library: all services come through rc_host. The same source can be built
  * into the library instead. Nothing here may throw, longjmp, print or exit.
  *

@@ -73,7 +73,11 @@ void a_truncated_shared_object_is_refused(void**) {
   const std::string file = scratch.put({"toy"});
   for (std::uintmax_t size = fs::file_size(file) / 2; size > 0; size /= 2) {
     fs::resize_file(file, size);
-    assert_refused(scratch, "toy", "plugin refused: " + file + (size < 64 ? " is not a shared object" : " is incomplete"));
+    assert_refused(scratch, "toy",
+                   "plugin refused: " + file +
+                       (size < 64     ? " is not a shared object"
+                        : size < 1024 ? " is "
+                                      : " is incomplete"));
   }
 }
 
@@ -82,7 +86,7 @@ void a_corrupt_shared_object_is_refused(void**) {
   const Scratch scratch;
   const std::string path = scratch.put({"toy"});
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(16).write("\xff\xff\xff\xff", 4);  // type and machine
+  file.seekp(support::machine_in_library).write("\xff\xff", 2);
   file.close();
   assert_refused(scratch, "toy", "rcb_toy" RC_PLUGIN_SUFFIX " cannot be loaded: ");
 }

@@ -6,6 +6,9 @@
 
 namespace support {
 
+extern const char* const device;            // a path that is no file
+extern const char* const device_refused;    // what the readers of surfaces say of it
+extern const long machine_in_library;       // where the file of a shared object says what it runs on [bytes]
 extern const char* const folder_separator;  // in a list of folders
 extern const char* const writable_to_all;   // how the refusal of a plugin calls a file that everybody can write to
 void let_everybody_write(const std::string& path);

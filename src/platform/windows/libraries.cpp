@@ -117,6 +117,9 @@ std::string obstacle(const std::string& path) {
   const std::string directory = path.substr(0, path.find_last_of("/\\"));
   if (!exists(directory)) return "plugin directory " + directory + ": " + error_text(GetLastError());
   if (std::string reason = distrust(directory); !reason.empty()) return reason;
+  const DWORD attributes = GetFileAttributesW(to_wide(path).c_str());
+  if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0)
+    return "plugin refused: " + path + " is not a regular file";
   const HANDLE opened = CreateFileW(to_wide(path).c_str(), GENERIC_READ, FILE_SHARE_READ, nullptr, OPEN_EXISTING, 0, nullptr);
   if (opened == INVALID_HANDLE_VALUE) return "plugin " + path + " cannot be opened: " + error_text(GetLastError());
   const Handle file(opened);

@@ -8,6 +8,9 @@
 
 namespace support {
 
+const char* const device = "/dev/null";
+const char* const device_refused = "is a device";
+const long machine_in_library = 18;  // ELF
 const char* const folder_separator = ":";
 const char* const writable_to_all = " is world-writable; chmod o-w it";
 

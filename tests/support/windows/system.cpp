@@ -10,6 +10,9 @@
 
 namespace support {
 
+const char* const device = "NUL";
+const char* const device_refused = "unknown format";
+const long machine_in_library = 0x84;  // where linkers put it
 const char* const folder_separator = ";";
 const char* const writable_to_all = " can be written to by S-1-1-0; take that right away";
 
