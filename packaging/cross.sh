@@ -15,7 +15,7 @@ cd "$tree"
 dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-build-cross/dependencies}")
 version=$(sed -nE 's/^project\(roughcontact VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
 mkdir -p build-cross
-export WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-$tree/build-cross/wine}
+export LC_ALL=C.UTF-8 WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-$tree/build-cross/wine}
 
 # quietly LOG COMMAND...
 quietly() {
@@ -42,6 +42,8 @@ use() {
     quietly $native.log cmake -S . -B $native -DCMAKE_BUILD_TYPE=Release "${core[@]}" "-DRC_MODULE_BACKENDS=fft;split"
     quietly $native.log cmake --build $native -j "$(nproc)"
   fi
+  # Wine's server outlives a program and would keep the pipes open that it was started with.
+  [ "$system" != Windows ] || "$program" cmd /c exit </dev/null >/dev/null 2>&1
   tests/systems/use.sh "$1" "$2" $native "${@:3}"
 }
 
