@@ -31,18 +31,18 @@ struct Summary {
 };
 
 // Adds n points, none of them masked. False, with nothing added, if one is not finite: times 0 that is NaN.
-bool add_finite(Summary& summary, const double* gap, std::int64_t n, double& lowest) {
-  double low = infinite, high = -infinite, doubt = 0;
+template <class Real> bool add_finite(Summary& summary, const Real* gap, std::int64_t n, double& lowest) {
+  Real low = std::numeric_limits<Real>::infinity(), high = -low, doubt = 0;
   for (std::int64_t i = 0; i < n; ++i) {
     low = gap[i] < low ? gap[i] : low;
     high = gap[i] > high ? gap[i] : high;
-    doubt += gap[i] * 0.0;
+    doubt += gap[i] * Real{0};
   }
   if (!(doubt == 0)) return false;
   summary.included += n;
-  summary.lowest = std::min(summary.lowest, low);
-  summary.highest = std::max(summary.highest, high);
-  lowest = std::min(lowest, low);
+  summary.lowest = std::min<double>(summary.lowest, low);
+  summary.highest = std::max<double>(summary.highest, high);
+  lowest = std::min<double>(lowest, low);
   return true;
 }
 
@@ -53,19 +53,24 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : nx_(g
   tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
   std::vector<Summary> summaries(static_cast<std::size_t>(rows));
   if (!given.borrowed) {
-    own_gap_ = std::make_unique_for_overwrite<double[]>(given.gap.size());
     own_mask_.assign(given.mask.begin(), given.mask.end());
   }
-  gap_ = given.borrowed ? given.gap : std::span<const double>{own_gap_.get(), given.gap.size()};
+  const auto own = [&]<class Real>(std::unique_ptr<Real[]>& values) {
+    values = std::make_unique_for_overwrite<Real[]>(given.gap.size());
+    return GapValues(std::span<const Real>(values.get(), given.gap.size()));
+  };
+  gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
   mask_ = given.borrowed ? given.mask : own_mask_;
   roughcontact::for_each(team, rows, gap_.size() > serial_points, [&](std::int64_t row, std::int64_t) {
     Summary& summary = summaries[static_cast<std::size_t>(row)];
     for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y) {
-      if (!given.borrowed) std::copy_n(given.gap.data() + y * nx_, nx_, own_gap_.get() + y * nx_);
+      if (own_gap_) std::copy_n(given.gap.in_double() + y * nx_, nx_, own_gap_.get() + y * nx_);
+      if (own_single_gap_) std::copy_n(given.gap.in_single() + y * nx_, nx_, own_single_gap_.get() + y * nx_);
       for (std::int64_t column = 0; column < columns; ++column) {
         double& lowest = tile_lowest_[static_cast<std::size_t>(row * columns + column)];
         const std::int64_t begin = y * nx_ + column * tile, end = y * nx_ + std::min((column + 1) * tile, nx_);
-        if (mask_.empty() && add_finite(summary, given.gap.data() + begin, end - begin, lowest)) continue;
+        const auto add = [&](const auto* gap) { return add_finite(summary, gap + begin, end - begin, lowest); };
+        if (mask_.empty() && given.gap.visit(add)) continue;
         for (std::int64_t point = begin; point < end; ++point) {
           if (!included(static_cast<std::size_t>(point))) continue;
           summary.add(given.gap[static_cast<std::size_t>(point)], point);
@@ -91,7 +96,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : nx_(g
 }
 
 bool StepSurface::equals(const StepSurface& other, const rc_team& team) const {
-  if (gap_.data() == other.gap_.data() && mask_.data() == other.mask_.data()) return true;
+  if (gap_.is_array_of(other.gap_) && mask_.data() == other.mask_.data()) return true;
   if (gap_.size() != other.gap_.size() || mask_.size() != other.mask_.size() || lowest_ != other.lowest_ ||
       tile_lowest_ != other.tile_lowest_)
     return false;
@@ -149,6 +154,12 @@ TrialSet StepSurface::below(double limit, std::span<const std::int64_t> tiles) c
   trial.n = static_cast<std::int64_t>(trial.index.size());
   if (trial.n == static_cast<std::int64_t>(gap_.size())) trial.index.clear();
   return trial;
+}
+
+const double* StepSurface::gap_in_double() const {
+  if (gap_.in_double() || gap_.empty()) return gap_.in_double();
+  if (gap_in_double_.empty()) gap_in_double_.assign(gap_.in_single(), gap_.in_single() + gap_.size());
+  return gap_in_double_.data();
 }
 
 double StepSurface::mean_height() const {

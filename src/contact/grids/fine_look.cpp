@@ -86,7 +86,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
     for (double& p : answer.p) p = std::max(0.0, p);
     screened = answer.checked.has_value();
     ended = std::exchange(answer.status, RC_OK);
-    corrected = deflected(work, answer, result.gap != nullptr);
+    corrected = deflected(work, answer, gap_of(result).wanted());
   } catch (const Error&) {
     return false;  // another solver may do better
   }

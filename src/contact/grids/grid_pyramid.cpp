@@ -106,7 +106,7 @@ Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurfac
   return result;
 }
 
-double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, std::span<const double> coarse_gap) {
+double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, const GapValues& coarse_gap) {
   double sum = 0, largest = 0;
   std::int64_t count = 0;
   for (std::size_t k = 0; k < p.p.size(); ++k) {

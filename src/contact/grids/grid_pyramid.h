@@ -59,6 +59,6 @@ enum class Cut {  // what blocks keep that the end of the grid or the mask cuts
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurface& fine, Cut cut);
 
 // Rms of the difference between the gap and its block's gap, over the points that carry pressure.
-double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, std::span<const double> coarse_gap);
+double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, const GapValues& coarse_gap);
 
 }  // namespace rc

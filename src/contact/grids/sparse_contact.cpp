@@ -53,7 +53,9 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   rc_screen request{};
   request.struct_size = sizeof request;
   request.approach = surface.limit_of(compression + margin);
-  request.undeformed_gap = surface.gap().data();
+  const bool in_single = (answer.op->capabilities() & RC_CAP_SINGLE_GAP) != 0;
+  request.undeformed_gap = in_single ? surface.gap().in_double() : surface.gap_in_double();
+  request.undeformed_gap_single = in_single ? surface.gap().in_single() : nullptr;
   request.mask = surface.mask();
   request.tile_lowest = surface.tile_lowest().data();
   request.y = y.data();

@@ -199,7 +199,7 @@ class Proof {
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
     long double u_sum = 0;  // [length]
-    for (const double h : surface_.gap()) u_sum += compression_ - (h - surface_.lowest());
+    for (std::size_t i = 0; i < surface_.gap().size(); ++i) u_sum += compression_ - surface_.height(i);
     const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())),
                  off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_) / length_;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "contact/output_array.h"
 #include "contact/proof/bounds.h"
 #include "contact/proof/certificate.h"
 #include "contact/proof/plausibility.h"
@@ -179,9 +180,10 @@ void count_work(const Workspace& work, const Monitor& monitor, rc_result& result
 }
 
 void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result) {
-  if (result.p) answer.pressures.write(result.p, work.system.points());
-  if (!result.gap) return;
-  for (std::size_t i = 0; i < answer.size(); ++i) result.gap[i] = answer.product[i] - (compression - work.surface.height(i));
+  answer.pressures.write(pressures_of(result), work.system.points());
+  const OutputArray gap = gap_of(result);
+  for (std::size_t i = 0; i < answer.size() && gap.wanted(); ++i)
+    gap.put(i, answer.product[i] - (compression - work.surface.height(i)));
 }
 
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
@@ -256,7 +258,7 @@ Overlap overlap_of(const Workspace& work, const Deflected& found, double compres
 
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
   Stiffness rate = wanted_stiffness(work, answer);
-  Deflected found = deflected(work, answer, result.gap != nullptr);
+  Deflected found = deflected(work, answer, gap_of(result).wanted());
   // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
   const bool by_load = step.control == RC_CONTROL_LOAD, stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : compression_of(step, work);
@@ -268,7 +270,8 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
 
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {
   const System& system = work.system;
-  const std::span<const double> p(result.p, static_cast<std::size_t>(system.points()));
+  std::vector<double> p(static_cast<std::size_t>(system.points()));
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = given_pressure(result, i);
   TrialSet trial;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p[i] != 0) trial.index.push_back(static_cast<std::int64_t>(i));
@@ -277,7 +280,6 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
 
   Deflected given;
   given.pressures.on.n = system.points();
-  given.pressures.p.assign(p.begin(), p.end());
   given.product.assign(p.size(), 0.0);
   std::vector<double>& product = given.product;
   Answer answer;
@@ -288,6 +290,7 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
     answer.op->field(answer.p, product);
     for (double& value : product) value *= system.length_per_pressure;
   }
+  given.pressures.p = std::move(p);
   const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(work, given) : compression_of(step, work);
   finish(work, step, answer, given, depth, std::nullopt, monitor, result);
   copy_text(result.solver, "none");

@@ -16,7 +16,7 @@ struct Finished {
 // Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing
 // touches, or where a stop came before any answer.
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
-// The same for the pressures in result.p.
+// The same for the pressures in result.p or result.p_single.
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result);
 
 // The parts of certified_result, for answers that are finished in another way.

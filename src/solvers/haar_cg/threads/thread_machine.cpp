@@ -76,14 +76,18 @@ template <class Visit>
 void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Visit& visit) const {
   const double* const u = problem_.u();
   const rc_grid& grid = *problem_.grid();
+  const GapValues gap = problem_.gap();
   const double approach = grid.approach, length = problem_.length_unit();
   double room[piece];
   for (std::int64_t i = begin; i < begin + n; i += piece) {
     const std::int64_t count = std::min(piece, begin + n - i);
-    if (!u && grid.index)
-      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.undeformed_gap[grid.index[i + k]]) / length;
-    else if (!u)
-      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.undeformed_gap[i + k]) / length;
+    if (!u)
+      gap.visit([&](const auto* h) {
+        if (grid.index)
+          for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - h[grid.index[i + k]]) / length;
+        else
+          for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - h[i + k]) / length;
+      });
     visit(i, count, u ? u + i : room);
   }
 }
