@@ -81,4 +81,24 @@ CoarseGrid downsample(std::int64_t nx, std::int64_t ny, const GapValues& gap, st
   return coarse;
 }
 
+CoarseGrid downsample(std::int64_t nx, std::int64_t ny, const GapValues& gap, std::span<const std::uint8_t> mask, int halvings,
+                      const EachRow& each_row) {
+  if (halvings == 1) return downsample(nx, ny, gap, mask, Filter::mean, each_row);
+  const std::int64_t factor = std::int64_t{1} << halvings;
+  CoarseGrid coarse{(nx + factor - 1) / factor, (ny + factor - 1) / factor, {}, {}};
+  const auto points = static_cast<std::size_t>(coarse.nx * coarse.ny);
+  coarse.gap.resize(points);
+  if (!mask.empty()) coarse.mask.resize(points);
+  each_row(coarse.ny, [&](std::int64_t cy) {
+    const std::int64_t rows = std::min(factor, ny - cy * factor);
+    const auto first = static_cast<std::size_t>(cy * factor * nx), count = static_cast<std::size_t>(rows * nx);
+    CoarseGrid band =
+        downsample(nx, rows, gap.part(first, count), mask.empty() ? mask : mask.subspan(first, count), Filter::mean);
+    for (int k = 1; k < halvings; ++k) band = downsample(band.nx, band.ny, band.gap, band.mask, Filter::mean);
+    std::copy(band.gap.begin(), band.gap.end(), coarse.gap.begin() + cy * coarse.nx);
+    std::copy(band.mask.begin(), band.mask.end(), coarse.mask.begin() + (mask.empty() ? 0 : cy * coarse.nx));
+  });
+  return coarse;
+}
+
 }  // namespace rc

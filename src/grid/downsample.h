@@ -30,4 +30,8 @@ using EachRow = std::function<void(std::int64_t rows, const std::function<void(s
 CoarseGrid downsample(std::int64_t nx, std::int64_t ny, const GapValues& gap, std::span<const std::uint8_t> mask, Filter filter,
                       const EachRow& each_row = {});
 
+// Halves it so many times (>= 1) by the mean, and keeps no grid between.
+CoarseGrid downsample(std::int64_t nx, std::int64_t ny, const GapValues& gap, std::span<const std::uint8_t> mask, int halvings,
+                      const EachRow& each_row);
+
 }  // namespace rc

@@ -17,6 +17,9 @@ class GapValues {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   double operator[](std::size_t i) const { return in_single_ ? static_cast<double>(in_single_[i]) : in_double_[i]; }
+  GapValues part(std::size_t first, std::size_t count) const {
+    return in_single_ ? GapValues(std::span(in_single_ + first, count)) : GapValues(std::span(in_double_ + first, count));
+  }
   // One of them is null.
   const double* in_double() const { return in_double_; }
   const float* in_single() const { return in_single_; }

@@ -21,11 +21,11 @@ rc_system coarser_system(const rc_system& fine, std::int64_t nx, std::int64_t ny
 // Options of a coarser grid: no bounds, and the time that the finest grid has left.
 rc_options coarse_options(const rc_options& fine, const Monitor& monitor);
 
-// A grid of half as many points a side, each the mean of 2 x 2.
+// A grid of half as many points a side, each the mean of 2 x 2; or halved so several times.
 class HalvedGrid {
  public:
   // Halves the grid `finer`.
-  HalvedGrid(const Workspace& finer, const rc_options& options);
+  HalvedGrid(const Workspace& finer, const rc_options& options, int halvings = 1);
   HalvedGrid(HalvedGrid&&) noexcept;
   ~HalvedGrid();
 
@@ -34,6 +34,7 @@ class HalvedGrid {
   GridContact& contact() const { return *contact_; }
 
  private:
+  int halvings_;
   CoarseGrid surface_;  // the contact borrows it
   std::unique_ptr<GridContact> contact_;
 };
