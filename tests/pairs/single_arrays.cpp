@@ -1,4 +1,6 @@
 // Arrays of 4 bytes a point: a gap of floats is worth its values as doubles, and answers are rounded once.
+#include <roughcontact/plugin.h>
+
 #include <algorithm>
 
 #include "invariance_tests.h"
@@ -130,6 +132,49 @@ void coarser_grids_serve_it(const Settings& settings, rc_status expected) {
   check_same_answer(single, answer);
 }
 
+// A solver that asks for nothing new sees the gap in doubles, also where another one warms up for it.
+Field seen;
+rc_status look(const rc_host*, const rc_problem* problem, const rc_options*, double*, double*) {
+  const rc_grid& grid = *problem->grid;
+  if (grid.undeformed_gap_single || !grid.undeformed_gap) return RC_STOP_STALLED;
+  seen.assign(grid.undeformed_gap, grid.undeformed_gap + grid.nx * grid.ny);
+  return RC_STOP_STALLED;
+}
+
+void other_solvers_see_doubles() {
+  const rc_solver solver = {.struct_size = sizeof(rc_solver),
+                            .name = "looks",
+                            .summary = "a test's",
+                            .license = "BSD-3-Clause",
+                            .needs = RC_NEEDS_GRID,
+                            .controls = RC_CONTROL_DISPLACEMENT,
+                            .solve = look};
+  const rc_solver* const list[] = {&solver};
+  const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),
+                            .abi_major = RC_PLUGIN_ABI_MAJOR,
+                            .abi_minor = RC_PLUGIN_ABI_MINOR,
+                            .name = "tests",
+                            .version = "1",
+                            .n_solvers = 1,
+                            .solvers = list};
+  const InSingle given(at_points(33, 26, RC_BOUNDARY_FREE));
+  const rc_step step = given.step(true);
+  for (const char* first : {"none", "haar-cg"}) {
+    rc_context* made = nullptr;
+    rc_status status = rc_context_create(nullptr, &made);
+    check(status == RC_OK, rc_last_error());
+    const Context context(made);
+    status = rc_context_register(made, &plugin);
+    check(status == RC_OK, rc_last_error());
+    const Contact contact(given.problem, {"looks", "dense"}, {{"warmup", first}}, context.get());
+    seen.clear();
+    SingleAnswer single(given.problem.points());
+    const rc_status expected = std::string(first) == "none" ? RC_STOP_STALLED : RC_OK;
+    check_equal(rc_contact_solve(contact.handle(), &step, &single.result), expected, "status");
+    check_same(seen, given.problem.gap, "what the solver saw");
+  }
+}
+
 void both_are_filled() {
   const Problem problem = at_points(33, 26, RC_BOUNDARY_FREE);
   const Contact contact(problem, automatic);
@@ -156,6 +201,7 @@ std::vector<Test> single_array_tests() {
   tests.push_back({"pressures_of_floats_are_certified", certified_from_singles});
   tests.push_back({"sparse_contact_of_floats", [] { coarser_grids_serve_it({{"tol", "1e-8"}, {"backend", "split"}}, RC_OK); }});
   tests.push_back({"goal_on_a_coarser_grid_of_floats", [] { coarser_grids_serve_it({{"accuracy", "0.2"}}, RC_WITHIN_GOAL); }});
+  tests.push_back({"other_solvers_see_doubles", other_solvers_see_doubles});
   tests.push_back({"arrays_of_both_widths_are_filled", both_are_filled});
   return tests;
 }
