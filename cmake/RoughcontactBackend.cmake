@@ -25,7 +25,7 @@ function(rc_add_backend name)
     add_library(rcb_${name} MODULE backend.cpp $<TARGET_OBJECTS:rcb_${name}_objects> $<TARGET_OBJECTS:rc_platform_memory>)
     set_target_properties(rcb_${name} PROPERTIES PREFIX ""
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/roughcontact/abi-${RC_PLUGIN_ABI})
-    install(TARGETS rcb_${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/roughcontact/abi-${RC_PLUGIN_ABI}
+    install(TARGETS rcb_${name} LIBRARY DESTINATION ${RC_LIBRARY_DIR}/roughcontact/abi-${RC_PLUGIN_ABI}
       COMPONENT ${ARG_COMPONENT})
   endif()
   if(ARG_COMMON)

@@ -3,8 +3,9 @@
 # which find_package(roughcontact COMPONENTS <package component>) finds it.
 function(rc_install_library target component export)
   install(TARGETS ${target} EXPORT roughcontact-${export}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT development
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component})
+    LIBRARY DESTINATION ${RC_LIBRARY_DIR} COMPONENT ${component} NAMELINK_COMPONENT development
+    RUNTIME DESTINATION ${RC_LIBRARY_DIR} COMPONENT ${component}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT roughcontact-${export} NAMESPACE roughcontact:: FILE roughcontact-${export}.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/roughcontact COMPONENT development)
 endfunction()

@@ -1,11 +1,9 @@
 // The command `roughcontact`: arguments in, exit code out.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "choices.h"
@@ -27,7 +25,7 @@ std::string version() {
 }
 
 // What is wrong with a command line, with the nearest word that would be right.
-std::string refusal(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+std::string refusal(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
   const CLI::App* at = &app;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
   std::string place = at->get_display_name();
@@ -36,9 +34,10 @@ std::string refusal(const CLI::App& app, int argc, char** argv, const CLI::Parse
 
   const std::vector<std::string> extra = app.remaining(true);
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) || dynamic_cast<const CLI::RequiredError*>(&error);
-  const auto found = std::find_if(argv + 1, argv + argc, [&](const char* word) { return std::ranges::count(extra, word) > 0; });
-  if (!unexpected || found == argv + argc) return error.what() + see;
-  const std::string word{*found, std::strcspn(*found, "=")};
+  const auto found =
+      std::find_if(words.begin(), words.end(), [&](const std::string& word) { return std::ranges::count(extra, word) > 0; });
+  if (!unexpected || found == words.end()) return error.what() + see;
+  const std::string word = found->substr(0, found->find('='));
   if (word.starts_with("-") && word.size() > 1)
     return place + " has no option " + cli::in_quotes(word) + cli::did_you_mean(word, cli::option_names(*at)) + see;
   if (const auto names = cli::subcommand_names(*at); !names.empty())
@@ -46,22 +45,24 @@ std::string refusal(const CLI::App& app, int argc, char** argv, const CLI::Parse
   return cli::in_quotes(word) + " is not expected here" + see;
 }
 
-int run(int argc, char** argv) {
+// words: what follows the name of the command.
+int run(const std::vector<std::string>& words) {
   CLI::App app{"Normal contact of rough surfaces on an elastic half-space, every answer certified", "roughcontact"};
+  app.allow_windows_style_options(false);  // "/x" is a path
   app.set_version_flag("--version", version());
   cli::CommandLine line;
   cli::add_commands(app, line);
-  if (argc > 1 && std::string_view(argv[1]) == "complete") {
-    cli::complete(app, {argv + 2, argv + argc});
+  if (!words.empty() && words[0] == "complete") {
+    cli::complete(app, {words.begin() + 1, words.end()});
     return cli::exit_certified;
   }
 
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes the last one first
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    cli::report(refusal(app, argc, argv, error));
+    cli::report(refusal(app, words, error));
     return cli::exit_error;
   }
 
@@ -91,7 +92,8 @@ int main(int argc, char** argv) {
   cli::handle_signals();
   int code = cli::exit_error;
   try {
-    code = run(argc, argv);
+    const std::vector<std::string> words = rc_platform::arguments(argc, argv);
+    code = run({words.begin() + std::min<std::size_t>(words.size(), 1), words.end()});
   } catch (const std::bad_alloc&) {
     cli::report("out of memory");
   } catch (const std::exception& error) {

@@ -1,13 +1,12 @@
 #include "step_writers.h"
 
-#include <dlfcn.h>
-
 #include <filesystem>
-#include <system_error>
 
 #include "choices.h"
 #include "error.h"
 #include "numbers.h"
+#include "platform/libraries.h"
+#include "platform/process.h"
 #include "text.h"
 
 namespace cli {
@@ -17,17 +16,17 @@ namespace fs = std::filesystem;
 namespace {
 
 // Modules that have the writers; null: the command itself.
-constexpr const char* modules[] = {nullptr, "write-netcdf.so", "write-hdf5.so"};
+constexpr const char* modules[] = {nullptr, "write-netcdf", "write-hdf5"};
 
 // The libraries of NetCDF and HDF5 bring dozens of others, which take some 40 ms to load: only a run that writes such files does.
 StepWriter loaded(const char* name, std::string_view format) {
-  std::error_code unknown;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", unknown).parent_path() / RC_LIBRARY_FROM_BIN / "roughcontact";
-  void* const module = dlopen((folder / name).c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const found = module ? dlsym(module, "rc_write_step") : nullptr;
+  const fs::path folder = fs::path(rc_platform::own_program()).parent_path() / RC_LIBRARY_FROM_BIN / "roughcontact";
+  const std::string file = name + std::string(rc_platform::library_suffix);
+  const rc_platform::OpenedPlugin module = rc_platform::open_plugin((folder / file).string());
+  void* const found = module.code ? rc_platform::symbol_of(module.code, "rc_write_step") : nullptr;
   if (!found) {
-    throw Error("--write: " + std::string(format) + " was not built in (" + dlerror() + "): build with its library (Debian: lib" +
-                std::string(format) + "-dev), or give vti");
+    throw Error("--write: " + std::string(format) + " was not built in (" + module.error +
+                "): build with its library (Debian: lib" + std::string(format) + "-dev), or give vti");
   }
   return reinterpret_cast<StepWriter>(found);
 }

@@ -1,7 +1,7 @@
 /* roughcontact plugin interface: how a backend (a way to multiply by H), a solver or a kernel (the entries of H) is added from
  * outside.
  *
- * A plugin is a shared object rcb_<name>.so that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
+ * A plugin is a shared object rcb_<name>.so (Windows: rcb_<name>.dll) that exports one function, rc_plugin_query (RC_PLUGIN_ENTRY writes
  * its head). It links nothing of the library: all services come through rc_host. The same source can be built
  * into the library instead. Nothing here may throw, longjmp, print or exit.
  *
@@ -370,9 +370,9 @@ RC_API rc_status rc_context_register(rc_context *context, const rc_plugin *plugi
 #define RC_PLUGIN_ENTRY(name, host, out) \
   RC_PLUGIN_LINKAGE rc_status rc_builtin_##name(const rc_host *host, const rc_plugin **out)
 #else
-#define RC_PLUGIN_ENTRY(name, host, out)                                            \
-  RC_PLUGIN_LINKAGE RC_API rc_status rc_plugin_query(const rc_host *, const rc_plugin **); \
-  RC_PLUGIN_LINKAGE RC_API rc_status rc_plugin_query(const rc_host *host, const rc_plugin **out)
+#define RC_PLUGIN_ENTRY(name, host, out)                                                          \
+  RC_PLUGIN_LINKAGE RC_PLUGIN_API rc_status rc_plugin_query(const rc_host *, const rc_plugin **); \
+  RC_PLUGIN_LINKAGE RC_PLUGIN_API rc_status rc_plugin_query(const rc_host *host, const rc_plugin **out)
 #endif
 
 #ifdef __cplusplus

@@ -55,6 +55,11 @@
 #define RC_API
 #endif
 #endif
+#ifdef _WIN32
+#define RC_PLUGIN_API __declspec(dllexport) /* of the one function that a plugin exports */
+#else
+#define RC_PLUGIN_API RC_API
+#endif
 
 #ifdef __cplusplus
 extern "C" {

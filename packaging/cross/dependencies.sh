@@ -1,55 +1,79 @@
-#!/bin/sh
-# Builds what the surface and formats libraries link, for another system, as static libraries.
-# Usage: dependencies.sh TOOLCHAIN.cmake HOST PREFIX
-# HOST: the name of GNU's tools for that system, x86_64-w64-mingw32 for example. PREFIX: where they go; what is there is not built again.
-# The sources are those of Debian's source packages of gsl, libzip, pugixml and zlib.
-set -eu
-toolchain=$(realpath "$1") host=$2
-mkdir -p "$3"
-prefix=$(realpath "$3")
-work=$prefix/work
-mkdir -p "$work/lists/partial"
-cd "$work"
+#!/usr/bin/env bash
+# dependencies.sh SYSTEM FOLDER: builds what this project links, for another system, as static libraries below FOLDER/SYSTEM; what is
+# there is not built again. The sources are those of Debian's source packages, kept in FOLDER/sources.
+set -euo pipefail
+toolchain=$(dirname "$(realpath "$0")")/$1.cmake
+mkdir -p "$2/sources/lists/partial" "$2/$1/include" "$2/$1/share/cmake"
+folder=$(realpath "$2") prefix=$(realpath "$2/$1")
+system='' host='' cc=''
+eval "$(cmake -DTOOLCHAIN="$toolchain" -P "$(dirname "$toolchain")/describe.cmake")"
+jobs=$(nproc)
+names=(cmocka fftw3 gsl libzip pugixml zlib)
+export PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig
 
 # Debian's own sources, without a change to this machine's lists of packages.
-sources() {
-  sed 's/^Types: deb$/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >sources.sources
-  set -- -q -o Dir::Etc::sourcelist="$work/sources.sources" -o Dir::Etc::sourceparts=/dev/null -o Dir::State::lists="$work/lists" \
-    -o APT::Sandbox::User=root
-  apt-get "$@" update >/dev/null
-  apt-get "$@" source --download-only gsl libzip pugixml zlib >/dev/null
-}
+cd "$folder/sources"
+if ! ls gsl_*.orig.tar.* fftw3_*.orig.tar.* cmocka_*.orig.tar.* >/dev/null 2>&1; then
+  sed 's/^Types: deb$/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >debian.sources
+  get=(apt-get -q -o "Dir::Etc::sourcelist=$PWD/debian.sources" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::lists=$PWD/lists"
+    -o APT::Sandbox::User=root)
+  "${get[@]}" update >/dev/null
+  "${get[@]}" source --download-only "${names[@]}" >/dev/null
+fi
 
 unpack() {
-  rm -rf "$1"
-  mkdir "$1"
-  tar xf "$1"_*.orig.tar.* -C "$1" --strip-components 1
+  cd "$prefix"
+  rm -rf work
+  mkdir work
+  tar xf "$(ls "$folder/sources/$1"_*.orig.tar.* | grep -v "\.asc$")" -C "$prefix/work" --strip-components 1
 }
 
-by_cmake() {
-  name=$1
-  shift
-  unpack "$name"
-  cmake -S "$name" -B "$name/build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF "$@"
-  cmake --build "$name/build" -j "$(nproc)"
-  cmake --install "$name/build"
+by_cmake() { # by_cmake NAME OPTION...
+  unpack "$1"
+  cmake -S "$prefix/work" -B "$prefix/work/build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_INSTALL_PREFIX="$prefix" \
+    -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
+    -DCMAKE_POSITION_INDEPENDENT_CODE=ON "${@:2}"
+  cmake --build "$prefix/work/build" -j "$jobs"
+  cmake --install "$prefix/work/build"
 }
 
 made() { [ -e "$prefix/lib/$1" ]; }
 
-ls gsl_*.orig.tar.* zlib_*.orig.tar.* >/dev/null 2>&1 || sources
-if ! made libz.a; then
+made libz.a || {
   unpack zlib
-  (cd zlib && CC="${CC:-$host-gcc}" AR="$host-ar" RANLIB="$host-ranlib" CHOST=$host ./configure --static --prefix="$prefix" && make -j "$(nproc)" libz.a &&
-    mkdir -p "$prefix/lib/pkgconfig" "$prefix/include" && cp libz.a "$prefix/lib" && cp zlib.h zconf.h "$prefix/include" && cp zlib.pc "$prefix/lib/pkgconfig")
-fi
+  cd "$prefix/work"
+  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$host-ar RANLIB=$host-ranlib CHOST=$host CFLAGS="-O2 -fPIC" ./configure --static --prefix="$prefix"
+  make -j "$jobs" libz.a
+  mkdir -p "$prefix/lib/pkgconfig"
+  cp zlib.pc "$prefix/lib/pkgconfig"
+  cp zlib.h zconf.h "$prefix/include"
+  cp libz.a "$prefix/lib"
+}
 made libpugixml.a || by_cmake pugixml
 made libzip.a || by_cmake libzip -DENABLE_COMMONCRYPTO=OFF -DENABLE_GNUTLS=OFF -DENABLE_MBEDTLS=OFF -DENABLE_OPENSSL=OFF \
   -DENABLE_WINDOWS_CRYPTO=OFF -DENABLE_BZIP2=OFF -DENABLE_LZMA=OFF -DENABLE_ZSTD=OFF -DBUILD_TOOLS=OFF -DBUILD_REGRESS=OFF \
   -DBUILD_EXAMPLES=OFF -DBUILD_DOC=OFF
-if ! made libgsl.a; then
+made libcmocka.a || {
+  by_cmake cmocka -DWITH_EXAMPLES=OFF -DWITH_STATIC_LIB=ON
+  rm "$prefix"/lib/libcmocka*
+  cp "$prefix/work/build/src/libcmocka-static.a" "$prefix/lib/libcmocka.a"
+}
+sse2=OFF
+[[ $host != x86_64-* ]] || sse2=ON
+export CFLAGS=-DWITH_OUR_MALLOC  # its CMake files do not look for the system's own call for aligned memory
+made libfftw3.a || by_cmake fftw3 -DENABLE_THREADS=ON -DENABLE_SSE2=$sse2 -DBUILD_TESTS=OFF
+made libfftw3f.a || by_cmake fftw3 -DENABLE_FLOAT=ON -DENABLE_THREADS=ON -DENABLE_SSE=$sse2 -DENABLE_SSE2=$sse2 -DBUILD_TESTS=OFF
+unset CFLAGS
+made libgsl.a || {
   unpack gsl
-  (cd gsl && ./configure --host="$host" ${CC:+CC="$CC"} --prefix="$prefix" --disable-shared --quiet && make -j "$(nproc)" --quiet &&
-    make --quiet install-libLTLIBRARIES install-pkgconfigDATA && make --quiet -C gsl install && make --quiet install-binSCRIPTS)
-fi
+  cd "$prefix/work"
+  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" ./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --quiet CFLAGS=-O2
+  parts=$(sed -n 's/^SUBDIRS = //p' Makefile)
+  make -j "$jobs" --quiet SUBDIRS="${parts/ doc/}" install  # Debian's source has no documents
+}
+cd "$prefix"
+rm -rf work
+
+# Libraries that are headers alone come from this machine: their folder holds headers of this machine as well.
+for name in CLI nlohmann; do cp -r /usr/include/$name "$prefix/include"; done
+for name in CLI11 nlohmann_json; do cp -r /usr/share/cmake/$name "$prefix/share/cmake"; done

@@ -1,4 +1,4 @@
-// Programs that this one starts.
+// This program's file, and programs that it starts.
 #pragma once
 
 #include <cstdio>
@@ -6,6 +6,8 @@
 #include <vector>
 
 namespace rc_platform {
+
+std::string own_program();  // path of the file of the program that runs, UTF-8; "" if the system does not say
 
 struct Ended {
   int code = -1;         // what the program returned; -1 if it did not run or was killed

@@ -18,7 +18,7 @@ bool is_component_name(std::string_view name);
 // Configured, RC_PLUGIN_PATH, installed: absolute directories in the order they are searched. Others are logged and dropped.
 std::vector<std::string> plugin_directories(const ContextConfig& config, const Context& context);
 
-// The first directory's rcb_<name>.so; "" if there is none.
+// The first directory's rcb_<name>.so, or what this system calls it; "" if there is none.
 std::string find_plugin(const std::vector<std::string>& directories, std::string_view name);
 
 // Names of all plugins in these directories, sorted, each once.

@@ -1,18 +1,21 @@
 // Cases that need no plugin to be built for them; the others are in tests/plugins.
 #include <roughcontact/plugin.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <random>
 #include <string>
 
 #include "errors/case.h"
 #include "errors/scene.h"
+#include "support/system.h"
 
 namespace errors {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 rc_status name_backend(const char* plugin_path, std::uint32_t flags, const char* backend) {
   rc_context_config config = RC_CONTEXT_CONFIG_INIT;
@@ -28,22 +31,17 @@ rc_status name_backend(const char* plugin_path, std::uint32_t flags, const char*
   return create(Scene(), options);
 }
 
-// A directory with one file, rcb_spoilt.so, that is not a plugin.
-Outcome plugin_file(mode_t directory_mode, mode_t file_mode) {
-  char current[4096];
-  assert_non_null(getcwd(current, sizeof current));
-  std::string directory = std::string(current) + "/errors-XXXXXX";
-  assert_non_null(mkdtemp(directory.data()));
-  const std::string path = directory + "/rcb_spoilt.so";
-  std::FILE* file = std::fopen(path.c_str(), "w");
-  assert_non_null(file);
-  std::fputs("not a shared object", file);
-  std::fclose(file);
-  chmod(path.c_str(), file_mode);
-  chmod(directory.c_str(), directory_mode);
-  const Outcome outcome = name_backend(directory.c_str(), RC_CONTEXT_NO_ENVIRONMENT, "spoilt");
-  unlink(path.c_str());
-  rmdir(directory.c_str());
+// A directory with one file, rcb_spoilt, that is not a plugin.
+Outcome plugin_file(bool open_directory, bool open_file) {
+  static std::random_device number;
+  const fs::path directory = fs::current_path() / ("errors-" + std::to_string(number()));
+  const fs::path path = directory / "rcb_spoilt" RC_PLUGIN_SUFFIX;
+  fs::create_directory(directory);
+  std::ofstream(path) << "not a shared object";
+  (open_file ? support::let_everybody_write : support::let_owner_alone_write)(path.string());
+  (open_directory ? support::let_everybody_write : support::let_owner_alone_write)(directory.string());
+  const Outcome outcome = name_backend(directory.string().c_str(), RC_CONTEXT_NO_ENVIRONMENT, "spoilt");
+  fs::remove_all(directory);
   return outcome;
 }
 
@@ -138,7 +136,8 @@ Section plugins() {
       {
           {"plugin that is in no directory",
            RC_ERR_NO_BACKEND,
-           {"rc_contact_create: backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (built by "
+           {"rc_contact_create: backend \"fft\" is not installed: its plugin rcb_fft" RC_PLUGIN_SUFFIX
+            " is in no plugin directory (built by "
             "default)",
             "available: "},
            [] { return name_backend(nullptr, RC_CONTEXT_NO_PLUGINS, "fft"); },
@@ -149,16 +148,16 @@ Section plugins() {
            [] { return name_backend("/tmp", 0, "../x"); }},
           {"file that is world-writable",
            refused,
-           {"rc_contact_create: plugin refused: ", "/rcb_spoilt.so is world-writable; chmod o-w it"},
-           [] { return plugin_file(0755, 0666); }},
+           {"rc_contact_create: plugin refused: ", "/rcb_spoilt" RC_PLUGIN_SUFFIX, support::writable_to_all},
+           [] { return plugin_file(false, true); }},
           {"directory that is world-writable",
            refused,
-           {"rc_contact_create: plugin refused: ", " is world-writable; chmod o-w it"},
-           [] { return plugin_file(0777, 0644); }},
+           {"rc_contact_create: plugin refused: ", support::writable_to_all},
+           [] { return plugin_file(true, false); }},
           {"file that is not a shared object",
            refused,
-           {"plugin refused: ", "/rcb_spoilt.so is not a shared object of this machine"},
-           [] { return plugin_file(0755, 0644); }},
+           {"plugin refused: ", "/rcb_spoilt" RC_PLUGIN_SUFFIX " is not a shared object of this machine"},
+           [] { return plugin_file(false, false); }},
           {"wrong plugin ABI",
            refused,
            {"rc_context_register: plugin \"mine\" (registered) has plugin ABI 99, this library has 1; rebuild it against the "

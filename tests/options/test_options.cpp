@@ -3,52 +3,43 @@
 //
 // test_options [KEY]     all, or one key
 #include <roughcontact/registry.h>
-#include <sys/resource.h>
-#include <sys/time.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <random>
+#include <string>
 #include <utility>
 
 #include "options/scenes.h"
 #include "options/values.h"
 #include "support/cmocka.hpp"
+#include "support/system.h"
 
 namespace {
 
 using namespace options;
+namespace fs = std::filesystem;
 
-[[maybe_unused]] constexpr rlim_t most_memory = rlim_t{2} << 30;  // of address space [bytes]
-constexpr int most_seconds = 10;  // of processor time for one value: solves that take milliseconds
+#ifdef RC_SANITIZED
+constexpr std::size_t most_memory = 0;  // no limit
+#else
+constexpr std::size_t most_memory = std::size_t{2} << 30;  // [bytes]
+#endif
+constexpr unsigned most_seconds = 10;  // of processor time for one value: solves that take milliseconds
 const char* program = nullptr;
 
 struct Case {
   std::string key, kind, name;
 };
 
-void set_limits() {
-#ifndef RC_SANITIZED
-  const rlimit memory{most_memory, most_memory};
-  setrlimit(RLIMIT_AS, &memory);
-#endif
-  alarm(300);
-}
-
-void start_clock() {
-  const itimerval limit{{0, 0}, {most_seconds, 0}};
-  setitimer(ITIMER_PROF, &limit, nullptr);
-}
-
 // Printed before it is tried, so that it is the last line where the process ends there.
 void announce(const Option& option, const std::string& value) {
   std::printf("%s = \"%.60s\"\n", option.key.c_str(), value.c_str());
   std::fflush(stdout);
-  start_clock();
+  support::limit_processor_time(most_seconds);
 }
 
 rc_options* fresh_options(rc_context* context, const Option& option, const Names& names) {
@@ -64,7 +55,7 @@ rc_options* fresh_options(rc_context* context, const Option& option, const Names
 
 // One option on one kind of system; what is wrong is printed, "ok" where nothing is.
 int run(const char* key, const char* kind) {
-  set_limits();
+  support::limit_process(most_memory, 300);
   rc_context* const context = make_context();
   const Names names = all_names(context);
   const std::vector<Option> all = all_options(context);
@@ -106,7 +97,7 @@ struct Ended {
 };
 
 Ended run_apart(const Case& one) {
-  const std::string command = std::string("'") + program + "' --run '" + one.key + "' " + one.kind;
+  const std::string command = std::string("\"") + program + "\" --run " + one.key + " " + one.kind;
   Ended ended;
   std::FILE* const output = popen(command.c_str(), "r");
   if (!output) return {-1, "popen"};
@@ -131,11 +122,12 @@ void ends_within_its_limits(void** state) {
 
 int main(int argc, char** argv) {
   if (argc == 4 && std::strcmp(argv[1], "--run") == 0) return run(argv[2], argv[3]);
-  const std::string absolute = std::filesystem::absolute(argv[0]).native();
+  const std::string absolute = fs::absolute(argv[0]).string();
   program = absolute.c_str();
   // Texts may name files that are written.
-  char scratch[] = "/tmp/rc-options-XXXXXX";
-  if (!mkdtemp(scratch) || chdir(scratch) != 0) return 1;
+  const fs::path before = fs::current_path(), scratch = before / ("options-" + std::to_string(std::random_device()()));
+  fs::create_directory(scratch);
+  fs::current_path(scratch);
 
   std::vector<Case> cases;
   rc_context* const context = make_context();
@@ -147,6 +139,7 @@ int main(int argc, char** argv) {
   for (Case& one : cases) tests.push_back({one.name.c_str(), ends_within_its_limits, nullptr, nullptr, &one});
   const int failed = tests.empty() ? 1 : _cmocka_run_group_tests("options", tests.data(), tests.size(), nullptr, nullptr);
   std::error_code ignored;
-  std::filesystem::remove_all(scratch, ignored);
+  fs::current_path(before);
+  fs::remove_all(scratch, ignored);
   return failed;
 }

@@ -1,9 +1,8 @@
 // Where plugins may lie, and names that must not become paths.
-#include <stdlib.h>
-
 #include <filesystem>
 
 #include "plugins/scratch.h"
+#include "support/system.h"
 
 namespace plugins {
 
@@ -14,8 +13,8 @@ namespace fs = std::filesystem;
 // RC_PLUGIN_PATH while it lives.
 class PluginPath {
  public:
-  explicit PluginPath(const std::string& path) { setenv("RC_PLUGIN_PATH", path.c_str(), 1); }
-  ~PluginPath() { unsetenv("RC_PLUGIN_PATH"); }
+  explicit PluginPath(const std::string& path) { support::set_variable("RC_PLUGIN_PATH", path.c_str()); }
+  ~PluginPath() { support::set_variable("RC_PLUGIN_PATH", nullptr); }
   PluginPath(const PluginPath&) = delete;
   PluginPath& operator=(const PluginPath&) = delete;
 };
@@ -56,7 +55,9 @@ void the_first_directory_of_a_path_wins(void**) {
   const Scratch empty, first, second;
   const std::string wanted = first.put({"toy"});
   second.put({"toy"});
-  const Registry registry("::" + empty.path() + ":/no/such/directory:" + first.path() + ":" + second.path() + ":");
+  const std::string next = support::folder_separator;
+  const Registry registry(next + next + empty.path() + next + empty.path() + "/none" + next + first.path() + next +
+                          second.path() + next);
   assert_string_equal(registry.origin("toy").c_str(), wanted.c_str());
 }
 
@@ -79,7 +80,7 @@ void relative_directories_are_ignored_and_logged(void**) {
   const fs::path before = fs::current_path();
   fs::current_path(scratch.path());
   const PluginPath path("./");
-  const Registry registry(".:../" + fs::path(scratch.path()).filename().native(), 0);
+  const Registry registry("." + std::string(support::folder_separator) + "../" + fs::path(scratch.path()).filename().string(), 0);
   const rc_status status = registry.names("toy");
   fs::current_path(before);
   assert_int_equal(status, RC_ERR_NO_BACKEND);
@@ -93,16 +94,16 @@ void a_name_cannot_leave_the_directory(void**) {
   // What the names would lead to if they were pasted into a path.
   fs::create_directory(scratch.path() + "/rcb_..");
   fs::create_directory(scratch.path() + "/rcb_a");
-  scratch.put_as("toy", scratch.path() + "/toy.so");
-  scratch.put_as("toy", scratch.path() + "/rcb_a/toy.so");
-  scratch.put_as("toy", scratch.path() + "/rcb_.so");
+  scratch.put_as("toy", scratch.path() + "/toy" RC_PLUGIN_SUFFIX);
+  scratch.put_as("toy", scratch.path() + "/rcb_a/toy" RC_PLUGIN_SUFFIX);
+  scratch.put_as("toy", scratch.path() + "/rcb_" RC_PLUGIN_SUFFIX);
   scratch.put_as("toy", scratch.file("Toy"));
   scratch.put_as("toy", scratch.file("9toy"));
   scratch.put_as("toy", scratch.file(std::string(40, 'a')));
   const Registry registry(scratch.path());
-  for (const std::string& name :
-       {std::string("../toy"), std::string("a/toy"), std::string(), std::string("Toy"), std::string("9toy"),
-        std::string("toy.so"), std::string("toy\n"), std::string("%s%n"), std::string(40, 'a'), std::string(100000, 'a')}) {
+  for (const std::string& name : {std::string("../toy"), std::string("a/toy"), std::string(), std::string("Toy"),
+                                  std::string("9toy"), std::string("toy" RC_PLUGIN_SUFFIX), std::string("toy\n"),
+                                  std::string("%s%n"), std::string(40, 'a'), std::string(100000, 'a')}) {
     assert_int_equal(registry.names(name), RC_ERR_NO_BACKEND);
     assert_message_has("rc_contact_create: backend \"" + name.substr(0, 50));
   }
@@ -111,9 +112,9 @@ void a_name_cannot_leave_the_directory(void**) {
 
 void files_of_other_names_are_left_alone(void**) {
   const Scratch scratch;
-  scratch.put_as("toy", scratch.path() + "/toy.so");
-  scratch.put_as("toy", scratch.path() + "/rcb_toy.so.1");
-  scratch.put_as("toy", scratch.path() + "/librcb_toy.so");
+  scratch.put_as("toy", scratch.path() + "/toy" RC_PLUGIN_SUFFIX);
+  scratch.put_as("toy", scratch.path() + "/rcb_toy" RC_PLUGIN_SUFFIX ".1");
+  scratch.put_as("toy", scratch.path() + "/librcb_toy" RC_PLUGIN_SUFFIX);
   const Registry registry(scratch.path());
   assert_false(registry.lists("toy"));
   assert_string_equal(registry.log().c_str(), "");
@@ -123,12 +124,13 @@ void a_missing_backend_says_how_to_get_it(void**) {
   const Registry registry("", RC_CONTEXT_NO_PLUGINS);
   if (registry.lists("fft")) skip();  // linked into the library
   assert_int_equal(registry.names("fft"), RC_ERR_NO_BACKEND);
-  assert_message_has("backend \"fft\" is not installed: its plugin rcb_fft.so is in no plugin directory (built by default)");
+  assert_message_has("backend \"fft\" is not installed: its plugin rcb_fft" RC_PLUGIN_SUFFIX
+                     " is in no plugin directory (built by default)");
   assert_message_has("available: ");
   if (registry.lists("cholmod")) skip();
   assert_int_equal(registry.names("cholmod"), RC_ERR_NO_BACKEND);
-  assert_message_has(
-      "backend \"cholmod\" is not installed: its plugin rcb_cholmod.so is in no plugin directory (needs SuiteSparse");
+  assert_message_has("backend \"cholmod\" is not installed: its plugin rcb_cholmod" RC_PLUGIN_SUFFIX
+                     " is in no plugin directory (needs SuiteSparse");
 }
 
 void a_plugin_cannot_replace_what_is_built_in(void**) {

@@ -1,10 +1,10 @@
 #include "plugins/scratch.h"
 
-#include <sys/stat.h>
-
 #include <cstring>
 #include <filesystem>
+#include <random>
 
+#include "support/system.h"
 #include "support/unit_system.h"
 
 namespace plugins {
@@ -12,9 +12,9 @@ namespace plugins {
 namespace fs = std::filesystem;
 
 Scratch::Scratch() {
-  std::string pattern = (fs::current_path() / "plugins-XXXXXX").native();
-  assert_non_null(mkdtemp(pattern.data()));
-  path_ = pattern;
+  static std::random_device number;
+  do path_ = (fs::current_path() / ("plugins-" + std::to_string(number()))).string();
+  while (!fs::create_directory(path_));
 }
 
 Scratch::~Scratch() { fs::remove_all(path_); }
@@ -26,8 +26,8 @@ std::string Scratch::put(const std::vector<std::string>& fixtures) const {
 }
 
 std::string Scratch::put_as(const std::string& fixture, const std::string& file) const {
-  fs::copy_file(std::string(RC_FIXTURE_DIRECTORY) + "/rcb_" + fixture + ".so", file);
-  chmod(file.c_str(), 0644);
+  fs::copy_file(std::string(RC_FIXTURE_DIRECTORY) + "/rcb_" + fixture + RC_PLUGIN_SUFFIX, file);
+  support::let_owner_alone_write(file);
   return file;
 }
 

@@ -21,7 +21,7 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
 
   const std::string& path() const { return path_; }
-  std::string file(const std::string& name) const { return path_ + "/rcb_" + name + ".so"; }
+  std::string file(const std::string& name) const { return path_ + "/rcb_" + name + RC_PLUGIN_SUFFIX; }
   // Copies fixtures into it; returns the last one's path.
   std::string put(const std::vector<std::string>& fixtures) const;
   std::string put_as(const std::string& fixture, const std::string& file) const;

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "support/system.h"
+
 namespace {
 
 thread_local std::int64_t remaining = 0;
@@ -21,7 +23,7 @@ void* allocated(std::size_t bytes) { return bytes > absurd || fails_now() ? null
 
 void* allocated(std::size_t bytes, std::align_val_t align) {
   const auto unit = static_cast<std::size_t>(align);
-  return bytes > absurd || fails_now() ? nullptr : std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit);
+  return bytes > absurd || fails_now() ? nullptr : support::aligned_memory(unit, (bytes + unit - 1) / unit * unit);
 }
 
 void* checked(void* memory) {
@@ -58,11 +60,11 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { support::free_aligned(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { support::free_aligned(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { support::free_aligned(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { support::free_aligned(memory); }
 void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept { support::free_aligned(memory); }
+void operator delete[](void* memory, std::align_val_t, const std::nothrow_t&) noexcept { support::free_aligned(memory); }

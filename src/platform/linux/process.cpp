@@ -6,10 +6,17 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 extern char** environ;
 
 namespace rc_platform {
+
+std::string own_program() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+}
 
 Ended run(const std::string& program, const std::vector<std::string>& arguments, std::FILE* input, std::FILE* output,
           std::FILE* errors) {

@@ -71,7 +71,7 @@ std::string distrust(const std::string& path) {
   if (!owner || !trusted(owner))
     return "plugin refused: " + path + " is owned by " + (owner ? name_of(owner) : "nobody") +
            ", neither the system, its administrators nor the current user";
-  if (!rights) return "plugin refused: everybody can write to " + path + "; take that right away";
+  if (!rights) return "plugin refused: " + path + " can be written to by everybody; take that right away";
   constexpr DWORD writes = FILE_WRITE_DATA | FILE_APPEND_DATA | WRITE_DAC | WRITE_OWNER | GENERIC_WRITE | GENERIC_ALL;
   for (DWORD i = 0; i < rights->AceCount; ++i) {
     void* entry = nullptr;
@@ -80,7 +80,7 @@ std::string distrust(const std::string& path) {
     const bool applies = allowed.Header.AceType == ACCESS_ALLOWED_ACE_TYPE && (allowed.Header.AceFlags & INHERIT_ONLY_ACE) == 0;
     const auto user = const_cast<DWORD*>(&allowed.SidStart);
     if (applies && (allowed.Mask & writes) != 0 && !trusted(user))
-      return "plugin refused: " + name_of(user) + " can write to " + path + "; take that right away";
+      return "plugin refused: " + path + " can be written to by " + name_of(user) + "; take that right away";
   }
   return {};
 }
@@ -102,7 +102,7 @@ std::string flaw(HANDLE file, const std::string& path) {
   if (!read(0, &dos, sizeof dos) || dos.e_magic != IMAGE_DOS_SIGNATURE || dos.e_lfanew < 0 ||
       !read(static_cast<std::uint64_t>(dos.e_lfanew), &header, sizeof header) || header.Signature != IMAGE_NT_SIGNATURE ||
       header.OptionalHeader.Magic != IMAGE_NT_OPTIONAL_HDR_MAGIC || (header.FileHeader.Characteristics & IMAGE_FILE_DLL) == 0)
-    return "plugin refused: " + path + " is not a library of this machine";
+    return "plugin refused: " + path + " is not a shared object of this machine";
   std::uint64_t at = static_cast<std::uint64_t>(dos.e_lfanew) + offsetof(IMAGE_NT_HEADERS, OptionalHeader) +
                      header.FileHeader.SizeOfOptionalHeader;
   for (int i = 0; i < header.FileHeader.NumberOfSections; ++i, at += sizeof(IMAGE_SECTION_HEADER)) {

@@ -3,6 +3,8 @@
 #include <io.h>
 #include <windows.h>
 
+#include <iterator>
+
 #include "platform/windows/text.h"
 
 namespace rc_platform {
@@ -16,6 +18,12 @@ HANDLE inheritable(std::FILE* file) {
 }
 
 }  // namespace
+
+std::string own_program() {
+  wchar_t path[32768];
+  const DWORD length = GetModuleFileNameW(nullptr, path, std::size(path));
+  return length < std::size(path) ? to_utf8({path, length}) : std::string();
+}
 
 Ended run(const std::string& program, const std::vector<std::string>& arguments, std::FILE* input, std::FILE* output,
           std::FILE* errors) {

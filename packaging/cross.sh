@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# packaging/cross.sh [--smoke | --test] SYSTEM... | all: builds for other systems on this machine. SYSTEM: a file SYSTEM.cmake of
+# packaging/cross. Into build-cross: SYSTEM-root, a folder that can be moved, and an archive of it, roughcontact-VERSION-SYSTEM.zip or
+# .tar.xz.
+#   --test   builds the tests, too, and runs the quick ones where the system's emulator is installed
+#   --smoke  instead of all that: the library, the backends dense and fft and the comparison with this machine's answers
+# Libraries that it links go into RC_CROSS_DEPENDENCIES (build-cross/dependencies if it is not set), once.
+set -euo pipefail
+what=''
+case ${1:-} in --smoke | --test) what=$1; shift ;; esac
+[ $# -gt 0 ] || { sed -n '2,8s/^# //p' "$0"; exit 2; }
+tree=$(cd "$(dirname "$0")/.." && pwd)
+cd "$tree"
+[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed -n '/^describe/!s/\.cmake$//p')
+dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-build-cross/dependencies}")
+version=$(sed -nE 's/^project\(roughcontact VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
+mkdir -p build-cross
+export WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-$tree/build-cross/wine}
+
+# quietly LOG COMMAND...
+quietly() {
+  "${@:2}" >"$1" 2>&1 || { grep -E -m 20 'error|Error' "$1" || tail -20 "$1"; echo "failed: ${*:2:3} ...; see $1"; return 1; }
+}
+
+# configure SYSTEM FOLDER OPTION...
+configure() {
+  export PKG_CONFIG_LIBDIR=$dependencies/$1/lib/pkgconfig LDFLAGS=-L$dependencies/$1/lib
+  quietly "$2.log" cmake -S . -B "$2" -DCMAKE_TOOLCHAIN_FILE="$tree/packaging/cross/$1.cmake" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_FIND_ROOT_PATH="$dependencies/$1" -DCMAKE_INSTALL_PREFIX=/roughcontact -DCMAKE_INSTALL_LIBDIR=lib -DRC_WERROR=ON -DRC_BUILD_BENCH=OFF "${@:3}"
+}
+
+# Everything: archive, and with --test the tests.
+everything() {
+  local build=build-cross/$1 name=roughcontact-$version-$1 form=(-cJf) suffix=tar.xz tests=OFF
+  [ "$system" != Windows ] || form=(-cf --format=zip) suffix=zip
+  [ "$what" != --test ] || tests=ON
+  quietly "build-cross/$1-dependencies.log" packaging/cross/dependencies.sh "$1" "$dependencies"
+  configure "$1" "$build" -DRC_BUILD_TESTS=$tests -DRC_BUILD_EXAMPLES=$tests "-DRC_MODULE_BACKENDS=fft;split" -DRC_WRITE_NETCDF=OFF -DRC_WRITE_HDF5=OFF
+  quietly "$build.log" cmake --build "$build" -j "$(nproc)"
+  rm -rf "$build-root"
+  quietly "$build.log" cmake --install "$build" --strip --prefix "$build-root/$name"
+  (cd "$build-root" && cmake -E tar "${form[0]}" "../$name.$suffix" "${form[@]:1}" "$name")
+  echo "$1: build-cross/$name.$suffix, $(du -h "build-cross/$name.$suffix" | cut -f1)"
+  [ $tests = ON ] || return 0
+  if ! command -v "${emulator%%;*}" >/dev/null; then
+    echo "$1: tests are not run: ${emulator%%;*} is not installed"
+    return 77
+  fi
+  RC_TEST_QUICK=1 ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 600 -LE 'slow|full' -j "$(nproc)"
+}
+
+for name in "$@"; do
+  [ -e "packaging/cross/$name.cmake" ] || { echo "packaging/cross has no $name.cmake"; exit 2; }
+  eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$name.cmake" -P packaging/cross/describe.cmake)"
+  everything "$name"
+done

@@ -1,0 +1,28 @@
+// What tests ask of the system beyond the standard library; one folder for each system has it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace support {
+
+extern const char* const folder_separator;  // in a list of folders
+extern const char* const writable_to_all;   // how the refusal of a plugin calls a file that everybody can write to
+void let_everybody_write(const std::string& path);
+void let_owner_alone_write(const std::string& path);
+bool give_away(const std::string& path);  // to another user; false where that is not possible
+bool make_pipe(const std::string& path);  // false where pipes are not files
+
+void set_variable(const char* name, const char* value);  // of the environment; null: not set
+
+// For blocks of memory that are given back by free_aligned.
+void* aligned_memory(std::size_t alignment, std::size_t bytes);
+void free_aligned(void* memory);
+
+// Ends this process when it has more memory [bytes, 0: no limit] or has run for so long [s].
+void limit_process(std::size_t bytes, unsigned seconds);
+
+// Ends this process when it has taken so much more processor time; not where limit_process alone can.
+void limit_processor_time(unsigned seconds);
+
+}  // namespace support
