@@ -1,5 +1,6 @@
 # One interface target with the warnings and sanitizers that all of our own code is compiled with.
 add_library(rc_compile INTERFACE)
+target_compile_definitions(rc_compile INTERFACE _FILE_OFFSET_BITS=64)  # files above 2 GiB on 32-bit systems, too
 target_compile_options(rc_compile INTERFACE -Wall -Wextra -Wpedantic -Wshadow
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>  # by a neighbour file's constant

@@ -5,7 +5,7 @@ set -euo pipefail
 toolchain=$(dirname "$(realpath "$0")")/$1.cmake
 mkdir -p "$2/sources/lists/partial" "$2/$1/include" "$2/$1/share/cmake"
 folder=$(realpath "$2") prefix=$(realpath "$2/$1")
-system='' host='' cc=''
+system='' host='' cc='' ar='' ranlib=''
 eval "$(cmake -DTOOLCHAIN="$toolchain" -P "$(dirname "$toolchain")/describe.cmake")"
 jobs=$(nproc)
 names=(cmocka fftw3 gsl libzip pugixml zlib)
@@ -42,7 +42,7 @@ made() { [ -e "$prefix/lib/$1" ]; }
 made libz.a || {
   unpack zlib
   cd "$prefix/work"
-  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$host-ar RANLIB=$host-ranlib CHOST=$host CFLAGS="-O2 -fPIC" ./configure --static --prefix="$prefix"
+  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CHOST=$host CFLAGS="-O2 -fPIC" ./configure --static --prefix="$prefix"
   make -j "$jobs" libz.a
   mkdir -p "$prefix/lib/pkgconfig"
   cp zlib.pc "$prefix/lib/pkgconfig"
@@ -67,7 +67,7 @@ unset CFLAGS
 made libgsl.a || {
   unpack gsl
   cd "$prefix/work"
-  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" ./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --quiet CFLAGS=-O2
+  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib ./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --quiet CFLAGS=-O2
   parts=$(sed -n 's/^SUBDIRS = //p' Makefile)
   make -j "$jobs" --quiet SUBDIRS="${parts/ doc/}" install  # Debian's source has no documents
 }

@@ -12,9 +12,9 @@ begin() {  # a program that begins one struct of each kind
   printf '#include <roughcontact/%s.h>\n' history derivatives direct analysis registry surface formats
   for macro in $macros; do local type=${macro%_INIT}; echo "size_t begin_${type,,}(void); size_t begin_${type,,}(void) { ${type,,} x = $macro; return x.struct_size; }"; done
 }
-for compiler in gcc clang; do
+for compiler in gcc clang x86_64-w64-mingw32-gcc-posix; do
   command -v $compiler >/dev/null || { echo "$compiler: not installed, left out"; continue; }
-  for mode in "c c99" "c c11" "c++ c++17" "c++ c++20"; do
+  for mode in "c c99" "c c11" "c c17" "c++ c++17" "c++ c++20"; do
     read -r language standard <<<"$mode"
     for header in "$include"/roughcontact/*.h; do
       echo "#include <roughcontact/$(basename "$header")>" | $compiler "${warnings[@]}" -x "$language" -std="$standard" -
