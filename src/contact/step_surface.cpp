@@ -5,6 +5,7 @@
 #include <roughcontact/plugin.hpp>
 
 #include "core/error.h"
+#include "core/large_memory.h"
 
 namespace rc {
 
@@ -48,12 +49,13 @@ bool add_finite(Summary& summary, const double* gap, std::int64_t n, double& low
 
 }  // namespace
 
-StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : nx_(given.nx), ny_(given.ny) {
+StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : team_(&team), nx_(given.nx), ny_(given.ny) {
   const std::int64_t columns = tiles_x(), rows = (ny_ + tile - 1) / tile;
   tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
   std::vector<Summary> summaries(static_cast<std::size_t>(rows));
   if (!given.borrowed) {
     own_gap_ = std::make_unique_for_overwrite<double[]>(given.gap.size());
+    prefer_large(own_gap_.get(), given.gap.size() * sizeof(double));
     own_mask_.assign(given.mask.begin(), given.mask.end());
   }
   gap_ = given.borrowed ? given.gap : std::span<const double>{own_gap_.get(), given.gap.size()};
@@ -132,7 +134,7 @@ TrialSet StepSurface::below(double limit) const {
   TrialSet trial;
   trial.n = extent_below(limit).n;
   if (trial.n == static_cast<std::int64_t>(gap_.size())) return trial;
-  trial.index.reserve(static_cast<std::size_t>(trial.n));
+  reserve_large(trial.index, static_cast<std::size_t>(trial.n));
   for (std::size_t i = 0; i < gap_.size(); ++i)
     if (included(i) && gap_[i] < limit) trial.index.push_back(static_cast<std::int64_t>(i));
   return trial;

@@ -6,33 +6,17 @@
 #include <limits>
 #include <vector>
 
+#include "core/chunks.h"
+#include "core/large_memory.h"
 #include "core/sums.h"
 
 namespace rc {
 
 namespace {
 
-constexpr std::int64_t chunk = 8192, piece = 1024;
-constexpr std::int64_t least_shared = 4 * chunk;
+constexpr std::int64_t piece = 1024;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nearly = 1 - 1e-9;  // of the cap: pressures to start from that are higher are at the cap, but for rounding
-
-// act(begin, count) for all chunks.
-template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act) {
-  roughcontact::for_each(team, (n + chunk - 1) / chunk, n >= least_shared,
-                         [&](std::int64_t item, std::int64_t) { act(item * chunk, std::min(chunk, n - item * chunk)); });
-}
-
-// Combines body(begin, count) of all chunks, in their order.
-template <class Part, class Body, class Combine = std::plus<>>
-Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {}) {
-  std::vector<Part> parts(static_cast<std::size_t>((n + chunk - 1) / chunk));
-  each_chunk(n, team, [&](std::int64_t begin, std::int64_t count) {
-    parts[static_cast<std::size_t>(begin / chunk)] = body(begin, count);
-  });
-  for (const Part& part : parts) total = combine(total, part);
-  return total;
-}
 
 // Whether body(begin, count) is true of any chunk.
 template <class Body> bool any(std::int64_t n, const rc_team& team, const Body& body) {
@@ -54,12 +38,14 @@ ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, 
       n_(problem.size()),
       cap_(problem.cap()),
       p_(p.data()),
-      reached_(static_cast<std::size_t>((n_ + chunk - 1) / chunk)),
+      reached_(static_cast<std::size_t>((n_ + chunk_values - 1) / chunk_values)),
       runs_(static_cast<std::size_t>(n_ / haar_run), HaarRun::busy) {
   const auto count = static_cast<std::size_t>(n_);
   const std::size_t shared = std::max({count * sizeof(double), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
   const std::size_t spares = (shared + sizeof(double) - 1) / sizeof(double) * sizeof(double);  // so that all is aligned
-  memory_.reset(new std::byte[spares + count * (3 * sizeof(Real) + 1)]);
+  const std::size_t bytes = spares + count * (3 * sizeof(Real) + 1);
+  memory_.reset(new std::byte[bytes]);
+  prefer_large(memory_.get(), bytes);
   w_ = reinterpret_cast<Real*>(memory_.get() + spares);
   t_ = w_ + count;
   q_ = t_ + count;
@@ -110,7 +96,7 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
         p[i] = p[i] >= nearly * cap_ ? cap_ : std::max(p[i], 0.0);
         most = std::max(most, p[i]);
       }
-      if (most >= cap_) reached_[static_cast<std::size_t>(first / chunk)] = 1;
+      if (most >= cap_) reached_[static_cast<std::size_t>(first / chunk_values)] = 1;
       start = both(start, {highest, most > 0});
     });
     return start;
@@ -119,7 +105,7 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
 }
 
 template <class Real> const HaarLoops<Real>& ThreadMachine<Real>::loops_at(std::int64_t begin) const {
-  return reached_[static_cast<std::size_t>(begin / chunk)] ? capped_loops_ : loops_;
+  return reached_[static_cast<std::size_t>(begin / chunk_values)] ? capped_loops_ : loops_;
 }
 
 template <class Real>
@@ -160,7 +146,7 @@ template <class Real> void ThreadMachine<Real>::multiply(double factor, bool fre
       p_[i] = p_[i] < cap_ ? std::min(p_[i] * factor, cap_) : cap_;
       most = std::max(most, p_[i]);
     }
-    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk)] = 1;
+    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk_values)] = 1;
   });
 }
 
@@ -179,7 +165,7 @@ template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut)
     const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
     const HaarCut found =
         loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_.data() + i / haar_run);
-    if (found.capped) reached_[static_cast<std::size_t>(i / chunk)] = 1;
+    if (found.capped) reached_[static_cast<std::size_t>(i / chunk_values)] = 1;
     return found.any;
   });
 }
