@@ -90,6 +90,9 @@ class StepSurface {
   double bearing_height(double target) const;
 
  private:
+  template <class Visit> void visit_below(double limit, std::int64_t tile_row, const Visit& visit) const;
+  std::vector<Extent> extents_below(double limit) const;
+
   const rc_team* team_ = nullptr;
   std::int64_t nx_ = 0, ny_ = 0;
   std::unique_ptr<double[]> own_gap_;
