@@ -152,13 +152,14 @@ class Proof {
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
       return support;
     }
-    if (!(reach < infinity)) return extent_where(surface_, answer_, nullptr, [&](std::size_t i) { return undecided(i, reach); });
+    if (!(reach < infinity))
+      return extent_where(surface_, answer_, nullptr, [&](std::size_t i) { return given_[i] > 0 || may_carry(i); });
     for (const std::size_t i : near(reach))
       if (undecided(i, reach)) add(support, i);
     return support;
   }
-  // Points that were given a pressure or may carry one, but for those with a larger gap. Later gaps are smaller, so the first
-  // list serves them, too.
+  // Points that were given a pressure, and those that may carry one and are no farther than `reach`. It never grows, so the list
+  // made first serves later calls, too.
   const std::vector<std::size_t>& near(double reach) {
     if (near_) return *near_;
     Marks marks(static_cast<std::int64_t>(given_.size()));

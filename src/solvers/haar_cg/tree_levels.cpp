@@ -17,7 +17,11 @@ constexpr std::int64_t groups_per_part = 64;  // where not every cell exists
 // The values at the places, 0 where there is none; 1 for each place without `from`.
 template <class Value> void HaarTree::Places::gather_row(const Value* from, const std::int64_t* place, Value* to) const {
   if (end == 0) {
-    for (int i = 0; i < 16; ++i) to[i] = place[i] < 0 ? Value{0} : from ? from[place[i]] : Value{1};
+    for (int i = 0; i < 16; ++i) {
+      const Value value =
+          from ? from[std::max<std::int64_t>(place[i], 0)] : Value{1};  // read anyway: no branch is foreseen wrongly
+      to[i] = place[i] < 0 ? Value{0} : value;
+    }
     return;
   }
   std::fill_n(to, 16, Value{0});
