@@ -138,12 +138,39 @@ template <class Visit> void StepSurface::visit_below(double limit, std::int64_t 
     }
 }
 
+namespace {
+
+// Adds the points with gap < limit in columns begin .. end-1 of row y. gap: of that row.
+template <class Value>
+void add_below(double limit, const Value* gap, std::int64_t begin, std::int64_t end, std::int64_t y, Extent& extent) {
+  const auto below = [&](std::int64_t x) { return static_cast<double>(gap[x]) < limit; };
+  std::int64_t n = 0;
+  for (std::int64_t x = begin; x < end; ++x) n += below(x);
+  if (n == 0) return;
+  std::int64_t left = begin, right = end - 1;  // looked for where they widen the extent
+  while (left < extent.left && !below(left)) ++left;
+  while (right > extent.right && !below(right)) --right;
+  extent = extent + Extent{n, left, right, y, y};
+}
+
+}  // namespace
+
 // Of each row of tiles.
 std::vector<Extent> StepSurface::extents_below(double limit) const {
   std::vector<Extent> rows(static_cast<std::size_t>((ny_ + tile - 1) / tile));
+  const std::int64_t columns = tiles_x();
+  const auto unmasked = [&](std::int64_t row, Extent& extent) {
+    gap_.visit([&](const auto* gap) {
+      for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y)
+        for (std::int64_t column = 0; column < columns; ++column)
+          if (tile_lowest_[static_cast<std::size_t>(row * columns + column)] < limit)
+            add_below(limit, gap + y * nx_, column * tile, std::min((column + 1) * tile, nx_), y, extent);
+    });
+  };
   roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), gap_.size() > serial_points,
                          [&](std::int64_t row, std::int64_t) {
                            Extent& extent = rows[static_cast<std::size_t>(row)];
+                           if (mask_.empty()) return unmasked(row, extent);
                            visit_below(limit, row, [&](std::int64_t, std::int64_t x, std::int64_t y) { extent.add(x, y); });
                          });
   return rows;
