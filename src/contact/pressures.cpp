@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "core/large_memory.h"
+
 namespace rc {
 
 std::vector<double> Pressures::at(const TrialSet& other) const {
   if (on == other) return p;
-  std::vector<double> values(static_cast<std::size_t>(other.n), 0.0);
+  auto values = large_vector<double>(static_cast<std::size_t>(other.n));
   if (on.index.empty()) {
     for (std::size_t i = 0; i < values.size() && !p.empty(); ++i)
       values[i] = p[static_cast<std::size_t>(other.point(static_cast<std::int64_t>(i)))];

@@ -29,6 +29,10 @@ struct Extent {
   std::int64_t width() const { return n > 0 ? right - left + 1 : 0; }
   std::int64_t height() const { return n > 0 ? high - low + 1 : 0; }
   std::int64_t box() const { return width() * height(); }
+
+  friend Extent operator+(const Extent& a, const Extent& b) {
+    return {a.n + b.n, std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
+  }
 };
 
 // A gap over nx * ny points, and which of them count; an empty mask: all.
@@ -42,13 +46,15 @@ struct GivenSurface {
 class StepSurface {
  public:
   StepSurface() = default;
-  // Throws Error(ARGUMENT) on values that are not finite outside the mask.
+  // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it.
   StepSurface(const GivenSurface& given, const rc_team& team);
   StepSurface(StepSurface&&) = default;
   StepSurface& operator=(StepSurface&&) = default;
   void clear() { *this = StepSurface(); }
 
   bool empty() const { return gap_.empty(); }
+  std::int64_t nx() const { return nx_; }
+  const rc_team& team() const { return *team_; }
   bool equals(const StepSurface&, const rc_team& team) const;  // NaN under the mask counts as equal
   const GapValues& gap() const { return gap_; }
   // The same in 8 bytes a point: a copy, made when first asked for, where the gap has 4.
@@ -87,6 +93,10 @@ class StepSurface {
   double bearing_height(double target) const;
 
  private:
+  template <class Visit> void visit_below(double limit, std::int64_t tile_row, const Visit& visit) const;
+  std::vector<Extent> extents_below(double limit) const;
+
+  const rc_team* team_ = nullptr;
   std::int64_t nx_ = 0, ny_ = 0;
   std::unique_ptr<double[]> own_gap_;
   std::unique_ptr<float[]> own_single_gap_;

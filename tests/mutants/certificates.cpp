@@ -9,7 +9,7 @@ namespace mutants {
 void figures_of_certificates(Figures& figures) {
   const auto put = [&figures](const std::string& name, const Small& small, double scale) {
     const rc::Certificate c =
-        certify(small.surface(), small.compression, small.answer, scale, std::numeric_limits<double>::infinity());
+        certify(small.surface(), small.compression, small.answer, small.survey(), scale, std::numeric_limits<double>::infinity());
     figures.section("certificate/" + name);
     figures.exact("primal", c.primal);
     figures.exact("dual", c.dual);

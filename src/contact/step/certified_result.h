@@ -21,7 +21,8 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
 
 // The parts of certified_result, for answers that are finished in another way.
 
-// H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs.
+// H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs. Takes
+// the pressures out of the answer, but where the operator has screened all points.
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
 // The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where
 // none is, the least at which all points with pressure touch.
