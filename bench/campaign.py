@@ -34,8 +34,8 @@ modulus = {modulus}
 pressure = {pressures}
 """
 COLUMNS = ('solves; grid={points}²; details; workers={threads}; batch [s]={batch:.2f}; surfaces [s]={surfaces:.2f}; '
-           'campaign [s]={campaign:.2f}; start and end [s]={idle:.2f}; ratio={ratio:.3f}; over surfaces and batch={ratio_made:.3f}; without start and end={ratio_running:.3f}; '
-           'CPU ratio={cpu_ratio:.3f}; same numbers={same}')
+           'campaign [s]={campaign:.2f}; start and end [s]={idle:.2f}; ratio={ratio:.3f}; over surfaces and batch={ratio_made:.3f}; '
+           'without start and end={ratio_running:.3f}; CPU ratio={cpu_ratio:.3f}; without={cpu_ratio_running:.3f}; same numbers={same}')
 
 
 def batch_of(request, pressures):
@@ -76,11 +76,12 @@ def run(request):
         idle = checked(in_child(lambda: campaign_of(request, pressures[:1], 1, 'false')))
         batch = checked(in_child(lambda: batch_of(request, pressures)))
         for details, rows in found.items():
-            answer = checked(in_child(lambda: campaign_of(request, pressures, request.seeds, details)))  # pylint: disable=cell-var-from-loop
+            answer = checked(in_child(lambda: campaign_of(request, pressures, request.seeds, details)))
             rows.append({'batch': batch['batch'], 'surfaces': batch['surfaces'], 'campaign': answer['seconds'], 'idle': idle['seconds'],
                          'ratio': answer['seconds'] / batch['batch'], 'ratio_made': answer['seconds'] / (batch['batch'] + batch['surfaces']),
                          'ratio_running': (answer['seconds'] - idle['seconds']) / batch['batch'],
-                         'cpu_ratio': answer['cpu'] / batch['batch_cpu'], 'same': answer['areas'] == batch['areas']})
+                         'cpu_ratio': answer['cpu'] / batch['batch_cpu'], 'cpu_ratio_running': (answer['cpu'] - idle['cpu']) / batch['batch_cpu'],
+                         'same': answer['areas'] == batch['areas']})
             print(f'turn {turn + 1}: {rows[-1]}', file=sys.stderr)
     for details, rows in found.items():
         middle = {name: median([row[name] for row in rows]) for name in rows[0] if name != 'same'}

@@ -151,7 +151,7 @@ def main():
     except KeyboardInterrupt:
         print("stopped; the same command goes on", file=sys.stderr)
         return 130
-    except (study.StudyError, store.StoreError, rc.RoughContactError, OSError, RuntimeError) as error:
+    except (study.StudyError, store.StoreError, rc.RoughContactError, OSError, ImportError, RuntimeError) as error:
         print(f"campaign.py: {error}", file=sys.stderr)
         return 2
 
