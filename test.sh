@@ -2,8 +2,8 @@
 # ./test.sh [--quick | --full]: installs what is missing, then builds and tests. Ends with the time of each stage, the ten slowest
 # tests, and "N passed, N failed, N skipped".
 #   --quick  before each commit: gcc without benchmarks, reduced tests
-#   (none)   what CI runs: gcc, checks of source and binaries, address, undefined behaviour and thread sanitizers where they tell most
-#   --full   before a release: all sizes, measured surfaces where they are, every family under the sanitizers, clang, clang-tidy,
+#   (none)   what CI runs: gcc, checks of source and binaries, a smoke test of other systems, address, undefined behaviour and thread sanitizers where they tell most
+#   --full   before a release: all sizes, measured surfaces where they are, the tests on other systems, every family under the sanitizers, clang, clang-tidy,
 #            fuzzing, mutants
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -78,9 +78,16 @@ else
 
   stage "checks of source and binaries"
   check .ci/include_graph.py
+  check .ci/platforms.py
   check .ci/format.sh
   check .ci/globals.sh build-gcc
   check .ci/no_side_effects.sh build-gcc
+
+  stage "other systems"
+  how=--smoke code=0
+  ! full || how=--test
+  packaging/cross.sh $how all || code=$?
+  case $code in 0) passed=$((passed + 1)) ;; 77) skipped=$((skipped + 1)) ;; *) failed=$((failed + 1)) ;; esac
 
   stage "clang: address and undefined behaviour sanitizers"
   if full; then

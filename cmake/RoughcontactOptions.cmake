@@ -18,7 +18,7 @@ endforeach()
 list(REMOVE_ITEM RC_BUILTIN_BACKENDS callback)
 list(REMOVE_ITEM RC_MODULE_BACKENDS callback ${RC_BUILTIN_BACKENDS})
 
-foreach(option RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS RC_BUILD_EXAMPLES RC_BUILD_BENCH RC_BUILD_FUZZERS RC_WERROR)
+foreach(option RC_BUILD_SURFACE RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS RC_BUILD_EXAMPLES RC_BUILD_BENCH RC_BUILD_FUZZERS RC_WERROR)
   if(DEFINED ${option} AND NOT "${${option}}" MATCHES "^([Oo][Nn]|[Oo][Ff][Ff]|[Tt][Rr][Uu][Ee]|[Ff][Aa][Ll][Ss][Ee]|[Yy][Ee][Ss]|[Nn][Oo]|[YyNn]|[0-9]+)?$")
     message(FATAL_ERROR "${option} = \"${${option}}\" is neither ON nor OFF")
   endif()

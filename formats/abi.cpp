@@ -17,6 +17,7 @@
 #include "formats/surface.h"
 #include "formats/units.h"
 #include "formats/wording.h"
+#include "platform/files.h"
 
 namespace rc {
 
@@ -129,7 +130,7 @@ const char* rc_surface_read_last_error(void) { return own_message<rc::formats::L
 rc_status rc_surface_read(const char* path, const rc_surface_read_spec* spec, rc_surface_file* out) {
   return rc::formats::guard("rc_surface_read", [&] {
     if (!path) fail(RC_ERR_ARGUMENT, "path is null");
-    read_into(spec, out, [&](double unit, const auto& format) { return read_surface(path, unit, format); });
+    read_into(spec, out, [&](double unit, const auto& format) { return read_surface(rc_platform::path_of(path), unit, format); });
   });
 }
 
@@ -138,7 +139,9 @@ rc_status rc_surface_read_memory(const void* data, size_t size, const char* name
   return rc::formats::guard("rc_surface_read_memory", [&] {
     if (!data && size > 0) fail(RC_ERR_ARGUMENT, "data is null");
     const std::string_view file(static_cast<const char*>(data), size);
-    read_into(spec, out, [&](double unit, const auto& format) { return read_surface(file, name ? name : "", unit, format); });
+    read_into(spec, out, [&](double unit, const auto& format) {
+      return read_surface(file, rc_platform::path_of(name ? name : ""), unit, format);
+    });
   });
 }
 

@@ -11,7 +11,7 @@ case ${1:-} in --smoke | --test) what=$1; shift ;; esac
 [ $# -gt 0 ] || { sed -n '2,8s/^# //p' "$0"; exit 2; }
 tree=$(cd "$(dirname "$0")/.." && pwd)
 cd "$tree"
-[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed -n '/^describe/!s/\.cmake$//p')
+[ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed 's/\.cmake$//')
 dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-build-cross/dependencies}")
 version=$(sed -nE 's/^project\(roughcontact VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
 mkdir -p build-cross
@@ -23,13 +23,37 @@ quietly() {
 }
 
 # configure SYSTEM FOLDER OPTION...
-configure() {
+configure() (
   export PKG_CONFIG_LIBDIR=$dependencies/$1/lib/pkgconfig LDFLAGS=-L$dependencies/$1/lib
   quietly "$2.log" cmake -S . -B "$2" -DCMAKE_TOOLCHAIN_FILE="$tree/packaging/cross/$1.cmake" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_FIND_ROOT_PATH="$dependencies/$1" -DCMAKE_INSTALL_PREFIX=/roughcontact -DCMAKE_INSTALL_LIBDIR=lib -DRC_WERROR=ON -DRC_BUILD_BENCH=OFF "${@:3}"
+)
+
+# use SYSTEM FOLDER BACKEND...: what was installed, as a program of that system uses it; 77 where the emulator is missing.
+use() {
+  local program=${emulator%%;*} native=build-cross/native
+  if ! command -v "$program" >/dev/null; then
+    echo "$1: built, not run: ${program:-an emulator} is not installed"
+    return 77
+  fi
+  if [ -e build-gcc/lib/roughcontact/abi-1/rcb_fft.so ]; then
+    native=build-gcc
+  else
+    quietly $native.log cmake -S . -B $native -DCMAKE_BUILD_TYPE=Release "${core[@]}" "-DRC_MODULE_BACKENDS=fft;split"
+    quietly $native.log cmake --build $native -j "$(nproc)"
+  fi
+  tests/systems/use.sh "$1" "$2" $native "${@:3}"
 }
 
-# Everything: archive, and with --test the tests.
+smoke() {
+  local build=build-cross/$1-smoke
+  configure "$1" "$build" "${core[@]}"
+  quietly "$build.log" cmake --build "$build" -j "$(nproc)"
+  rm -rf "$build-root"
+  quietly "$build.log" cmake --install "$build" --prefix "$build-root"
+  use "$1" "$build-root" dense fft
+}
+
 everything() {
   local build=build-cross/$1 name=roughcontact-$version-$1 form=(-cJf) suffix=tar.xz tests=OFF
   [ "$system" != Windows ] || form=(-cf --format=zip) suffix=zip
@@ -39,18 +63,28 @@ everything() {
   quietly "$build.log" cmake --build "$build" -j "$(nproc)"
   rm -rf "$build-root"
   quietly "$build.log" cmake --install "$build" --strip --prefix "$build-root/$name"
+  cp LICENSE "$build-root/$name"
+  cat packaging/notices/{head,eigen,fftw,gsl,cli11,json} >"$build-root/$name/NOTICES"
   (cd "$build-root" && cmake -E tar "${form[0]}" "../$name.$suffix" "${form[@]:1}" "$name")
   echo "$1: build-cross/$name.$suffix, $(du -h "build-cross/$name.$suffix" | cut -f1)"
   [ $tests = ON ] || return 0
-  if ! command -v "${emulator%%;*}" >/dev/null; then
-    echo "$1: tests are not run: ${emulator%%;*} is not installed"
-    return 77
-  fi
+  use "$1" "$build-root/$name" dense fft split || return
   RC_TEST_QUICK=1 ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 600 -LE 'slow|full' -j "$(nproc)"
 }
 
+core=(-DRC_BUILD_SURFACE=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_BENCH=OFF
+  -DRC_MODULE_BACKENDS=fft)
+if [ $# = 1 ]; then
+  [ -e "packaging/cross/$1.cmake" ] || { echo "packaging/cross has no $1.cmake"; exit 2; }
+  eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$1.cmake" -P packaging/cross/parts/describe.cmake)"
+  if [ "$what" = --smoke ]; then smoke "$1"; else everything "$1"; fi
+  exit
+fi
+result=0
 for name in "$@"; do
-  [ -e "packaging/cross/$name.cmake" ] || { echo "packaging/cross has no $name.cmake"; exit 2; }
-  eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$name.cmake" -P packaging/cross/describe.cmake)"
-  everything "$name"
+  code=0
+  packaging/cross.sh $what "$name" || code=$?
+  [ $code = 0 ] || [ $code = 77 ] || echo "$name: failed"
+  case $code in 0) ;; 77) [ $result != 0 ] || result=77 ;; *) result=1 ;; esac
 done
+exit $result

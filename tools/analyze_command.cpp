@@ -9,6 +9,7 @@
 #include "error.h"
 #include "json_text.h"
 #include "numbers.h"
+#include "platform/files.h"
 #include "quantities.h"
 #include "spectrum_picture.h"
 #include "surface_library.h"
@@ -133,7 +134,7 @@ void print_advice(const Analysis& a) {
 
 void print(const Analysis& a) {
   std::printf("surface %s, %lld x %lld points, pitch %s x %s%s, %s removed\n",
-              std::filesystem::path(a.input.file).filename().string().c_str(), static_cast<long long>(a.input.surface.nx),
+              rc_platform::path_of(a.input.file).filename().string().c_str(), static_cast<long long>(a.input.surface.nx),
               static_cast<long long>(a.input.surface.ny), length_text(*a.input.surface.hx).c_str(),
               length_text(*a.input.surface.hy).c_str(), a.input.preparation().c_str(), a.periodic ? "periodic, mean" : "plane");
   print_statistics(a.statistics);
@@ -208,7 +209,7 @@ std::string document(const Analysis& a) {
 }
 
 void draw(const Analysis& analysis, const std::string& path) {
-  write_whole_file(path, [&](std::FILE* file) {
+  write_whole_file(rc_platform::path_of(path), [&](std::FILE* file) {
     const Gnuplot outcome = draw_spectrum(analysis, file);
     if (outcome.missing) {
       report("gnuplot not found: " + path + " not drawn");
@@ -226,7 +227,7 @@ void analyze(const AnalyzeArguments& arguments) {
   for (const std::string& note : analysis.input.notes) report(note);
   if (arguments.json) {
     const std::string text = document(analysis);
-    write_whole_file(*arguments.json, text);
+    write_whole_file(rc_platform::path_of(*arguments.json), text);
   }
   if (arguments.picture) draw(analysis, *arguments.picture);
   print(analysis);

@@ -10,6 +10,7 @@
 #include "lengths.h"
 #include "npy_writer.h"
 #include "numbers.h"
+#include "platform/files.h"
 #include "quantities.h"
 #include "surface.h"
 #include "surface_library.h"
@@ -155,7 +156,7 @@ Surface shape(const std::string& kind, const GenerateArguments& arguments, doubl
 
 void generate(const std::string& kind, const GenerateArguments& arguments) {
   const double unit = length_unit(arguments.unit);
-  const std::filesystem::path path = arguments.output;
+  const std::filesystem::path path = rc_platform::path_of(arguments.output);
   const std::string extension = path.extension().string();
   if (extension != ".npy" && extension != ".gsf")
     throw Error("--output: " + in_quotes(arguments.output) + " must end in .npy or .gsf");

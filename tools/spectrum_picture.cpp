@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "platform/files.h"
 #include "text.h"
 #include "units.h"
 
@@ -75,7 +76,7 @@ Gnuplot draw_spectrum(const Analysis& analysis, std::FILE* file) {
       "set format x '10^{%T}'\nset format x2 '10^{%T}'\nset format y '10^{%T}'\nset xtics nomirror\nset x2tics\nset grid xtics "
       "ytics linecolor rgb '#e0e0e0'\n";
   script += "set xlabel 'wave number q [1/m]'\nset x2label 'wavelength [m]'\nset ylabel 'C(q) [m^4]'\n";
-  script += "set title " + quoted(std::filesystem::path(analysis.input.file).filename().string()) + " noenhanced font ',20'\n";
+  script += "set title " + quoted(rc_platform::path_of(analysis.input.file).filename().string()) + " noenhanced font ',20'\n";
   script += mark(1, law.q_rolloff, "roll-off", 0.9) + mark(2, law.q_cutoff, "cut-off", 0.83) + peaks(law);
 
   script += "plot $psd using 1:2 with points pointtype 7 pointsize 0.7 linecolor rgb '#4080c0' title 'mean over directions'";

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "npy_writer.h"
 #include "picture.h"
+#include "platform/files.h"
 #include "step_fields.h"
 #include "surface.h"
 #include "text.h"
@@ -58,7 +59,7 @@ std::size_t step_of(const std::string& name) {
 }  // namespace
 
 StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers)
-    : folder_(folder),
+    : folder_(rc_platform::path_of(folder)),
       writers_(std::move(writers)),
       problem_(problem),
       summary_(problem),

@@ -5,6 +5,7 @@
 #include "choices.h"
 #include "error.h"
 #include "numbers.h"
+#include "platform/files.h"
 #include "platform/libraries.h"
 #include "platform/process.h"
 #include "text.h"
@@ -20,7 +21,7 @@ constexpr const char* modules[] = {nullptr, "write-netcdf", "write-hdf5"};
 
 // The libraries of NetCDF and HDF5 bring dozens of others, which take some 40 ms to load: only a run that writes such files does.
 StepWriter loaded(const char* name, std::string_view format) {
-  const fs::path folder = fs::path(rc_platform::own_program()).parent_path() / RC_LIBRARY_FROM_BIN / "roughcontact";
+  const fs::path folder = rc_platform::path_of(rc_platform::own_program()).parent_path() / RC_LIBRARY_FROM_BIN / "roughcontact";
   const std::string file = name + std::string(rc_platform::library_suffix);
   const rc_platform::OpenedPlugin module = rc_platform::open_plugin((folder / file).string());
   void* const found = module.code ? rc_platform::symbol_of(module.code, "rc_write_step") : nullptr;

@@ -10,6 +10,7 @@
 #include "formats/missing.h"
 #include "formats/registry.h"
 #include "lengths.h"
+#include "platform/files.h"
 #include "shapes.h"
 #include "text.h"
 #include "units.h"
@@ -56,7 +57,7 @@ void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& inp
   if (!arguments.against) return;
   input.against = *arguments.against;
   Surface& surface = input.surface;
-  const Surface other = read_surface(input.against, unit);
+  const Surface other = read_surface(rc_platform::path_of(input.against), unit);
   if (!other.note.empty()) input.notes.push_back("note: " + other.note);
   const double hx = other.hx.value_or(*surface.hx), hy = other.hy.value_or(*surface.hy);
   const auto near = [](double a, double b) { return std::abs(a - b) <= same_pitch * b; };
@@ -75,7 +76,7 @@ void add_other(const SurfaceArguments& arguments, double unit, SurfaceInput& inp
 
 std::string SurfaceInput::preparation() const {
   std::string text;
-  if (!against.empty()) text += ", against " + std::filesystem::path(against).filename().string();
+  if (!against.empty()) text += ", against " + rc_platform::path_of(against).filename().string();
   if (removed != "none") text += ", " + removed + " removed";
   if (missing > 0) {
     text += format(", %lld missing point%s %s", static_cast<long long>(missing), missing == 1 ? "" : "s",
@@ -104,7 +105,7 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
   input.shape = arguments.shape.value_or("");
 
   input.file = arguments.file;
-  input.surface = read_surface(input.file, unit, arguments.format);
+  input.surface = read_surface(rc_platform::path_of(input.file), unit, arguments.format);
   const auto note = [&input](const std::string& text) {
     if (!text.empty()) input.notes.push_back("note: " + text);
   };

@@ -4,13 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "platform/files.h"
 #include "text.h"
 
 namespace cli {
 
 void print_table_head(const Problem& problem) {
   const rc_system& system = problem.system;
-  const std::string name = std::filesystem::path(problem.input.file).filename().string();
+  const std::string name = rc_platform::path_of(problem.input.file).filename().string();
   std::printf("surface %s, %lld x %lld points, pitch %.6g m x %.6g m, E* %.6g, %s boundary, lengths in m%s\n", name.c_str(),
               static_cast<long long>(system.nx), static_cast<long long>(system.ny), system.hx, system.hy, system.modulus,
               system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free", problem.input.preparation().c_str());

@@ -30,8 +30,8 @@ static_assert(std::atomic<const fs::path::value_type*>::is_always_lock_free);
 fs::path temporary_for(const fs::path& target) {
   std::uint64_t number = 0;
   if (!rc_platform::draw_random(number)) fail(target);
-  return target.parent_path() /
-         format(".%s.%016llx%s", target.filename().string().c_str(), static_cast<unsigned long long>(number), ending.data());
+  return target.parent_path() / rc_platform::path_of(format(".%s.%016llx%s", target.filename().string().c_str(),
+                                                            static_cast<unsigned long long>(number), ending.data()));
 }
 
 // Unlinks the file unless it was renamed away.

@@ -1,18 +1,4 @@
-# Linux on 64-bit ARM, by Debian's cross compiler.
-set(host aarch64-linux-gnu)
-set(CMAKE_SYSTEM_NAME Linux)
+# Linux on 64-bit ARM.
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
-set(CMAKE_C_COMPILER ${host}-gcc)
-set(CMAKE_CXX_COMPILER ${host}-g++)
-set(CMAKE_Fortran_COMPILER ${host}-gfortran)
-set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/${host})
-list(APPEND CMAKE_FIND_ROOT_PATH /usr/${host})
-set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
-set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-set(Eigen3_DIR /usr/share/eigen3/cmake)
-# Each file carries the compiler's own libraries.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-static-libgcc -static-libstdc++")
-set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static-libgcc -static-libstdc++")
-set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static-libgcc -static-libstdc++")
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)
+include(${CMAKE_CURRENT_LIST_DIR}/parts/debian.cmake)

@@ -6,7 +6,7 @@ toolchain=$(dirname "$(realpath "$0")")/$1.cmake
 mkdir -p "$2/sources/lists/partial" "$2/$1/include" "$2/$1/share/cmake"
 folder=$(realpath "$2") prefix=$(realpath "$2/$1")
 system='' host='' cc='' ar='' ranlib=''
-eval "$(cmake -DTOOLCHAIN="$toolchain" -P "$(dirname "$toolchain")/describe.cmake")"
+eval "$(cmake -DTOOLCHAIN="$toolchain" -P "$(dirname "$toolchain")/parts/describe.cmake")"
 jobs=$(nproc)
 names=(cmocka fftw3 gsl libzip pugixml zlib)
 export PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig

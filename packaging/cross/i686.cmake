@@ -1,21 +1,8 @@
-# Linux on 32-bit x86, by Debian's cross compiler.
-set(host i686-linux-gnu)
-set(CMAKE_SYSTEM_NAME Linux)
+# Linux on 32-bit x86. Programs run on x86-64.
 set(CMAKE_SYSTEM_PROCESSOR i686)
-set(CMAKE_C_COMPILER ${host}-gcc)
-set(CMAKE_CXX_COMPILER ${host}-g++)
-set(CMAKE_Fortran_COMPILER ${host}-gfortran)
-list(APPEND CMAKE_FIND_ROOT_PATH /usr/${host})
-set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
-set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-set(Eigen3_DIR /usr/share/eigen3/cmake)
+set(CMAKE_CROSSCOMPILING_EMULATOR env)
+include(${CMAKE_CURRENT_LIST_DIR}/parts/debian.cmake)
 # Arithmetic in double precision as elsewhere, not in that of the x87.
-set(CMAKE_C_FLAGS_INIT "-msse2 -mfpmath=sse")
-set(CMAKE_CXX_FLAGS_INIT "-msse2 -mfpmath=sse")
-set(CMAKE_Fortran_FLAGS_INIT "-msse2 -mfpmath=sse")
-# Each file carries the compiler's own libraries.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-static-libgcc -static-libstdc++")
-set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static-libgcc -static-libstdc++")
-set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static-libgcc -static-libstdc++")
+foreach(language C CXX Fortran)
+  set(CMAKE_${language}_FLAGS_INIT "-msse2 -mfpmath=sse")
+endforeach()

@@ -9,11 +9,7 @@ set(CMAKE_RC_COMPILER ${host}-windres)
 set(CMAKE_DLLTOOL ${host}-dlltool)
 set(CMAKE_CROSSCOMPILING_EMULATOR wine)
 list(APPEND CMAKE_FIND_ROOT_PATH /usr/${host})
-set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
-set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-set(Eigen3_DIR /usr/share/eigen3/cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/parts/search.cmake)
 # Windows aligns stacks to 16 bytes, and the compiler does not align its 32-byte variables there: the assembler makes every move of a
 # vector one that needs no alignment.
 set(flags "-D_WIN32_WINNT=0x0A00 -Wa,-muse-unaligned-vector-move")

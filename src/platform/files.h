@@ -5,8 +5,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace rc_platform {
+
+// Of a text in UTF-8: conversions of the standard library take another encoding where paths are not made of bytes.
+inline std::filesystem::path path_of(std::string_view text) {
+  return std::u8string_view(reinterpret_cast<const char8_t*>(text.data()), text.size());
+}
 
 std::FILE* open_to_read(const std::filesystem::path& path);  // not inherited by programs that are started
 std::FILE* create_new(const std::filesystem::path& path);    // to write; fails if there is one already

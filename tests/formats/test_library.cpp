@@ -148,7 +148,7 @@ void prepares_heights(void**) {
 
 // A pipe hands over what was written so far: reads are short.
 void reads_a_file_in_pieces(void**) {
-  const std::string folder = std::filesystem::temp_directory_path() / ("formats" + std::to_string(getpid()));
+  const std::string folder = (std::filesystem::temp_directory_path() / ("formats" + std::to_string(getpid()))).string();
   std::filesystem::create_directory(folder);
   const std::string path = folder + "/pipe.txt";
   if (!support::make_pipe(path)) {

@@ -80,7 +80,8 @@ void relative_directories_are_ignored_and_logged(void**) {
   const fs::path before = fs::current_path();
   fs::current_path(scratch.path());
   const PluginPath path("./");
-  const Registry registry("." + std::string(support::folder_separator) + "../" + fs::path(scratch.path()).filename().string(), 0);
+  const std::string beside = fs::path(scratch.path()).filename().string();
+  const Registry registry(std::string(".") + support::folder_separator + "../" + beside, 0);
   const rc_status status = registry.names("toy");
   fs::current_path(before);
   assert_int_equal(status, RC_ERR_NO_BACKEND);

@@ -3,15 +3,16 @@
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
   2. the one inside this package, where it was installed from a wheel
-  3. the one of the same prefix: PREFIX/lib/python3/dist-packages/roughcontact belongs to PREFIX/lib
-  4. the system's, by its SONAME, as the dynamic loader finds it
-The other two are looked for beside libroughcontact, then by their SONAME, when a function of them is first called: programs that
+  3. the one of the same prefix: PREFIX/lib/python3/dist-packages/roughcontact belongs to PREFIX/lib, on Windows to PREFIX/bin
+  4. the system's, by its name alone, as the dynamic loader finds it
+The other two are looked for beside libroughcontact, then by their name, when a function of them is first called: programs that
 only solve contacts load neither the GNU Scientific Library nor what files are read with.
 """
 
 import ctypes
 import os
 import pathlib
+import sys
 import threading
 from typing import Any, Dict, List, Tuple, cast
 
@@ -21,7 +22,16 @@ from ._errors import LibraryNotFoundError
 from ._functions import ContactFunctions, FormatsFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
-SONAME = f"libroughcontact.so.{RC_ABI}"
+
+
+def _name_of(library: str, system: str = sys.platform) -> str:
+    """What the loader of a system calls a library of ours."""
+    if system == "win32":
+        return f"lib{library}-{RC_ABI}.dll"
+    return f"lib{library}.{RC_ABI}.dylib" if system == "darwin" else f"lib{library}.so.{RC_ABI}"
+
+
+SONAME = _name_of("roughcontact")
 
 _lock = threading.RLock()  # a signal handler may ask while its own thread loads
 _loaded: Dict[str, Any] = {}
@@ -33,10 +43,9 @@ def _candidates() -> List[Tuple[str, str]]:
     if named:
         return [(os.path.abspath(named), f"the environment variable {VARIABLE}")]
     here = pathlib.Path(__file__).resolve()
-    own, beside = here.parent / "lib" / SONAME, here.parents[3] / SONAME if len(here.parents) > 3 else here
-    places = ((own, "this package"), (beside, "the same prefix"))
-    found = [(str(file), origin) for file, origin in places if file.name == SONAME]
-    return [each for each in found if os.path.exists(each[0])] + [(SONAME, "the system")]
+    beside = (here.parents[3].parent / "bin" if os.name == "nt" else here.parents[3]) if len(here.parents) > 3 else here
+    places = ((here.parent / "lib" / SONAME, "this package"), (beside / SONAME, "the same prefix"))
+    return [(str(file), origin) for file, origin in places if file.exists()] + [(SONAME, "the system")]
 
 
 def _open(candidates: List[Tuple[str, str]], functions: type) -> Tuple[Any, str]:
@@ -61,7 +70,12 @@ def _open(candidates: List[Tuple[str, str]], functions: type) -> Tuple[Any, str]
 
 
 def _file_of(library: Any, fallback: str) -> str:
-    """The file a library was loaded from, by the address of one of its functions."""
+    """The file a library was loaded from: Windows says it of the library, others of the address of a function."""
+    if os.name == "nt":
+        path = ctypes.create_unicode_buffer(32768)
+        loader = ctypes.windll.kernel32  # type: ignore[attr-defined]
+        length = loader.GetModuleFileNameW(ctypes.c_void_p(library._handle), path, len(path))
+        return path.value if length else fallback
 
     class Information(ctypes.Structure):
         _fields_ = [("file", ctypes.c_char_p), ("base", ctypes.c_void_p), ("name", ctypes.c_char_p), ("at", ctypes.c_void_p)]
@@ -103,7 +117,7 @@ def library_file() -> str:
 
 def _beside(name: str, functions: type) -> Any:
     """libroughcontact-NAME with the prototypes of all its functions."""
-    soname = f"libroughcontact-{name}.so.{RC_ABI}"
+    soname = _name_of(f"roughcontact-{name}")
     beside = os.path.join(os.path.dirname(library_file()), soname)
     with _lock:
         if name not in _loaded:

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import roughcontact as rc
+from roughcontact import _library
 
 
 def python(code, folder, **environment):
@@ -32,6 +33,11 @@ def test_the_loader_finds_the_systems_by_its_name(tmp_path):
     ran = python(SHOW, tmp_path, LD_LIBRARY_PATH=str(tmp_path))
     expected = inside if os.path.isdir(inside) else str(tmp_path)  # a wheel's own library comes before the system's
     assert os.path.dirname(ran.stdout.strip()) == expected, ran.stderr
+
+
+def test_every_system_has_its_own_name_for_a_library():
+    names = [_library._name_of("roughcontact-surface", system) for system in ("linux", "win32", "darwin")]
+    assert names == ["libroughcontact-surface.so.0", "libroughcontact-surface-0.dll", "libroughcontact-surface.0.dylib"]
 
 
 def test_a_file_that_is_not_there(tmp_path):

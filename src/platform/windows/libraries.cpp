@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -134,7 +133,15 @@ bool is_absolute(std::string_view path) {
   return path.size() > 2 && letter(path[0]) && path[1] == ':' && slash(path[2]);
 }
 
-const char* trusted_environment(const char* name) { return std::getenv(name); }
+// Not the C library's, which would give it in the letters of one language alone.
+const char* trusted_environment(const char* name) {
+  thread_local std::string text;
+  std::wstring value(GetEnvironmentVariableW(to_wide(name).c_str(), nullptr, 0), L'\0');
+  value.resize(GetEnvironmentVariableW(to_wide(name).c_str(), value.data(), static_cast<DWORD>(value.size())));
+  if (value.empty()) return nullptr;
+  text = to_utf8(value);
+  return text.c_str();
+}
 
 std::string file_of(const void* code) {
   HMODULE module = nullptr;

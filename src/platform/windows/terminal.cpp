@@ -40,7 +40,10 @@ std::vector<std::string> arguments(int argc, char** argv) {
 void open_standard_streams() {
   SetConsoleOutputCP(CP_UTF8);
   for (const int number : {0, 1, 2}) {
-    if (_get_osfhandle(number) >= 0) continue;
+    if (_get_osfhandle(number) >= 0) {
+      if (number > 0) _setmode(number, _O_BINARY);  // lines end as they do on other systems
+      continue;
+    }
     const int opened = _open("NUL", number == 0 ? _O_WRONLY : _O_RDONLY);
     if (opened != number && opened >= 0) {
       _dup2(opened, number);

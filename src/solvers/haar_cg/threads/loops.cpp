@@ -84,22 +84,19 @@ namespace avx512 {
 
 }  // namespace
 
+#ifdef RC_HAS_WIDER
 namespace {
 
 enum class Vectors { baseline, avx2, avx512 };
 
 Vectors best() {
-#ifdef RC_HAS_WIDER
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq"))
     return Vectors::avx512;
-  if (__builtin_cpu_supports("avx2")) return Vectors::avx2;
-#endif
-  return Vectors::baseline;
+  return __builtin_cpu_supports("avx2") ? Vectors::avx2 : Vectors::baseline;
 }
 
 }  // namespace
 
-#ifdef RC_HAS_WIDER
 #define RC_BEST(...) \
   (best() == Vectors::avx512 ? avx512::__VA_ARGS__ : best() == Vectors::avx2 ? avx2::__VA_ARGS__ : baseline::__VA_ARGS__)
 #else

@@ -1,0 +1,7 @@
+# macOS on 64-bit ARM.
+set(CMAKE_SYSTEM_NAME Darwin)
+set(CMAKE_SYSTEM_PROCESSOR arm64)
+set(CMAKE_INSTALL_NAME_TOOL true)  # paths are right from the start
+set(host aarch64-apple-darwin)
+set(target aarch64-macos)
+include(${CMAKE_CURRENT_LIST_DIR}/parts/zig.cmake)
