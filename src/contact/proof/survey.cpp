@@ -27,10 +27,10 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(begin + count); ++k) {
       const std::size_t i = answer.point(k);
       const double gap = answer.product[k] - (compression - surface.height(i));
-      const bool included = surface.included(i), apart = gap >= 0 && gap <= most;
+      const bool apart = gap >= 0 && gap <= most;
       largest.product = std::max(largest.product, std::abs(answer.product[k]));
-      if (included) largest.gap = std::max(largest.gap, std::abs(gap));
-      if (answer.p()[k] != 0 || (included && !apart)) touching.add(k);
+      if (surface.included(i)) largest.gap = std::max(largest.gap, std::abs(gap));
+      if (answer.p()[k] != 0 || !apart) touching.add(k);
     }
     return largest;
   };

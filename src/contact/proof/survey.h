@@ -12,8 +12,7 @@
 namespace rc {
 
 struct Survey {
-  // Entries in ascending order: those with a pressure, and those of included points that overlap or are not finite. Any other one
-  // has a finite gap >= 0.
+  // Entries in ascending order: those with a pressure, and those whose gap is negative or not finite.
   std::vector<std::size_t> touching;
   double largest_product = 0;  // [length] of the sizes of H p
   double largest_gap = 0;      // [length] of the sizes of the deformed gap, at included points
