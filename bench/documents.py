@@ -92,12 +92,14 @@ def measure_performance(remake):
                                   ('deterministic', '--points', '128'), ('batch', '--surfaces', '5', '--points', '32', '--steps', '3')):
             remake.once(command, '--quick', *options)
         remake.once('dilute', '--sizes', '256', '--contacts', '1', '--threads', '1', '--budget', '0')
+        remake.once('mapped', '--quick')
         return
     single = '--controls', 'load', '--budget', '0'
     remake.rows('--sizes', '128,256,512,1024,2048,4096', '--percents', '10,0.1,1,40')
     for command, *options in (('busy',), ('deterministic',), ('products', '--sizes', '512,1024,2048,4096'), ('limits',), ('dilute',)):
         remake.once(command, *options)
     remake.rows('--sizes', '1024,2048,4096,8192,16384', '--percents', '0.04,10', '--precision', 'single', '--tol', '1e-4', *single)
+    remake.once('mapped')
     remake.once('batch')
     remake.once('profile')
     remake.rows('--sizes', '8192,16384', '--percents', '0.1,10', *single)

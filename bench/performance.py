@@ -7,6 +7,7 @@ from typing import Callable
 
 import histories
 import limits
+import mapped
 from charts import OPEN_MARKERS, PROPORTIONAL, TARGET, Panels, decades, style
 from peers_report import best, growth as memory_growth, total
 from samples import groups, total_seconds
@@ -109,6 +110,10 @@ def large(document, area, value, limit):
                   lambda row: row['n'] == 16384 and row['area_wanted'] == area)
 
 
+def from_file(document, n, value, limit):
+    return listed(document['solves'], '{contact_percent:.2g} %', value, limit, lambda row: row['n'] == n and row.get('status') == 'OK')
+
+
 def gigabytes(row):
     return row['peak_bytes'] / 1e9
 
@@ -147,6 +152,10 @@ TARGETS = (
     Target('its memory in all', '<= 13 GB', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, gigabytes, 13)),
     Target('16384², single, 1e-4, 0.04 %', '<= 4 s', SINGLE + '0.04', 'scaling', lambda d: large(d, 0.0004, total_seconds, 4)),
     Target('its memory in all', '<= 4 GB', SINGLE + '0.04', 'scaling', lambda d: large(d, 0.0004, gigabytes, 4)),
+    Target('32768², single, 1e-4, 0.04 %, gap of floats', '<= 12 s', BENCH + 'mapped', 'mapped', lambda d: from_file(d, 32768, 'seconds', 12)),
+    Target('its memory in all', '<= 12 GB', BENCH + 'mapped', 'mapped', lambda d: from_file(d, 32768, 'peak_gigabytes', 12)),
+    Target('65536², single, 1e-4, 0.02 %, gap of floats: memory in all', '<= 20 GB', BENCH + 'mapped', 'mapped',
+           lambda d: from_file(d, 65536, 'peak_gigabytes', 20)),
     Target('bytes a point in all, mixed, from 2048² on', '<= 110 (80)', BENCH + 'scaling', 'scaling', lambda d: memory(d, 110)),
     Target('bytes a point in all, single, from 2048² on', '<= 51 (38)', BENCH + 'scaling --precision single --tol 1e-4', 'scaling',
            lambda d: memory(d, 51, precision='single', tol=1e-4)),
@@ -234,6 +243,7 @@ SECTIONS = {  # results, a table of them, the options that measure it
     'pass-limits': ('limits', lambda d: records(limits.PASSES, d['passes']), ''),
     'scaling': ('scaling', lambda d: scaling_table(d, certified_rows(d)) + '\n\n' + provenance(d), ''),
     'scaling-single': ('scaling', single_table, ' --precision single --tol 1e-4 --sizes 4096,8192,16384 --percents 0.04,10'),
+    'mapped': ('mapped', lambda d: records(mapped.COLUMNS, d['solves']) + '\n\n' + provenance(d), ''),
     'growth': ('scaling', lambda d: records(GROWTH, growth_of(certified_rows(d))), '')}
 
 

@@ -219,7 +219,7 @@ def fortran_module(name: str, head: List[str], uses: List[str], *parts: List[str
     return "\n".join(each for line in lines for each in wrapped(line, "fortran")) + "\n"
 
 
-POINTERS = {"double": "doubles", "int64_t": "integers", "int32_t": "statuses", "rc_status": "statuses", "uint8_t": "bytes_"}
+POINTERS = {"double": "doubles", "float": "singles", "int64_t": "integers", "int32_t": "statuses", "rc_status": "statuses", "uint8_t": "bytes_"}
 
 
 def python_type(kind: Type, interface: Interface) -> str:

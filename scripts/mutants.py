@@ -25,6 +25,7 @@ ALL = None  # every line of the file
 SOURCES = {
     "src/contact/proof/certificate.cpp": ALL,
     "src/contact/proof/bounds.cpp": ALL,
+    "src/contact/proof/survey.cpp": ALL,
     "src/contact/proof/spectrum.cpp": ALL,
     "src/kernel/lowest_eigenvalue.cpp": ALL,
     "src/contact/step/target.cpp": ("residual_scale",),

@@ -30,8 +30,9 @@ class Screen {
     const std::int64_t n = tiles.first(tiles.count());
     bounded_ = product.spacing() > 0 && std::all_of(x, x + n, [](double value) { return value >= 0; });
     if (bounded_) slack_ = -product.short_range().lowest() * std::accumulate(x, x + n, 0.0);
-    constexpr std::size_t with_lowest = offsetof(rc_screen, tile_lowest) + sizeof request.tile_lowest;
-    if (request.struct_size >= with_lowest) lowest_ = request.tile_lowest;
+    // An older core's struct may lack the last members.
+    if (request.struct_size > offsetof(rc_screen, tile_lowest)) lowest_ = request.tile_lowest;
+    if (request.struct_size > offsetof(rc_screen, undeformed_gap_single)) single_gap_ = request.undeformed_gap_single;
   }
 
   void run() {
@@ -49,6 +50,7 @@ class Screen {
   std::int64_t width(std::int64_t column) const { return std::min(side, nx_ - column * side); }
   std::int64_t height(std::int64_t row) const { return std::min(side, ny_ - row * side); }
 
+  double gap(std::int64_t point) const { return single_gap_ ? single_gap_[point] : request_.undeformed_gap[point]; }
   bool looked_at(std::int64_t point) const { return !request_.mask || request_.mask[point]; }
 
   // The lowest gap of each tile in a row of tiles. least [nx]: scratch, the lowest gap of each column of points; with it the gap
@@ -57,11 +59,18 @@ class Screen {
     constexpr double none = std::numeric_limits<double>::infinity();
     std::fill_n(least, nx_, none);
     for (std::int64_t r = 0; r < height(row); ++r) {
-      const double* const gap = request_.undeformed_gap + (row * side + r) * nx_;
-      if (const std::uint8_t* const mask = request_.mask ? request_.mask + (row * side + r) * nx_ : nullptr)
-        for (std::int64_t i = 0; i < nx_; ++i) least[i] = mask[i] && gap[i] < least[i] ? gap[i] : least[i];
+      const std::int64_t first = (row * side + r) * nx_;
+      const std::uint8_t* const mask = request_.mask ? request_.mask + first : nullptr;
+      const auto lower = [&](const auto* gap) {
+        if (mask)
+          for (std::int64_t i = 0; i < nx_; ++i) least[i] = mask[i] && gap[i] < least[i] ? gap[i] : least[i];
+        else
+          for (std::int64_t i = 0; i < nx_; ++i) least[i] = gap[i] < least[i] ? gap[i] : least[i];
+      };
+      if (single_gap_)
+        lower(single_gap_ + first);
       else
-        for (std::int64_t i = 0; i < nx_; ++i) least[i] = gap[i] < least[i] ? gap[i] : least[i];
+        lower(request_.undeformed_gap + first);
     }
     for (std::int64_t column = 0; column < grid_.nx; ++column)
       lowest[column] = *std::min_element(least + column * side, least + column * side + width(column));
@@ -75,7 +84,7 @@ class Screen {
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
         const double deflection = request_.unit * (smooth[r * side + c] - slack_);
-        if (looked_at(point) && !(request_.approach - request_.undeformed_gap[point] <= deflection)) return false;
+        if (looked_at(point) && !(request_.approach - gap(point) <= deflection)) return false;
       }
     return true;
   }
@@ -127,7 +136,7 @@ class Screen {
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
         if (inside[r * side + c] || !looked_at(point)) continue;
-        const double depth = request_.approach - request_.undeformed_gap[point] - request_.unit * value[r * side + c];
+        const double depth = request_.approach - gap(point) - request_.unit * value[r * side + c];
         if (!(depth > 0)) continue;
         if (request_.n_found < request_.room) {
           request_.found[request_.n_found] = point;
@@ -143,8 +152,10 @@ class Screen {
   const Tiles& tiles_;
   const Product<double>& product_;
   rc_screen& request_;
-  const double* lowest_ = nullptr;  // request_'s, where it has it
-  bool bounded_ = false;            // the bound holds
+  // request_'s, where it has them
+  const double* lowest_ = nullptr;
+  const float* single_gap_ = nullptr;
+  bool bounded_ = false;  // the bound holds
   double slack_ = 0, largest_ = 0;
 };
 

@@ -55,6 +55,7 @@ docs/how-to/limits
 docs/how-to/tolerance
 docs/how-to/grid
 docs/how-to/many-surfaces
+docs/how-to/campaigns
 docs/how-to/cite
 docs/command-line
 docs/python

@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 7u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 8u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -96,6 +96,7 @@ typedef struct rc_domain {
 #define RC_CAP_SCREEN (UINT64_C(1) << 9)           /* has screen()                                            */
 #define RC_CAP_APPROXIMATE (UINT64_C(1) << 10)     /* products may be off by about 1e-11 of the largest entry */
 #define RC_CAP_FAR_FIELD (UINT64_C(1) << 11)   /* only for kernels with RC_KERNEL_FAR_FIELD                    */
+#define RC_CAP_SINGLE_GAP (UINT64_C(1) << 12)  /* screen() reads rc_screen.undeformed_gap_single, too          */
 
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
@@ -111,6 +112,8 @@ typedef struct rc_screen {
   /* [ceil(nx/16) * ceil(ny/16)] a lower bound of the gap at the points looked at of each tile of 16 x 16 points, row by row
      (+infinity: there is none); spares the pass over the gap. NULL: none is known                             */
   const double *tile_lowest;
+  /* [nx*ny] in place of undeformed_gap, which is then NULL: only backends with RC_CAP_SINGLE_GAP get it. Since plugin ABI minor 8 */
+  const float *undeformed_gap_single;
 } rc_screen;
 
 /** What a component is asked to do, so far as it is known before an operator is made. */
@@ -195,6 +198,8 @@ typedef struct rc_grid {
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
   double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
+  /* [nx*ny] in place of undeformed_gap, which is then NULL: only solvers with RC_READS_SINGLE_GAP get it. Since plugin ABI minor 8 */
+  const float *undeformed_gap_single;
 } rc_grid;
 
 /** A problem on a coarser grid of the same surface. */
@@ -266,6 +271,7 @@ struct rc_problem {
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
                                              u = (grid->approach - grid->undeformed_gap) / length              */
 #define RC_TAKES_CAP (UINT64_C(1) << 35) /* keeps p <= cap; without it the core refuses a step with a hardness */
+#define RC_READS_SINGLE_GAP (UINT64_C(1) << 36) /* reads rc_grid.undeformed_gap_single, too; others get a copy in doubles */
 
 /** A solver. It never knows which backend multiplies. */
 typedef struct rc_solver {

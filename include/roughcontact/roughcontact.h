@@ -136,7 +136,7 @@ typedef struct rc_system {
 #define RC_SYSTEM_INIT \
   { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL, 0.0 }
 
-/** What changes from step to step. Nothing in it is kept after the call except a copy of undeformed_gap and mask, or with
+/** What changes from step to step. Nothing in it is kept after the call except a copy of the undeformed gap and mask, or with
  *  borrow the two pointers. */
 typedef struct rc_step {
   size_t struct_size;  /* sizeof(rc_step)                                                                            */
@@ -151,9 +151,11 @@ typedef struct rc_step {
   int32_t borrow;      /* 1: undeformed_gap and mask are not copied; they stay as they are until a step that brings
                           other arrays has returned, or the contact is reset or destroyed. 0: copied (default)       */
   int32_t reserved;    /* 0                                                                                          */
+  const float *undeformed_gap_single; /* [n] in place of undeformed_gap: 4 bytes a point, copied or borrowed likewise. With
+                          borrow it may be a file that is mapped into memory. NULL: none                             */
 } rc_step;
 #define RC_STEP_INIT \
-  { sizeof(rc_step), 0, 1, 0.0, NULL, NULL, NULL, 0, 0 }
+  { sizeof(rc_step), 0, 1, 0.0, NULL, NULL, NULL, 0, 0, NULL }
 
 /** The undeformed gap of n heights, of which the highest touches first: highest - height [length]. The highest is that of the
  *  points where the mask is not 0 (NULL: all) and the height is not NaN; NaN stays NaN, which only a masked point may have in
@@ -162,8 +164,8 @@ RC_API rc_status rc_gap_from_heights(int64_t n, const double *heights, const uin
 /** @} */
 
 /** @defgroup result Result  @{ */
-/** Answer of one step. The caller sets p and gap; the library writes the rest whenever the returned status is >= 0, and
- *  leaves p and gap untouched when it is < 0. */
+/** Answer of one step. The caller sets p, gap, p_single and gap_single; the library writes the rest whenever the returned status
+ *  is >= 0, and leaves these four arrays untouched when it is < 0. */
 typedef struct rc_result {
   size_t struct_size;  /* sizeof(rc_result)                                                                          */
   double *p;           /* [n] pressures [force/length^2]; NULL: not wanted                                           */
@@ -214,10 +216,12 @@ typedef struct rc_result {
   int64_t capped;      /* points with p = hardness; this and the next: 0 without a hardness                          */
   double plastic_volume; /* hx hy times the overlap of these points in this step [length^3]                          */
   int64_t proven_capped; /* points proven to carry the hardness; counted in proven_contacts, too                     */
+  float *p_single, *gap_single; /* [n] as p and gap, rounded to 4 bytes a point; all else is that of the values before. NULL: not
+                          wanted                                                                                     */
 } rc_result;
 #define RC_RESULT_INIT                                                                                                         \
   { sizeof(rc_result), NULL, NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, \
-    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0 }
+    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0, NULL, NULL }
 
 /** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
  *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the
@@ -299,7 +303,8 @@ RC_API void rc_contact_destroy(rc_contact *contact);
 /** Solves one step and certifies the answer. A failed or stopped step keeps the last certified pressures as
  *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */
 RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Certifies the pressures the caller puts in result->p (required, [n]) for this step: nothing is solved. In
+/** Certifies the pressures the caller puts in result->p, or where it is NULL in result->p_single ([n]), for this step: nothing is
+ *  solved. In
  *  load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
 /** Which grid the last step's answer is of, and its estimated errors. An rc_path_fn may call it for the step that it is

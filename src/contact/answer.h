@@ -3,10 +3,12 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "contact/pressures.h"
 #include "contact/step/auto_choice.h"
+#include "core/chunks.h"
 #include "operator/operator.h"
 
 namespace rc {
@@ -32,10 +34,22 @@ struct Answer {
   // A point at the cap has the hardness itself.
   Pressures pressures() const {
     Pressures result{op->trial(), p};
-    const double most = cap();
-    for (double& value : result.p) value = value < most ? value * pressure_unit : hardness;
+    for (double& value : result.p) value = pressure_of(value);
     return result;
   }
+  // The same; afterwards p is empty.
+  Pressures take_pressures(const rc_team& team) {
+    Pressures result{op->trial(), std::move(p)};
+    p = {};
+    each_chunk(static_cast<std::int64_t>(result.p.size()), team, [&](std::int64_t begin, std::int64_t count) {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
+        result.p[i] = pressure_of(result.p[i]);
+    });
+    return result;
+  }
+
+ private:
+  double pressure_of(double value) const { return value < cap() ? value * pressure_unit : hardness; }
 };
 
 // An estimate of the solution, from a coarser grid or an earlier step.

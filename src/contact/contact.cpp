@@ -25,7 +25,7 @@ Indentation indentation_of(const rc_state& state, const System& system) {
       fail(RC_ERR_ARGUMENT, "rc_state.indentation[", i, "] = ", depth[i], " but the system has no hardness");
   }
   if (std::all_of(depth.begin(), depth.end(), [](double value) { return value == 0; })) return {};
-  return {depth, {state.undeformed_gap, depth.size()}};
+  return {depth, std::span(state.undeformed_gap, depth.size())};
 }
 
 }  // namespace
@@ -111,7 +111,8 @@ void Contact::restore(const rc_state& state) {
   const std::span<const std::uint8_t> mask(state.mask, state.mask ? n : 0);
   Indentation indentation = indentation_of(state, system);
   const std::vector<double> indented = indentation.indented();
-  StepSurface surface({system.given.nx, system.given.ny, indentation.none() ? gap : indented, mask, false}, work().team());
+  StepSurface surface({system.given.nx, system.given.ny, indentation.none() ? GapValues(gap) : GapValues(indented), mask, false},
+                      work().team());
   Memory memory = memory_of(state, surface, system.points());
   goal_.forget();
   grid_.restore(std::move(memory), std::move(surface), std::move(indentation));

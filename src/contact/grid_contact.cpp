@@ -34,22 +34,29 @@ StepSurface surface_with(const Indentation& indentation, std::span<const std::ui
   return StepSurface({system.nx, system.ny, gap, mask, false}, work.team());
 }
 
+// The gap that a step gives; empty where it gives none.
+GapValues given_gap(const rc_step& step, std::size_t n) {
+  if (step.undeformed_gap) return std::span(step.undeformed_gap, n);
+  if (step.undeformed_gap_single) return std::span(step.undeformed_gap_single, n);
+  return {};
+}
+
 // The surface that this step describes; nothing where it keeps that of the step before.
 std::optional<IndentedSurface> given_surface(const rc_step& step, const Workspace& work, const Indentation& indentation) {
   const auto n = static_cast<std::size_t>(work.system.points());
-  if (!step.undeformed_gap && work.surface.empty())
-    fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
-  if (!step.undeformed_gap && !step.mask) return std::nullopt;
+  if (step.undeformed_gap && step.undeformed_gap_single)
+    fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap and rc_step.undeformed_gap_single are both given; set one of them to null");
+  const GapValues gap = given_gap(step, n);
+  if (gap.empty() && work.surface.empty()) fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
+  if (gap.empty() && !step.mask) return std::nullopt;
   const std::span<const std::uint8_t> mask(step.mask, step.mask ? n : 0);
   if (!indentation.none()) {
-    IndentedSurface given{{}, step.undeformed_gap ? indentation.of({step.undeformed_gap, n}) : indentation};
+    IndentedSurface given{{}, gap.empty() ? indentation : indentation.of(gap)};
     given.surface = surface_with(given.indentation, mask, work);
     return given;
   }
   const rc_system& system = work.system.given;
-  GivenSurface given{system.nx, system.ny, work.surface.gap(), mask, false};
-  if (step.undeformed_gap) given.gap = {step.undeformed_gap, n};
-  given.borrowed = step.undeformed_gap && step.borrow != 0;
+  const GivenSurface given{system.nx, system.ny, gap.empty() ? work.surface.gap() : gap, mask, !gap.empty() && step.borrow != 0};
   return IndentedSurface{StepSurface(given, work.team()), {}};
 }
 
@@ -112,13 +119,14 @@ rc_status GridContact::solve(const rc_step& step, rc_result& result) {
 }
 
 rc_status GridContact::certify(const rc_step& step, rc_result& result) {
-  if (!result.p) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
+  if (!result.p && !result.p_single) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
   const StepSurface& last = work_.surface;
   for (std::int64_t k = 0; k < work_.system.points(); ++k) {
     const auto i = static_cast<std::size_t>(k);
-    if (!std::isfinite(result.p[i])) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " is not finite");
-    if (result.p[i] != 0 && (step.mask ? step.mask[i] == 0 : !step.undeformed_gap && !last.empty() && !last.included(i)))
-      fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", result.p[i], " but this point is excluded by the mask");
+    const double p = given_pressure(result, i);
+    if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
+    if (p != 0 && (step.mask ? step.mask[i] == 0 : given_gap(step, 1).empty() && !last.empty() && !last.included(i)))
+      fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
   }
   begin(step);
   const Rest after(work_);

@@ -38,7 +38,7 @@ class GridContact {
   // Solves a step that has begun. nearer: the estimate of a coarser grid.
   rc_status solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer = std::nullopt);
   rc_status solve(const rc_step& step, rc_result& result);
-  // Certifies the pressures in result.p.
+  // Certifies the pressures in result.p or result.p_single.
   rc_status certify(const rc_step& step, rc_result& result);
   // Remembers a step that is certified or within its goal.
   void remember(Finished&& finished, const rc_result& result);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/pressures.h"
+#include "grid/gap_values.h"
 
 namespace rc {
 
@@ -14,21 +15,22 @@ class Indentation {
  public:
   Indentation() = default;
   // depth: of earlier steps, >= 0; gap: undeformed, without it. Both [n].
-  Indentation(std::span<const double> depth, std::span<const double> gap)
-      : depth_(depth.begin(), depth.end()), gap_(gap.begin(), gap.end()) {}
+  Indentation(std::span<const double> depth, const GapValues& gap)
+      : depth_(depth.begin(), depth.end()),
+        gap_(gap.visit([&](const auto* values) { return std::vector<double>(values, values + gap.size()); })) {}
 
   bool none() const { return depth_.empty(); }
   // The given gap, without any indentation; empty where there is none.
   std::span<const double> given_gap() const { return gap_; }
 
   // With the overlap of one more step. gap: the present one, without any indentation.
-  Indentation with(const Overlap& overlap, std::span<const double> gap) const {
-    Indentation next(none() ? std::vector<double>(gap.size(), 0.0) : depth_, none() ? gap : gap_);
+  Indentation with(const Overlap& overlap, const GapValues& gap) const {
+    Indentation next(none() ? std::vector<double>(gap.size(), 0.0) : depth_, none() ? gap : GapValues(gap_));
     overlap.add_to(next.depth_);
     return next;
   }
   // The same indentation of another given gap.
-  Indentation of(std::span<const double> gap) const { return {depth_, gap}; }
+  Indentation of(const GapValues& gap) const { return {depth_, gap}; }
 
   // The gap with the indentation.
   std::vector<double> indented() const {

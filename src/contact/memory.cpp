@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/large_memory.h"
 
 namespace rc {
 
@@ -62,7 +63,7 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
   if (nearer) {
     p = nearer->at(trial);
   } else if (step.p0) {
-    p.resize(static_cast<std::size_t>(trial.n));
+    p = large_vector<double>(static_cast<std::size_t>(trial.n));
     for (std::size_t i = 0; i < p.size(); ++i) p[i] = step.p0[trial.point(static_cast<std::int64_t>(i))];
   } else if (step.warm_start && !last.pressures.empty()) {
     p = last.pressures.at(trial);
@@ -71,8 +72,7 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
       for (std::size_t i = 0; i < p.size(); ++i) p[i] += part * (p[i] - older[i]);
     }
   } else {
-    p.resize(static_cast<std::size_t>(trial.n));
-    return p;
+    return large_vector<double>(static_cast<std::size_t>(trial.n));
   }
   for (double& value : p) value = std::min(std::max(0.0, value / pressure_unit), cap);
   return p;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "core/large_memory.h"
+
 namespace rc {
 
 std::vector<double> Pressures::at(const TrialSet& other) const {
   if (on == other) return p;
-  std::vector<double> values(static_cast<std::size_t>(other.n), 0.0);
+  auto values = large_vector<double>(static_cast<std::size_t>(other.n));
   if (on.index.empty()) {
     for (std::size_t i = 0; i < values.size() && !p.empty(); ++i)
       values[i] = p[static_cast<std::size_t>(other.point(static_cast<std::int64_t>(i)))];
@@ -24,13 +26,19 @@ std::vector<double> Pressures::at(const TrialSet& other) const {
   return values;
 }
 
-void Pressures::write(double* everywhere, std::int64_t points) const {
-  if (!p.empty() && on.index.empty()) {
-    std::copy(p.begin(), p.end(), everywhere);
-    return;
-  }
-  std::fill_n(everywhere, points, 0.0);
-  for (std::size_t k = 0; k < p.size(); ++k) everywhere[on.index[k]] = p[k];
+void Pressures::write(const OutputArray& everywhere, std::int64_t points) const {
+  const auto write_to = [&]<class Real>(Real* to) {
+    if (!to) return;
+    const auto rounded = [](double value) { return static_cast<Real>(value); };
+    if (!p.empty() && on.index.empty()) {
+      std::transform(p.begin(), p.end(), to, rounded);
+      return;
+    }
+    std::fill_n(to, points, Real{0});
+    for (std::size_t k = 0; k < p.size(); ++k) to[on.index[k]] = rounded(p[k]);
+  };
+  write_to(everywhere.in_double);
+  write_to(everywhere.in_single);
 }
 
 Pressures Pressures::positive() const {

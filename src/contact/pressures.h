@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/output_array.h"
 #include "operator/operator.h"
 
 namespace rc {
@@ -17,7 +18,8 @@ struct Pressures {
   bool empty() const { return p.empty(); }
   // The pressures at the points of another set.
   std::vector<double> at(const TrialSet& other) const;
-  void write(double* everywhere, std::int64_t points) const;
+  void write(const OutputArray& everywhere, std::int64_t points) const;
+  void write(double* everywhere, std::int64_t points) const { write(OutputArray{everywhere, nullptr}, points); }
   // The positive pressures, on their points alone.
   Pressures positive() const;
 };

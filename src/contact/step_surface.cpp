@@ -5,6 +5,7 @@
 #include <roughcontact/plugin.hpp>
 
 #include "core/error.h"
+#include "core/large_memory.h"
 
 namespace rc {
 
@@ -31,41 +32,47 @@ struct Summary {
 };
 
 // Adds n points, none of them masked. False, with nothing added, if one is not finite: times 0 that is NaN.
-bool add_finite(Summary& summary, const double* gap, std::int64_t n, double& lowest) {
-  double low = infinite, high = -infinite, doubt = 0;
+template <class Real> bool add_finite(Summary& summary, const Real* gap, std::int64_t n, double& lowest) {
+  Real low = std::numeric_limits<Real>::infinity(), high = -low, doubt = 0;
   for (std::int64_t i = 0; i < n; ++i) {
     low = gap[i] < low ? gap[i] : low;
     high = gap[i] > high ? gap[i] : high;
-    doubt += gap[i] * 0.0;
+    doubt += gap[i] * Real{0};
   }
   if (!(doubt == 0)) return false;
   summary.included += n;
-  summary.lowest = std::min(summary.lowest, low);
-  summary.highest = std::max(summary.highest, high);
-  lowest = std::min(lowest, low);
+  summary.lowest = std::min<double>(summary.lowest, low);
+  summary.highest = std::max<double>(summary.highest, high);
+  lowest = std::min<double>(lowest, low);
   return true;
 }
 
 }  // namespace
 
-StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : nx_(given.nx), ny_(given.ny) {
+StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : team_(&team), nx_(given.nx), ny_(given.ny) {
   const std::int64_t columns = tiles_x(), rows = (ny_ + tile - 1) / tile;
   tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
   std::vector<Summary> summaries(static_cast<std::size_t>(rows));
   if (!given.borrowed) {
-    own_gap_ = std::make_unique_for_overwrite<double[]>(given.gap.size());
     own_mask_.assign(given.mask.begin(), given.mask.end());
   }
-  gap_ = given.borrowed ? given.gap : std::span<const double>{own_gap_.get(), given.gap.size()};
+  const auto own = [&]<class Real>(std::unique_ptr<Real[]>& values) {
+    values = std::make_unique_for_overwrite<Real[]>(given.gap.size());
+    prefer_large(values.get(), given.gap.size() * sizeof(Real));
+    return GapValues(std::span<const Real>(values.get(), given.gap.size()));
+  };
+  gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
   mask_ = given.borrowed ? given.mask : own_mask_;
   roughcontact::for_each(team, rows, gap_.size() > serial_points, [&](std::int64_t row, std::int64_t) {
     Summary& summary = summaries[static_cast<std::size_t>(row)];
     for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y) {
-      if (!given.borrowed) std::copy_n(given.gap.data() + y * nx_, nx_, own_gap_.get() + y * nx_);
+      if (own_gap_) std::copy_n(given.gap.in_double() + y * nx_, nx_, own_gap_.get() + y * nx_);
+      if (own_single_gap_) std::copy_n(given.gap.in_single() + y * nx_, nx_, own_single_gap_.get() + y * nx_);
       for (std::int64_t column = 0; column < columns; ++column) {
         double& lowest = tile_lowest_[static_cast<std::size_t>(row * columns + column)];
         const std::int64_t begin = y * nx_ + column * tile, end = y * nx_ + std::min((column + 1) * tile, nx_);
-        if (mask_.empty() && add_finite(summary, given.gap.data() + begin, end - begin, lowest)) continue;
+        const auto add = [&](const auto* gap) { return add_finite(summary, gap + begin, end - begin, lowest); };
+        if (mask_.empty() && given.gap.visit(add)) continue;
         for (std::int64_t point = begin; point < end; ++point) {
           if (!included(static_cast<std::size_t>(point))) continue;
           summary.add(given.gap[static_cast<std::size_t>(point)], point);
@@ -91,7 +98,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : nx_(g
 }
 
 bool StepSurface::equals(const StepSurface& other, const rc_team& team) const {
-  if (gap_.data() == other.gap_.data() && mask_.data() == other.mask_.data()) return true;
+  if (gap_.is_array_of(other.gap_) && mask_.data() == other.mask_.data()) return true;
   if (gap_.size() != other.gap_.size() || mask_.size() != other.mask_.size() || lowest_ != other.lowest_ ||
       tile_lowest_ != other.tile_lowest_)
     return false;
@@ -118,23 +125,78 @@ void visit_tile(std::int64_t index, std::int64_t nx, std::int64_t ny, std::int64
 
 }  // namespace
 
+// The points with gap < limit in one row of tiles, row by row: visit(point, x, y).
+template <class Visit> void StepSurface::visit_below(double limit, std::int64_t tile_row, const Visit& visit) const {
+  const std::int64_t columns = tiles_x();
+  for (std::int64_t y = tile_row * tile; y < std::min((tile_row + 1) * tile, ny_); ++y)
+    for (std::int64_t column = 0; column < columns; ++column) {
+      if (!(tile_lowest_[static_cast<std::size_t>(tile_row * columns + column)] < limit)) continue;
+      for (std::int64_t x = column * tile; x < std::min((column + 1) * tile, nx_); ++x) {
+        const auto point = static_cast<std::size_t>(y * nx_ + x);
+        if (gap_[point] < limit && included(point)) visit(static_cast<std::int64_t>(point), x, y);
+      }
+    }
+}
+
+namespace {
+
+// Adds the points with gap < limit in columns begin .. end-1 of row y. gap: of that row.
+template <class Value>
+void add_below(double limit, const Value* gap, std::int64_t begin, std::int64_t end, std::int64_t y, Extent& extent) {
+  const auto below = [&](std::int64_t x) { return static_cast<double>(gap[x]) < limit; };
+  std::int64_t n = 0;
+  for (std::int64_t x = begin; x < end; ++x) n += below(x);
+  if (n == 0) return;
+  std::int64_t left = begin, right = end - 1;  // looked for where they widen the extent
+  while (left < extent.left && !below(left)) ++left;
+  while (right > extent.right && !below(right)) --right;
+  extent = extent + Extent{n, left, right, y, y};
+}
+
+}  // namespace
+
+// Of each row of tiles.
+std::vector<Extent> StepSurface::extents_below(double limit) const {
+  std::vector<Extent> rows(static_cast<std::size_t>((ny_ + tile - 1) / tile));
+  const std::int64_t columns = tiles_x();
+  const auto unmasked = [&](std::int64_t row, Extent& extent) {
+    gap_.visit([&](const auto* gap) {
+      for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y)
+        for (std::int64_t column = 0; column < columns; ++column)
+          if (tile_lowest_[static_cast<std::size_t>(row * columns + column)] < limit)
+            add_below(limit, gap + y * nx_, column * tile, std::min((column + 1) * tile, nx_), y, extent);
+    });
+  };
+  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), gap_.size() > serial_points,
+                         [&](std::int64_t row, std::int64_t) {
+                           Extent& extent = rows[static_cast<std::size_t>(row)];
+                           if (mask_.empty()) return unmasked(row, extent);
+                           visit_below(limit, row, [&](std::int64_t, std::int64_t x, std::int64_t y) { extent.add(x, y); });
+                         });
+  return rows;
+}
+
 Extent StepSurface::extent_below(double limit) const {
   Extent extent;
-  for (std::size_t i = 0; i < tile_lowest_.size(); ++i)
-    if (tile_lowest_[i] < limit)
-      visit_tile(static_cast<std::int64_t>(i), nx_, ny_, tiles_x(), [&](std::int64_t point, std::int64_t x, std::int64_t y) {
-        if (included(static_cast<std::size_t>(point)) && gap_[static_cast<std::size_t>(point)] < limit) extent.add(x, y);
-      });
+  for (const Extent& row : extents_below(limit)) extent = extent + row;
   return extent;
 }
 
 TrialSet StepSurface::below(double limit) const {
   TrialSet trial;
-  trial.n = extent_below(limit).n;
+  const std::vector<Extent> rows = extents_below(limit);
+  std::vector<std::int64_t> begin;
+  for (const Extent& row : rows) {
+    begin.push_back(trial.n);
+    trial.n += row.n;
+  }
   if (trial.n == static_cast<std::int64_t>(gap_.size())) return trial;
-  trial.index.reserve(static_cast<std::size_t>(trial.n));
-  for (std::size_t i = 0; i < gap_.size(); ++i)
-    if (included(i) && gap_[i] < limit) trial.index.push_back(static_cast<std::int64_t>(i));
+  trial.index = large_vector<std::int64_t>(static_cast<std::size_t>(trial.n));
+  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), gap_.size() > serial_points,
+                         [&](std::int64_t row, std::int64_t) {
+                           std::int64_t* to = trial.index.data() + begin[static_cast<std::size_t>(row)];
+                           visit_below(limit, row, [&](std::int64_t point, std::int64_t, std::int64_t) { *to++ = point; });
+                         });
   return trial;
 }
 
@@ -149,6 +211,12 @@ TrialSet StepSurface::below(double limit, std::span<const std::int64_t> tiles) c
   trial.n = static_cast<std::int64_t>(trial.index.size());
   if (trial.n == static_cast<std::int64_t>(gap_.size())) trial.index.clear();
   return trial;
+}
+
+const double* StepSurface::gap_in_double() const {
+  if (gap_.in_double() || gap_.empty()) return gap_.in_double();
+  if (gap_in_double_.empty()) gap_in_double_.assign(gap_.in_single(), gap_.in_single() + gap_.size());
+  return gap_in_double_.data();
 }
 
 double StepSurface::mean_height() const {
@@ -169,6 +237,7 @@ double StepSurface::limit_of(double height) const {
 namespace {
 
 constexpr std::size_t bins = 1024;
+constexpr std::size_t histograms = 16;  // each of a part of the surface, whatever the number of threads
 
 // Counts and sums of heights by bins of equal width over [0, range).
 struct Histogram {
@@ -190,6 +259,12 @@ struct Histogram {
     }
     return range;
   }
+  void add(const Histogram& other) {
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      count[bin] += other.count[bin];
+      sum[bin] += other.sum[bin];
+    }
+  }
   double range;
   std::vector<double> count, sum;
 };
@@ -203,10 +278,16 @@ double StepSurface::bearing_height(double target) const {
   if (all >= range) return all;
   // Narrows the range until the bins resolve the answer.
   for (int round = 0;; ++round) {
-    Histogram histogram(range);
-    for (std::size_t i = 0; i < gap_.size(); ++i)
-      if (included(i)) histogram.add(gap_[i] - lowest_);
-    const double height = histogram.reach(target);
+    std::vector<Histogram> parts(gap_.size() > serial_points ? histograms : 1, Histogram(range));
+    const auto count = static_cast<std::int64_t>(parts.size()), rows = (ny_ + tile - 1) / tile;
+    roughcontact::for_each(*team_, count, count > 1, [&](std::int64_t part, std::int64_t) {
+      for (std::int64_t row = part * rows / count; row < (part + 1) * rows / count; ++row)
+        visit_below(limit_of(range), row, [&](std::int64_t point, std::int64_t, std::int64_t) {
+          parts[static_cast<std::size_t>(part)].add(height(static_cast<std::size_t>(point)));
+        });
+    });
+    for (std::size_t part = 1; part < parts.size(); ++part) parts.front().add(parts[part]);
+    const double height = parts.front().reach(target);
     if (height > 0.02 * range || round == 6) return height;
     range = 2 * height;
   }
@@ -220,11 +301,12 @@ Extent extent_of(const TrialSet& trial, std::int64_t nx, std::int64_t ny) {
   extent.n = trial.n;
   extent.low = trial.index.front() / nx;
   extent.high = trial.index.back() / nx;
-  std::int64_t row_begin = extent.low * nx;  // divides only where a row begins
-  for (const std::int64_t point : trial.index) {
-    if (point >= row_begin + nx) row_begin = point / nx * nx;
-    extent.left = std::min(extent.left, point - row_begin);
-    extent.right = std::max(extent.right, point - row_begin);
+  for (auto at = trial.index.begin(); at != trial.index.end();) {  // once for each row, from its first point to its last
+    const std::int64_t row = *at / nx * nx;
+    const auto next = std::lower_bound(at, trial.index.end(), row + nx);
+    extent.left = std::min(extent.left, *at - row);
+    extent.right = std::max(extent.right, *(next - 1) - row);
+    at = next;
   }
   return extent;
 }

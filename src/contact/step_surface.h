@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "grid/gap_values.h"
 #include "operator/operator.h"
 
 namespace rc {
@@ -28,12 +29,16 @@ struct Extent {
   std::int64_t width() const { return n > 0 ? right - left + 1 : 0; }
   std::int64_t height() const { return n > 0 ? high - low + 1 : 0; }
   std::int64_t box() const { return width() * height(); }
+
+  friend Extent operator+(const Extent& a, const Extent& b) {
+    return {a.n + b.n, std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.low, b.low), std::max(a.high, b.high)};
+  }
 };
 
 // A gap over nx * ny points, and which of them count; an empty mask: all.
 struct GivenSurface {
   std::int64_t nx = 0, ny = 0;
-  std::span<const double> gap;
+  GapValues gap;
   std::span<const std::uint8_t> mask;
   bool borrowed = false;  // not copied: the arrays outlive the state
 };
@@ -41,15 +46,19 @@ struct GivenSurface {
 class StepSurface {
  public:
   StepSurface() = default;
-  // Throws Error(ARGUMENT) on values that are not finite outside the mask.
+  // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it.
   StepSurface(const GivenSurface& given, const rc_team& team);
   StepSurface(StepSurface&&) = default;
   StepSurface& operator=(StepSurface&&) = default;
   void clear() { *this = StepSurface(); }
 
   bool empty() const { return gap_.empty(); }
+  std::int64_t nx() const { return nx_; }
+  const rc_team& team() const { return *team_; }
   bool equals(const StepSurface&, const rc_team& team) const;  // NaN under the mask counts as equal
-  std::span<const double> gap() const { return gap_; }
+  const GapValues& gap() const { return gap_; }
+  // The same in 8 bytes a point: a copy, made when first asked for, where the gap has 4.
+  const double* gap_in_double() const;
   std::span<const std::uint8_t> masks() const { return mask_; }
   const std::uint8_t* mask() const { return mask_.empty() ? nullptr : mask_.data(); }
   bool included(std::size_t i) const { return mask_.empty() || mask_[i] != 0; }
@@ -84,15 +93,21 @@ class StepSurface {
   double bearing_height(double target) const;
 
  private:
+  template <class Visit> void visit_below(double limit, std::int64_t tile_row, const Visit& visit) const;
+  std::vector<Extent> extents_below(double limit) const;
+
+  const rc_team* team_ = nullptr;
   std::int64_t nx_ = 0, ny_ = 0;
   std::unique_ptr<double[]> own_gap_;
+  std::unique_ptr<float[]> own_single_gap_;
   std::vector<std::uint8_t> own_mask_;
-  std::span<const double> gap_;  // one's own or the caller's
+  GapValues gap_;  // one's own or the caller's
   std::span<const std::uint8_t> mask_;
   std::vector<double> tile_lowest_;
   std::int64_t included_points_ = 0;
   double lowest_ = 0, highest_ = 0;
   mutable std::optional<double> mean_height_;  // computed when first asked for
+  mutable std::vector<double> gap_in_double_;  // likewise
 };
 
 // Points of the bounding box of a trial set on a grid nx wide and ny high.

@@ -58,9 +58,14 @@ void Workspace::set_options(const rc_options& given) {
 
 rc_grid Workspace::grid() const {
   const rc_system& s = system.given;
-  return {
-      sizeof(rc_grid), s.nx,    s.ny, s.hx,       s.hy, surface.gap().data(),
-      surface.mask(),  nullptr, 0,    s.boundary, 0,    system.periodic() ? system.lambda_most / system.half_space_wave() : 1};
+  return {.struct_size = sizeof(rc_grid),
+          .nx = s.nx,
+          .ny = s.ny,
+          .hx = s.hx,
+          .hy = s.hy,
+          .mask = surface.mask(),
+          .boundary = s.boundary,
+          .softness = system.periodic() ? system.lambda_most / system.half_space_wave() : 1};
 }
 
 Operator& Workspace::bound_operator(const rc_backend& backend, const TrialSet& trial) {

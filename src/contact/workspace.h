@@ -67,7 +67,7 @@ class Workspace {
   // Checks the names of components before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
   void set_options(const rc_options& given);
   const rc_team& team() const { return *team_; }
-  rc_grid grid() const;  // of a half-space
+  rc_grid grid() const;  // of a half-space; without its gap
 
   // This backend's operator, bound to that trial set. It is made at the first call.
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);

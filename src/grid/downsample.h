@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "grid/gap_values.h"
+
 namespace rc {
 
 // The value that a coarse point takes from the points of its block.
@@ -25,7 +27,11 @@ struct CoarseGrid {
 // 2*iy, 2*iy + 1; of odd sizes the last blocks are smaller. mask empty: all points; 0: the point's gap is not read.
 // each_row(rows, act) calls act(row) for every coarse row, in any order and by any threads.
 using EachRow = std::function<void(std::int64_t rows, const std::function<void(std::int64_t)>& act)>;
-CoarseGrid downsample(std::int64_t nx, std::int64_t ny, std::span<const double> gap, std::span<const std::uint8_t> mask,
-                      Filter filter, const EachRow& each_row = {});
+CoarseGrid downsample(std::int64_t nx, std::int64_t ny, const GapValues& gap, std::span<const std::uint8_t> mask, Filter filter,
+                      const EachRow& each_row = {});
+
+// Halves it so many times (>= 1) by the mean, and keeps no grid between.
+CoarseGrid downsample(std::int64_t nx, std::int64_t ny, const GapValues& gap, std::span<const std::uint8_t> mask, int halvings,
+                      const EachRow& each_row);
 
 }  // namespace rc

@@ -24,7 +24,7 @@ Legendre legendre(double z) {
 }
 
 // Gauss-Legendre on [0, 1], weights of sum 1; Newton's iteration from the asymptotic roots.
-Density gauss() {
+Density computed_gauss() {
   Density rule{points, {}, {}};
   for (int i = 0; i < points; ++i) {
     double z = -std::cos(std::numbers::pi * (i + 0.75) / (points + 0.5));
@@ -33,6 +33,11 @@ Density gauss() {
     rule.node[i] = (1 + z) / 2;
     rule.weight[i] = 1 / ((1 - z) * (1 + z) * slope * slope);
   }
+  return rule;
+}
+
+const Density& gauss() {
+  static const Density rule = computed_gauss();
   return rule;
 }
 
@@ -45,7 +50,7 @@ Density box(double side) {
 }
 
 Density tent(double side) {
-  const Density half = gauss();
+  const Density& half = gauss();
   Density rule{2 * points, {}, {}};
   for (int i = 0; i < points; ++i) {
     rule.node[i] = side * half.node[i];

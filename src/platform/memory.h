@@ -8,7 +8,7 @@ namespace rc_platform {
 // Bytes of the machine's memory; infinity where the system does not say.
 double machine_bytes();
 
-// Advises large pages for bytes that begin at the start of one. The system may take no notice.
+// Advises large pages for these bytes, but for the parts of small pages at their ends. The system may take no notice.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
 }  // namespace rc_platform

@@ -30,16 +30,16 @@ const char license[] = "BSD-3-Clause";
 
 // Built at the first query, because the options of other files are not constant expressions here.
 const rc_plugin& plugin() {
-#define RC_SOLVER(function, solver, text, operations, controlled, scored)           \
-  static const rc_solver function##_entry = {.struct_size = sizeof(rc_solver),      \
-                                             .name = solver,                        \
-                                             .summary = text,                       \
-                                             .license = license,                    \
-                                             .needs = operations,                   \
-                                             .controls = controlled,                \
-                                             .n_options = function##_options.count, \
-                                             .options = function##_options.specs,   \
-                                             .solve = solve<function>,              \
+#define RC_SOLVER(function, solver, text, operations, controlled, scored)               \
+  static const rc_solver function##_entry = {.struct_size = sizeof(rc_solver),          \
+                                             .name = solver,                            \
+                                             .summary = text,                           \
+                                             .license = license,                        \
+                                             .needs = operations | RC_READS_SINGLE_GAP, \
+                                             .controls = controlled,                    \
+                                             .n_options = function##_options.count,     \
+                                             .options = function##_options.specs,       \
+                                             .solve = solve<function>,                  \
                                              .score = scored};
 #define RC_SOLVER_IN_PLACE RC_SOLVER
 #include "solvers/solvers.def"

@@ -65,7 +65,7 @@ class Cascade {
   void coarsen() {
     const std::int64_t wanted = problem_.option_int("cmr.levels");
     std::int64_t nx = grid_.nx, ny = grid_.ny;
-    std::span<const double> gap = problem_.gap();
+    GapValues gap = problem_.gap();
     std::span<const std::uint8_t> mask = problem_.mask();
     for (std::int64_t finer = 1; finer < (wanted > 0 ? wanted : most_levels); ++finer) {
       if (std::max(nx, ny) < 2 || (wanted == 0 && std::min(nx, ny) < 2 * coarsest_side)) break;
@@ -115,7 +115,7 @@ class Cascade {
     return keep;
   }
 
-  static double lowest_gap(std::span<const double> gap, std::span<const std::uint8_t> mask) {
+  static double lowest_gap(const GapValues& gap, std::span<const std::uint8_t> mask) {
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < gap.size(); ++i)
       if (mask.empty() || mask[i]) lowest = std::min(lowest, gap[i]);
@@ -152,11 +152,12 @@ class Cascade {
   // Standard deviation of the gap [length].
   double roughness() const {
     double count = 0, mean = 0, squares = 0;  // of the deviations from the mean so far
-    for (std::size_t i = 0; i < problem_.gap().size(); ++i) {
+    const GapValues gap = problem_.gap();
+    for (std::size_t i = 0; i < gap.size(); ++i) {
       if (grid_.mask && !grid_.mask[i]) continue;
-      const double off = grid_.undeformed_gap[i] - mean;
+      const double off = gap[i] - mean;
       mean += off / ++count;
-      squares += off * (grid_.undeformed_gap[i] - mean);
+      squares += off * (gap[i] - mean);
     }
     return count > 0 ? std::sqrt(squares / count) : 0.0;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/options.h"
+#include "grid/gap_values.h"
 
 namespace rc {
 
@@ -56,7 +57,11 @@ class Problem {
   double lambda_min() const { return problem_.lambda_min; }  // a lower bound of the eigenvalues; 0: none is known
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
-  std::span<const double> gap() const { return {grid()->undeformed_gap, static_cast<std::size_t>(grid()->nx * grid()->ny)}; }
+  GapValues gap() const {
+    const auto points = static_cast<std::size_t>(grid()->nx * grid()->ny);
+    if (grid()->undeformed_gap_single) return std::span(grid()->undeformed_gap_single, points);
+    return std::span(grid()->undeformed_gap, points);
+  }
   std::span<const std::uint8_t> mask() const { return {grid()->mask, grid()->mask ? gap().size() : 0}; }  // empty: all points
   // Runs another solver, with pressure on the positions `a` only. product: null, or receives H p.
   rc_status inner(const char* solver, const Positions& a, double* p, Vector* product) const {

@@ -67,7 +67,7 @@ AT(rc_system, apply, 72);
 AT(rc_system, user, 80);
 AT(rc_system, hardness, 88);
 
-SIZE(rc_step, 56);
+SIZE(rc_step, 64);
 AT(rc_step, struct_size, 0);
 AT(rc_step, control, 8);
 AT(rc_step, warm_start, 12);
@@ -77,8 +77,9 @@ AT(rc_step, p0, 32);
 AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
+AT(rc_step, undeformed_gap_single, 56);
 
-SIZE(rc_result, 552);
+SIZE(rc_result, 568);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -121,6 +122,8 @@ AT(rc_result, stiffness_upper, 520);
 AT(rc_result, capped, 528);
 AT(rc_result, plastic_volume, 536);
 AT(rc_result, proven_capped, 544);
+AT(rc_result, p_single, 552);
+AT(rc_result, gap_single, 560);
 
 SIZE(rc_accuracy, 48);
 AT(rc_accuracy, struct_size, 0);

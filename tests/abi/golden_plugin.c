@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 7);
+VALUE(RC_PLUGIN_ABI_MINOR, 8);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -18,6 +18,7 @@ VALUE(RC_CAP_FLOAT, 256);
 VALUE(RC_CAP_SCREEN, 512);
 VALUE(RC_CAP_APPROXIMATE, 1024);
 VALUE(RC_CAP_FAR_FIELD, 2048);
+VALUE(RC_CAP_SINGLE_GAP, 4096);
 VALUE(RC_KERNEL_FREE, 1);
 VALUE(RC_KERNEL_PERIODIC, 2);
 VALUE(RC_KERNEL_SQUARE, 4);
@@ -27,6 +28,7 @@ VALUE(RC_KERNEL_FAR_FIELD, 16);
 VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
 VALUE(RC_WANTS_BOX, INT64_C(8589934592));
 VALUE(RC_TAKES_CAP, INT64_C(34359738368));
+VALUE(RC_READS_SINGLE_GAP, INT64_C(68719476736));
 
 SIZE(rc_host, 112);
 AT(rc_host, struct_size, 0);
@@ -64,7 +66,7 @@ AT(rc_domain, n, 8);
 AT(rc_domain, index, 16);
 AT(rc_domain, zero_mode, 24);
 
-SIZE(rc_screen, 88);
+SIZE(rc_screen, 96);
 AT(rc_screen, struct_size, 0);
 AT(rc_screen, approach, 8);
 AT(rc_screen, unit, 16);
@@ -76,6 +78,7 @@ AT(rc_screen, found, 56);
 AT(rc_screen, depth, 64);
 AT(rc_screen, n_found, 72);
 AT(rc_screen, tile_lowest, 80);
+AT(rc_screen, undeformed_gap_single, 88);
 
 SIZE(rc_facts, 80);
 AT(rc_facts, struct_size, 0);
@@ -121,7 +124,7 @@ AT(rc_backend, forget, 144);
 AT(rc_backend, score, 152);
 AT(rc_backend, rest, 160);
 
-SIZE(rc_grid, 88);
+SIZE(rc_grid, 96);
 AT(rc_grid, struct_size, 0);
 AT(rc_grid, nx, 8);
 AT(rc_grid, ny, 16);
@@ -134,6 +137,7 @@ AT(rc_grid, approach, 64);
 AT(rc_grid, boundary, 72);
 AT(rc_grid, reserved, 76);
 AT(rc_grid, softness, 80);
+AT(rc_grid, undeformed_gap_single, 88);
 
 SIZE(rc_coarse, 96);
 AT(rc_coarse, struct_size, 0);

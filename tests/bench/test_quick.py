@@ -68,6 +68,10 @@ for row in dilute['solves']:
 for row in dilute['dilute']:
     assert row['difference'] < 1e-10 and row['split_ms'] > 0, row
 
+mapped = run('mapped', '--quick')['solves'][0]
+assert mapped['status'] == 'OK' and mapped['residual'] <= 1e-4 and mapped['own_gigabytes'] < 0.2, mapped
+assert 0.5 < mapped['contact_percent'] / mapped['percent_wanted'] < 2, mapped
+
 histories = run('histories', '--levels', '6', '--steps', '4')
 for row in histories['histories']:
     assert row['status'] == 'RC_OK' and row['load_difference'] < 1e-6, row

@@ -150,6 +150,13 @@ Section steps() {
           {"no gap ever given", refused, {"rc_step.undeformed_gap is null and no earlier step gave one"}, step_with([](Scene& s) {
              s.step.undeformed_gap = nullptr;
            })},
+          {"gap in 8 and in 4 bytes a point",
+           refused,
+           {"rc_step.undeformed_gap and rc_step.undeformed_gap_single are both given; set one of them to null"},
+           step_with([](Scene& s) {
+             static const float gap[16] = {};
+             s.step.undeformed_gap_single = gap;
+           })},
           {"borrow = 2", refused, {"rc_step.borrow = 2 is neither 0 nor 1"}, step_with([](Scene& s) { s.step.borrow = 2; })},
           {"approach at the lowest point: p = 0", RC_OK, {}, untouched_at(0)},
           {"approach below the lowest point: p = 0", RC_OK, {}, untouched_at(-1)},

@@ -9,7 +9,8 @@ namespace mutants {
 rc::Bounds put(Figures& figures, const std::string& name, const Small& small, rc::ProvenSets* sets) {
   const rc::System system = small.system();
   const rc::StepSurface surface = small.surface();
-  const rc::Bounds bounds = prove_bounds(system, spectrum_of(system), surface, small.compression, small.answer, sets);
+  const rc::Bounds bounds =
+      prove_bounds(system, spectrum_of(system), surface, small.compression, small.answer, small.survey(), sets);
   figures.section(name);
   figures.exact("gap", bounds.duality_gap);
   figures.exact("lower", bounds.load_lower);

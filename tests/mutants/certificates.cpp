@@ -9,7 +9,7 @@ namespace mutants {
 void figures_of_certificates(Figures& figures) {
   const auto put = [&figures](const std::string& name, const Small& small, double scale) {
     const rc::Certificate c =
-        certify(small.surface(), small.compression, small.answer, scale, std::numeric_limits<double>::infinity());
+        certify(small.surface(), small.compression, small.answer, small.survey(), scale, std::numeric_limits<double>::infinity());
     figures.section("certificate/" + name);
     figures.exact("primal", c.primal);
     figures.exact("dual", c.dual);
@@ -46,6 +46,8 @@ void figures_of_certificates(Figures& figures) {
         small.press(0.4, off, 1);
         small.answer.product[6] = strange;
         put(name + "/strange_product", small, scale);
+        small.answer.pressures.p[6] = 0;
+        put(name + "/strange_product_without_pressure", small, scale);
       }
       small.press(0.4, off, 1);
       small.list({1, 4, 9, 10}, infinite);

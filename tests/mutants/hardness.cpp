@@ -24,7 +24,8 @@ void put_all(Figures& figures, const std::string& name, const Small& small) {
   figures.exact("capped", static_cast<double>(bounds.proven_capped));
   figures.exact("below", number_of(sets.contacts));
   figures.exact("possible", number_of(sets.possible));
-  const rc::Certificate c = certify(small.surface(), small.compression, small.answer, 0.3, small.system().hardness);
+  const rc::Certificate c =
+      certify(small.surface(), small.compression, small.answer, small.survey(), 0.3, small.system().hardness);
   figures.exact("primal", c.primal);
   figures.exact("dual", c.dual);
   figures.exact("complementarity", c.complementarity);
@@ -162,7 +163,7 @@ void all_at_the_hardness(Figures& figures) {
 
 void certificates(Figures& figures) {
   const auto put_certificate = [&figures](const std::string& name, const Small& small, double scale, double hardness) {
-    const rc::Certificate c = certify(small.surface(), small.compression, small.answer, scale, hardness);
+    const rc::Certificate c = certify(small.surface(), small.compression, small.answer, small.survey(), scale, hardness);
     figures.section("capped_certificate/" + name);
     figures.exact("primal", c.primal);
     figures.exact("dual", c.dual);

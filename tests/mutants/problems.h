@@ -9,6 +9,7 @@
 
 #include "contact/pressures.h"
 #include "contact/proof/bounds.h"
+#include "contact/proof/survey.h"
 #include "contact/step_surface.h"
 #include "contact/system.h"
 #include "core/thread_team.h"
@@ -48,6 +49,7 @@ struct Small {
     static const rc::ThreadTeam team(1);
     return rc::StepSurface({given.nx, given.ny, gap, mask, true}, team);
   }
+  rc::Survey survey() const { return rc::survey(surface(), compression, answer); }
   // Pressures on the points below the compression, and a product that leaves gaps of the size `off` of the compression there.
   void press(double depth, double off, std::uint64_t seed);
   // Only these points are listed; the others are apart by `beyond`.

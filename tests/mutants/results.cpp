@@ -184,7 +184,7 @@ void masks_that_leave_little(Figures& figures) {
 
 // Periodic, with a hardness and the approach at the mean plane, where the scale of the residual is the compression, or next to
 // it, where it is less unless some points are excluded.
-void near_the_mean_plane(Figures& figures) {
+void solved_near_the_mean_plane(Figures& figures) {
   Small small(4, 2);
   small.given.boundary = RC_BOUNDARY_PERIODIC;
   small.given.hardness = 0.5;
@@ -220,7 +220,7 @@ void figures_of_results(Figures& figures) {
   beyond_double_precision(figures);
   stopped_far_from_the_answer(figures);
   masks_that_leave_little(figures);
-  near_the_mean_plane(figures);
+  solved_near_the_mean_plane(figures);
   double diagonal = 1;
   std::vector<Small> all;
   for (const std::int64_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {

@@ -13,5 +13,6 @@ std::vector<Test> repetition_tests();
 std::vector<Test> sequence_tests();
 std::vector<Test> derivative_tests();
 std::vector<Test> stop_tests();
+std::vector<Test> single_array_tests();
 
 }  // namespace pairs

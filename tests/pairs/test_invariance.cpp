@@ -9,8 +9,13 @@ int main(int argc, char** argv) {
   const struct {
     const char* name;
     std::vector<Test> (*tests)();
-  } parts[] = {{"units", unit_tests},         {"symmetries", symmetry_tests},    {"repetitions", repetition_tests},
-               {"sequences", sequence_tests}, {"derivatives", derivative_tests}, {"stops", stop_tests}};
+  } parts[] = {{"units", unit_tests},
+               {"symmetries", symmetry_tests},
+               {"repetitions", repetition_tests},
+               {"sequences", sequence_tests},
+               {"derivatives", derivative_tests},
+               {"stops", stop_tests},
+               {"single_arrays", single_array_tests}};
   const char* wanted = nullptr;
   if (argc > 2 && std::strcmp(argv[1], "--part") == 0) {
     wanted = argv[2];

@@ -60,7 +60,8 @@ Answer screened(Operator& op, const Index& domain, const Vector& x, const Surfac
                     answer.found.point.data(),
                     answer.found.depth.data(),
                     0,
-                    tile_lowest};
+                    tile_lowest,
+                    nullptr};
   op.screen(x, request);
   answer.n_found = request.n_found;
   const std::size_t filled = std::min(room, static_cast<std::size_t>(request.n_found));

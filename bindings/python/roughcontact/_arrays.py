@@ -6,10 +6,11 @@ from typing import Any, Dict, Optional, Sequence, Tuple, Type, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._c import S, bytes_, ctype, doubles, integers, statuses
+from ._c import S, bytes_, ctype, doubles, integers, singles, statuses
 from ._errors import ArgumentError, RoughContactError, ShapeError
 
 Doubles = NDArray[np.float64]
+Reals = Union[Doubles, NDArray[np.float32]]
 Mask = NDArray[np.uint8]
 Shape = Tuple[int, ...]
 Pitch = Union[float, Sequence[float]]
@@ -58,6 +59,11 @@ def as_seed(value: Any) -> Optional[int]:
 
 def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> Doubles:
     """values as a C-ordered array of doubles; the same memory if they are one already."""
+    return as_reals(values, name, shape, single=False)
+
+
+def as_reals(values: ArrayLike, name: str, shape: Optional[Shape], single: bool) -> Any:
+    """values as a C-ordered array of doubles, or of float32; the same memory if they are one already."""
     if np.ma.isMaskedArray(values) and np.ma.getmaskarray(values).any():
         raise ArgumentError(
             f"{name} is a masked array with {int(np.ma.getmaskarray(values).sum())} masked values: pass mask=, which "
@@ -74,7 +80,7 @@ def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> D
             pass
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} holds {array.dtype}; real numbers are needed")
-    array = np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
+    array = np.require(array, np.float32 if single else np.float64, ["C", "A"]).reshape(array.shape)
     if shape is not None and array.shape != shape:
         raise ShapeError(f"{name} has shape {array.shape}, the grid {shape}")
     return array
@@ -127,7 +133,7 @@ def pointer(array: Optional[NDArray[Any]]) -> Any:
     """Of an array's first element, None for none. The array must be kept as long as the pointer is used."""
     if array is None:
         return None
-    kinds: Dict[str, Any] = {"float64": doubles, "int64": integers, "int32": statuses, "uint8": bytes_}
+    kinds: Dict[str, Any] = {"float64": doubles, "float32": singles, "int64": integers, "int32": statuses, "uint8": bytes_}
     return array.ctypes.data_as(ctype(kinds[array.dtype.name]))
 
 

@@ -6,7 +6,7 @@ from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from typing import Any, Callable, ContextManager, Dict, Iterator, List, Optional, Tuple, TypeVar, Union
 
-from ._arrays import Doubles, Mask, as_int
+from ._arrays import Mask, Reals, as_int
 from ._c import members_for
 from ._calls import Callbacks, check, interruptible
 from ._errors import ArgumentError, InfeasibleError, Interrupted, ShapeError, error_for
@@ -107,7 +107,7 @@ class Handle(OwnsHandle):
         return Grid(system.shape, system.pitch, system.periodic, self._mask, system.modulus)
 
     @contextmanager
-    def _pressing(self, undeformed_gap: Optional[Doubles], mask: Optional[Mask]) -> Iterator[None]:
+    def _pressing(self, undeformed_gap: Optional[Reals], mask: Optional[Mask]) -> Iterator[None]:
         """Follows which mask the library has: a step that it refuses changes nothing."""
         before = self._mask
         if undeformed_gap is not None or mask is not None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given, pointer
+from ._arrays import Doubles, Mask, Reals, as_doubles, as_mask, as_reals, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
@@ -40,19 +40,25 @@ def refuse_another_pitch(surface: Surface, system: System) -> None:
 
 
 def gap_and_mask(
-    system: System, heights: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike], missing: str
-) -> Tuple[Optional[Doubles], Optional[Mask]]:
+    system: System,
+    heights: Any,
+    undeformed_gap: Optional[ArrayLike],
+    mask: Optional[ArrayLike],
+    missing: str,
+    single: bool = False,
+) -> Tuple[Optional[Reals], Optional[Mask]]:
     """What a step presses: from heights, whose highest point touches first, or from a gap; neither: (None, mask)."""
     if heights is not None and undeformed_gap is not None:
         raise ArgumentError("heights and undeformed_gap are both given; give one of them")
     if heights is None:
-        array = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", system.shape)
+        array = None if undeformed_gap is None else as_reals(undeformed_gap, "undeformed_gap", system.shape, single)
         return array, as_mask(mask, "mask", system.shape)
     surface = as_surface(heights, mask=mask, missing=missing, otherwise=system.pitch)
     if surface.shape != system.shape:
         raise ShapeError(f"heights have shape {surface.shape}, the grid {system.shape}")
     refuse_another_pitch(surface, system)
-    return surface.undeformed_gap(), surface.mask
+    gap = surface.undeformed_gap()
+    return gap.astype(np.float32) if single else gap, surface.mask
 
 
 class Contact(Handle):
@@ -83,6 +89,7 @@ class Contact(Handle):
         borrow: bool = False,
         want_pressure: bool = True,
         want_gap: bool = False,
+        single: bool = False,
         check: bool = True,
     ) -> Result:
         """Solves one step and certifies the answer.
@@ -98,16 +105,20 @@ class Contact(Handle):
         borrow: gap and mask are not copied by the library; the contact keeps them, and they are to stay as they are
         want_pressure, want_gap: which arrays the result is to hold; without a gap, sparse contact on a large grid costs no more
             than the contact
+        single: undeformed_gap, of which float32 is not copied, and the result's arrays are float32: half the memory. With borrow
+            undeformed_gap may be a numpy.memmap, of a file larger than the memory
         check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its
             status. Status.WITHIN_GOAL never raises
         """
         control, target = control_and_target(displacement, load)
-        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
+        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
-        step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array, p0=first)
+        step = given(rc_step(), control=control, target=float(target), mask=mask_array, p0=first)
+        given(step, **{"undeformed_gap_single" if single else "undeformed_gap": gap_array})
         given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
-        pressure = np.zeros(self.system.shape) if want_pressure else None
-        deformed = np.zeros(self.system.shape) if want_gap else None
+        width = np.float32 if single else np.float64
+        pressure = np.zeros(self.system.shape, width) if want_pressure else None
+        deformed = np.zeros(self.system.shape, width) if want_gap else None
         with self._holding(), self._bar("iterations"):
             if borrow:
                 self._borrowed.append((gap_array, mask_array))
@@ -147,12 +158,15 @@ class Contact(Handle):
         self,
         function: Any,
         step: rc_step,
-        pressure: Optional[Doubles],
-        deformed: Optional[Doubles],
+        pressure: Optional[Reals],
+        deformed: Optional[Reals],
         must_be_certified: bool,
         *inputs: Any,
     ) -> Result:
-        struct = given(rc_result(), p=pressure, gap=deformed)
+        struct = rc_result()
+        for name, array in (("p", pressure), ("gap", deformed)):
+            if array is not None:
+                given(struct, **{f"{name}_single" if array.dtype == np.float32 else name: array})
         keep, clears = (pressure, deformed, inputs), function is not contact_library().rc_contact_certify
         status, message, interrupt = self._run(lambda: int(function(self._handle, step, struct)), keep, clears)
         answer = result_from(struct, message, self.grid(), pressure, deformed, self._handle) if status >= 0 else None

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from . import analysis
 from ._answers import Answer, Stored
-from ._arrays import Doubles, Mask, Shape
+from ._arrays import Doubles, Mask, Reals, Shape
 from ._c import members_for
 from ._errors import as_status
 from ._library import contact_library
@@ -57,8 +57,8 @@ class Result(Answer):
 
     status: Status
     message: str
-    pressure: Optional[Doubles]
-    gap: Optional[Doubles]
+    pressure: Optional[Reals]
+    gap: Optional[Reals]
     grid: Grid
     #: of the solver, all rounds together
     iterations: int
@@ -156,7 +156,7 @@ class Result(Answer):
     def _grid(self) -> Dict[str, Any]:
         return {"pitch": self.grid.pitch, "periodic": self.grid.periodic, "mask": self.grid.mask}
 
-    def _needed(self) -> Doubles:
+    def _needed(self) -> Reals:
         if self.pressure is None:
             raise ValueError("the result has no pressures; solve with want_pressure=True")
         return self.pressure
@@ -184,7 +184,7 @@ class Result(Answer):
 
 
 def result_from(
-    struct: rc_result, message: str, grid: Grid, pressure: Optional[Doubles], gap: Optional[Doubles], contact: Any = None
+    struct: rc_result, message: str, grid: Grid, pressure: Optional[Reals], gap: Optional[Reals], contact: Any = None
 ) -> Result:
     """contact: the C object that the accuracy is asked of, or None."""
     own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}

@@ -164,3 +164,19 @@ def test_two_or_no_surfaces_are_refused(sphere_gap):
         rc.solve(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS)
     refused(rc.ArgumentError, "pitch is missing", rc.solve, -sphere_gap, modulus=MODULUS, load=1)
     refused(rc.ArgumentError, "modulus is missing", rc.solve, -sphere_gap, pitch=PITCH, load=1)
+
+
+def test_single_arrays_are_worth_their_values(sphere_gap, tmp_path):
+    stored = sphere_gap.astype(np.float32)
+    file = tmp_path / "gap.f32"
+    stored.tofile(file)
+    mapped = np.memmap(file, np.float32, "r", shape=stored.shape)
+    with rc.Contact(rc.HalfSpace(stored.shape, pitch=PITCH, modulus=MODULUS)) as contact:
+        wide = contact.solve(undeformed_gap=stored.astype(float), displacement=3e-7, warm_start=False, want_gap=True)
+        for gap, borrow in ((stored, False), (mapped, True), (sphere_gap, False)):
+            found = contact.solve(
+                undeformed_gap=gap, displacement=3e-7, warm_start=False, want_gap=True, single=True, borrow=borrow
+            )
+            assert found.pressure.dtype == found.gap.dtype == np.float32 and found.load == wide.load
+            assert np.array_equal(found.pressure, wide.pressure.astype(np.float32))
+            assert np.array_equal(found.gap, wide.gap.astype(np.float32))

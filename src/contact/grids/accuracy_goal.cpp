@@ -157,12 +157,14 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   const rc_system &fine = given.system.given, &coarse = contact.work().system.given;
   const Blocks blocks = blocks_of(given, found.grid);
   const Pressures p = spread(contact.memory().last.pressures, blocks, given.surface, Cut::same_force);
-  double *const to_p = result.p, *const to_gap = result.gap;
+  const OutputArray to_p = pressures_of(result), to_gap = gap_of(result);
   const std::size_t size = result.struct_size;
   result = grid.result;
   result.struct_size = size;
-  result.p = to_p;
-  result.gap = to_gap;
+  result.p = to_p.in_double;
+  result.p_single = to_p.in_single;
+  result.gap = to_gap.in_double;
+  result.gap_single = to_gap.in_single;
   if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = nan;
   result.stiffness_lower = result.stiffness_upper = nan;
   Bounds{}.write(result);
@@ -185,14 +187,14 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
                    fine.ny, " points")
                   .c_str());
-  if (to_p) p.write(to_p, given.system.points());
-  if (to_gap)
-    for (std::int64_t i = 0; i < given.system.points(); ++i) to_gap[i] = grid.gap[static_cast<std::size_t>(blocks.of(i))];
+  p.write(to_p, given.system.points());
+  for (std::int64_t i = 0; i < given.system.points() && to_gap.wanted(); ++i)
+    to_gap.put(static_cast<std::size_t>(i), grid.gap[static_cast<std::size_t>(blocks.of(i))]);
 }
 
 bool AccuracyGoal::solve(GridContact& given, const rc_step& step, Monitor& monitor, rc_result& result,
                          std::optional<Estimate>& estimate) {
-  Found found = from_coarse_to_fine(given, step, monitor, result.gap != nullptr);
+  Found found = from_coarse_to_fine(given, step, monitor, gap_of(result).wanted());
   if (found.status == RC_WITHIN_GOAL && look(given, step, found, monitor, result)) return true;
   if (found.status != RC_OK && found.grid > 0) {
     deliver_stopped(given.work(), step, found, monitor, result);

@@ -72,6 +72,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   if (system.periodic() && surface.whole() && at.target >= surface.mean()) return false;  // no load belongs to it
   Answer answer;
   Deflected corrected;
+  std::vector<double> kept;
   bool screened = false;
   rc_status ended = RC_OK;
   try {
@@ -86,7 +87,8 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
     for (double& p : answer.p) p = std::max(0.0, p);
     screened = answer.checked.has_value();
     ended = std::exchange(answer.status, RC_OK);
-    corrected = deflected(work, answer, result.gap != nullptr);
+    kept = answer.p;
+    corrected = deflected(work, answer, gap_of(result).wanted());
   } catch (const Error&) {
     return false;  // another solver may do better
   }
@@ -108,13 +110,16 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
 
   if (by_load) {
     const double factor = step.target / rest.load;
-    for (double& p : answer.p) p *= factor;
+    for (double& p : kept) p *= factor;
     for (double& p : corrected.pressures.p) p *= factor;
     for (double& deflection : corrected.product) deflection *= factor;
     depth = fitting_compression(work, corrected);
     // A larger approach reaches points that are not listed.
     const bool all = static_cast<std::int64_t>(corrected.size()) == system.points();
-    if (!all && depth > answer.compression + (screened ? corrected.beyond : 0)) corrected = deflected(work, answer, true);
+    if (!all && depth > answer.compression + (screened ? corrected.beyond : 0)) {
+      answer.p = std::move(kept);
+      corrected = deflected(work, answer, true);
+    }
   }
   if (!(error <= work.goal.error)) {
     found.estimate = Estimate{corrected.pressures.positive(), surface.lowest() + depth};

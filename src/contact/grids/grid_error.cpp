@@ -14,7 +14,7 @@ constexpr double slowest_decay = 0.5;
 }  // namespace
 
 Texture texture_below(double limit, double length, const StepSurface& surface, const rc_system& system) {
-  const std::span<const double> gap = surface.gap();
+  const GapValues& gap = surface.gap();
   Texture found;
   double squares = 0;
   std::int64_t count = 0;

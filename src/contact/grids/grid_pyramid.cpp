@@ -15,8 +15,8 @@ namespace rc {
 
 namespace {
 
-CoarseGrid halved(const Workspace& finer) {
-  return downsample(finer.system.given.nx, finer.system.given.ny, finer.surface.gap(), finer.surface.masks(), Filter::mean,
+CoarseGrid coarser(const Workspace& finer, int halvings) {
+  return downsample(finer.system.given.nx, finer.system.given.ny, finer.surface.gap(), finer.surface.masks(), halvings,
                     [&](std::int64_t rows, const std::function<void(std::int64_t)>& act) {
                       roughcontact::for_each(finer.team(), rows, true, [&](std::int64_t row, std::int64_t) { act(row); });
                     });
@@ -52,17 +52,18 @@ rc_options coarse_options(const rc_options& fine, const Monitor& monitor) {
   return options;
 }
 
-HalvedGrid::HalvedGrid(const Workspace& finer, const rc_options& options)
-    : surface_(halved(finer)),
-      contact_(std::make_unique<GridContact>(coarser_system(finer.system.given, surface_.nx, surface_.ny, 2), options,
-                                             &finer.team())) {
+HalvedGrid::HalvedGrid(const Workspace& finer, const rc_options& options, int halvings)
+    : halvings_(halvings),
+      surface_(coarser(finer, halvings)),
+      contact_(std::make_unique<GridContact>(
+          coarser_system(finer.system.given, surface_.nx, surface_.ny, std::int64_t{1} << halvings), options, &finer.team())) {
   contact_->adopt(borrowed(surface_, finer.team()));
 }
 HalvedGrid::HalvedGrid(HalvedGrid&&) noexcept = default;
 HalvedGrid::~HalvedGrid() = default;
 
 void HalvedGrid::renew(const Workspace& finer) {
-  CoarseGrid next = halved(finer);
+  CoarseGrid next = coarser(finer, halvings_);
   contact_->adopt(borrowed(next, finer.team()));
   surface_ = std::move(next);
 }
@@ -106,7 +107,7 @@ Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurfac
   return result;
 }
 
-double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, std::span<const double> coarse_gap) {
+double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, const GapValues& coarse_gap) {
   double sum = 0, largest = 0;
   std::int64_t count = 0;
   for (std::size_t k = 0; k < p.p.size(); ++k) {

@@ -21,11 +21,11 @@ rc_system coarser_system(const rc_system& fine, std::int64_t nx, std::int64_t ny
 // Options of a coarser grid: no bounds, and the time that the finest grid has left.
 rc_options coarse_options(const rc_options& fine, const Monitor& monitor);
 
-// A grid of half as many points a side, each the mean of 2 x 2.
+// A grid of half as many points a side, each the mean of 2 x 2; or halved so several times.
 class HalvedGrid {
  public:
   // Halves the grid `finer`.
-  HalvedGrid(const Workspace& finer, const rc_options& options);
+  HalvedGrid(const Workspace& finer, const rc_options& options, int halvings = 1);
   HalvedGrid(HalvedGrid&&) noexcept;
   ~HalvedGrid();
 
@@ -34,6 +34,7 @@ class HalvedGrid {
   GridContact& contact() const { return *contact_; }
 
  private:
+  int halvings_;
   CoarseGrid surface_;  // the contact borrows it
   std::unique_ptr<GridContact> contact_;
 };
@@ -59,6 +60,6 @@ enum class Cut {  // what blocks keep that the end of the grid or the mask cuts
 Pressures spread(const Pressures& coarse, const Blocks& blocks, const StepSurface& fine, Cut cut);
 
 // Rms of the difference between the gap and its block's gap, over the points that carry pressure.
-double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, std::span<const double> coarse_gap);
+double left_out(const Pressures& p, const Blocks& blocks, const StepSurface& fine, const GapValues& coarse_gap);
 
 }  // namespace rc

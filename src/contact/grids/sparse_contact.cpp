@@ -26,6 +26,7 @@ constexpr double headroom = 0.1;     // of the depth: room for an approach above
 constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
 constexpr std::int64_t least_side = 64;
+constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
 constexpr std::int64_t compact = 16;  // boxes of at most 1/compact of the grid's points are solved whole, by transforms
 
 std::int64_t count_positive(const std::vector<double>& values) {
@@ -53,7 +54,9 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   rc_screen request{};
   request.struct_size = sizeof request;
   request.approach = surface.limit_of(compression + margin);
-  request.undeformed_gap = surface.gap().data();
+  const bool in_single = (answer.op->capabilities() & RC_CAP_SINGLE_GAP) != 0;
+  request.undeformed_gap = in_single ? surface.gap().in_double() : surface.gap_in_double();
+  request.undeformed_gap_single = in_single ? surface.gap().in_single() : nullptr;
   request.mask = surface.mask();
   request.tile_lowest = surface.tile_lowest().data();
   request.y = y.data();
@@ -202,13 +205,21 @@ std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep
   return estimate;
 }
 
-// The estimate from a grid of half as many points a side. Where that grid is large itself, it has its own from a coarser one.
+// How often a grid is halved for its estimate: once, but the largest grids until little memory is needed.
+int halvings_of(std::int64_t points) {
+  int halvings = 1;
+  while (points >> (2 * halvings) > most_coarse_points) ++halvings;
+  return halvings;
+}
+
+// The estimate from a coarser grid. Where that grid is large itself, it has its own from a still coarser one.
 std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor) {
   const rc_system& system = work.system.given;
   if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
   rc_options options = coarse_options(work.options, monitor);
   options.set(RC_OPT_TOL, std::max(coarse_tol, work.options.real(RC_OPT_TOL)));
-  const HalvedGrid grid(work, options);
+  const int halvings = halvings_of(work.system.points());
+  const HalvedGrid grid(work, options, halvings);
   Workspace& half = grid.contact().work();
   rc_step at = RC_STEP_INIT;
   at.control = step.control;
@@ -227,7 +238,7 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
                                            : at_displacement(half, {}, at, watch);
   }
   if (!few(count_positive(answer->p), half.system.points())) return std::nullopt;
-  const Blocks blocks{system.nx, system.ny, 2};
+  const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
   return Estimate{spread(answer->pressures(), blocks, work.surface, Cut::same_pressure),
                   half.surface.lowest() + answer->compression};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rc {
 
@@ -36,13 +37,15 @@ struct Distance {
 // docs/certificate.md has the derivation.
 class Proof {
  public:
-  Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer)
+  Proof(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression, const Deflected& answer,
+        const Survey& found)
       : system_(system),
         spectrum_(spectrum),
         surface_(surface),
         compression_(compression),
         rounding_(surface.included_points() > 0 ? rounding_of(surface.lowest(), compression) : 0),
         answer_(answer),
+        found_(found),
         given_(answer.p()),
         product_(answer.product) {
     if (!all_listed()) candidates_ = surface_.extent_below(surface_.limit_of(compression_));
@@ -91,11 +94,8 @@ class Proof {
   // and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than its largest
   // diagonal entry).
   void measure() {
-    double largest_product = 0, largest_w = 0;
-    for (std::size_t i = 0; i < given_.size(); ++i) {
-      largest_product = std::max(largest_product, std::abs(product_[i]));
-      if (included(i)) largest_w = std::max(largest_w, std::abs(distance_to_surface(i)));
-    }
+    const double largest_product = found_.largest_product;
+    double largest_w = found_.largest_gap;
     if (!all_listed()) largest_w = std::max(largest_w, largest_product + std::abs(surface_.range() - compression_));
     const bool none = surface_.included_points() == 0;
     const double depth = none ? 0 : std::max(0.0, compression_ + rounding_);
@@ -105,7 +105,7 @@ class Proof {
 
     double p_square = 0;
     long double sum = 0;
-    for (std::size_t i = 0; i < given_.size(); ++i) {
+    for (const std::size_t i : found_.touching) {
       if (given_[i] == 0) continue;
       negative_ += std::max({0.0, -given(i), given(i) - cap()});
       p_square += square(p(i));
@@ -121,7 +121,7 @@ class Proof {
   // x'w <= beta + delta'x: a point with w > 0 adds at most w p, so one with w >= 0 and p = 0 adds nothing; likewise one with
   // w < 0 at most -w (cap - p).
   void residual() {
-    for (std::size_t i = 0; i < given_.size(); ++i) {
+    for (const std::size_t i : found_.touching) {
       if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
       const double wi = w(i), pi = p(i), room = cap() - pi;
       if (!may_carry(i) || (wi > 0 && 2 * spectrum_.lowest * pi < wi)) {  // then w p < w^2 / (2 lowest)
@@ -143,26 +143,30 @@ class Proof {
 
   // Points that were given a pressure, or may carry one and are not proven open, without those that were given the hardness and
   // are proven to have it. Outside this set x is 0.
-  Extent undecided_pressures() const {
+  Extent undecided_pressures() {
     const double reach = open_beyond();
-    const std::int64_t nx = system_.unit.nx;
     Extent support;
     if (!(reach < answer_.beyond) && !all_listed()) {  // any candidate may be among the points that are not listed
       support = candidates_;
-      for (std::size_t i = 0; i < given_.size(); ++i)
+      for (const std::size_t i : found_.touching)
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
       return support;
     }
-    if (!all_listed()) {
-      for (std::size_t i = 0; i < given_.size(); ++i)
-        if (undecided(i, reach)) add(support, i);
-      return support;
-    }
-    std::size_t i = 0;
-    for (std::int64_t y = 0; y < system_.unit.ny; ++y)
-      for (std::int64_t x = 0; x < nx; ++x, ++i)
-        if (undecided(i, reach)) support.add(x, y);
+    if (!(reach < infinity))
+      return extent_where(surface_, answer_, nullptr, [&](std::size_t i) { return given_[i] > 0 || may_carry(i); });
+    for (const std::size_t i : near(reach))
+      if (undecided(i, reach)) add(support, i);
     return support;
+  }
+  // Points that were given a pressure, and those that may carry one and are no farther than `reach`. It never grows, so the list
+  // made first serves later calls, too.
+  const std::vector<std::size_t>& near(double reach) {
+    if (near_) return *near_;
+    Marks marks(static_cast<std::int64_t>(given_.size()));
+    extent_where(surface_, answer_, &marks,
+                 [&](std::size_t i) { return given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach); });
+    near_ = marks.list();
+    return *near_;
   }
   bool undecided(std::size_t i, double reach) const {
     if (given_[i] >= system_.hardness && distance_to_surface(i) < -reach) return false;
@@ -199,7 +203,7 @@ class Proof {
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
     long double u_sum = 0;  // [length]
-    for (const double h : surface_.gap()) u_sum += compression_ - (h - surface_.lowest());
+    for (std::size_t i = 0; i < surface_.gap().size(); ++i) u_sum += compression_ - surface_.height(i);
     const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())),
                  off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_) / length_;
@@ -247,13 +251,12 @@ class Proof {
     return result;
   }
 
-  void count(Bounds& result, ProvenSets* sets) const {
+  void count(Bounds& result, ProvenSets* sets) {
     const double mean = system_.periodic() ? distance_.sum / n() : 0;
     const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
     const double reach = open_beyond();
-    std::int64_t contacts = 0, capped = 0, may = 0, undecided = 0;
-    for (std::size_t i = 0; i < given_.size(); ++i) {
-      may += may_carry(i);
+    std::int64_t contacts = 0, capped = 0, undecided = 0;
+    for (const std::size_t i : near(reach)) {
       if (!may_carry(i) || distance_to_surface(i) > reach) continue;
       const bool at_cap = distance_to_surface(i) < -reach;
       capped += at_cap;
@@ -263,7 +266,8 @@ class Proof {
       if (p(i) > margin && cap() - p(i) > margin) sets->contacts.push_back(sets->possible.back());
     }
     if (!all_listed() && !(reach < answer_.beyond)) {
-      undecided += candidates_.n - may;
+      undecided += candidates_.n;
+      for (std::size_t i = 0; i < given_.size(); ++i) undecided -= may_carry(i);
       if (sets) list(surface_.below(surface_.limit_of(compression_)), sets->possible);
     }
     result.proven_contacts = contacts;
@@ -307,6 +311,7 @@ class Proof {
   const double compression_;
   const double rounding_;  // [length] round-off of the approach, which is the lowest gap plus the compression
   const Deflected& answer_;
+  const Survey& found_;
   const std::span<const double> given_, product_;
   Extent candidates_;                                               // points that may carry pressure
   double length_ = 1, depth_ = 0;                                   // [length]; largest compenetration
@@ -314,6 +319,7 @@ class Proof {
   double beta_ = 0, stray_ = 0, delta_sum_ = 0, delta_square_ = 0;  // see residual(); stray: the pressures in beta
   double work_ = 0;                                                 // p'|Hp| + p'|u|
   Distance distance_;
+  std::optional<std::vector<std::size_t>> near_;
 };
 
 }  // namespace
@@ -331,9 +337,9 @@ void Bounds::write(rc_result& result) const {
 }
 
 Bounds prove_bounds(const System& system, const Spectrum& spectrum, const StepSurface& surface, double compression,
-                    const Deflected& answer, ProvenSets* sets) {
+                    const Deflected& answer, const Survey& found, ProvenSets* sets) {
   if (!(spectrum.lowest > 0)) return {};
-  return Proof(system, spectrum, surface, compression, answer).bounds(sets);
+  return Proof(system, spectrum, surface, compression, answer, found).bounds(sets);
 }
 
 }  // namespace rc

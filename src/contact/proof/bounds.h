@@ -7,6 +7,7 @@
 
 #include "contact/pressures.h"
 #include "contact/proof/spectrum.h"
+#include "contact/proof/survey.h"
 #include "contact/step_surface.h"
 #include "contact/system.h"
 
@@ -27,9 +28,9 @@ struct ProvenSets {
   std::vector<std::int64_t> possible;  // proven neither to be open nor to carry the hardness
 };
 
-// compression: the approach less the lowest gap. p must be 0 on excluded
-// points. If the answer does not list all points, H must have no negative entries.
+// compression: the approach less the lowest gap. p must be 0 on excluded points. found: of the answer. If the answer does not
+// list all points, H must have no negative entries.
 Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer,
-                    ProvenSets* sets = nullptr);
+                    const Survey& found, ProvenSets* sets = nullptr);
 
 }  // namespace rc

@@ -20,16 +20,17 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 
 double load_imbalance(double load, double wanted) { return relative(std::abs(load - wanted), wanted); }
 
-Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale, double hardness) {
+Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
+                    double hardness) {
   const std::span<const double> p = answer.p();
   double largest_p = 0, least_p = 0, overlap = 0, worst = 0;
   const double infinite = std::numeric_limits<double>::infinity();
   bool finite = true;
-  for (const double value : p) {
-    largest_p = std::max(largest_p, std::abs(value));
-    least_p = std::min(least_p, value);
+  for (const std::size_t k : found.touching) {
+    largest_p = std::max(largest_p, std::abs(p[k]));
+    least_p = std::min(least_p, p[k]);
   }
-  for (std::size_t k = 0; k < p.size(); ++k) {
+  for (const std::size_t k : found.touching) {
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
     const double gap = answer.product[k] - (compression - surface.height(i));

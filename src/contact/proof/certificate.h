@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/pressures.h"
+#include "contact/proof/survey.h"
 #include "contact/step_surface.h"
 
 namespace rc {
@@ -16,8 +17,9 @@ struct Certificate {
 };
 
 // g is the deformed gap, c the hardness, which may be infinite. Excluded points have p = 0 and do not count; points that are not
-// listed have p = 0 and g >= 0. scale: s [length], see residual_scale.
-Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, double scale, double hardness);
+// listed have p = 0 and g >= 0. found: of the answer; scale: s [length], see residual_scale.
+Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
+                    double hardness);
 
 // |load - wanted| / wanted; 0 if both are 0.
 double load_imbalance(double load, double wanted);

@@ -6,13 +6,16 @@
 #include <limits>
 #include <optional>
 
+#include "contact/output_array.h"
 #include "contact/proof/bounds.h"
 #include "contact/proof/certificate.h"
 #include "contact/proof/plausibility.h"
+#include "contact/proof/survey.h"
 #include "contact/step/stiffness.h"
 #include "contact/step/target.h"
 #include "contact/step/trial_set.h"
 #include "core/error.h"
+#include "core/large_memory.h"
 
 namespace rc {
 
@@ -105,7 +108,8 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   const std::span<const double> p = answer.p();
   double sum = 0, energy = 0, overlap = 0, curved = 0, largest_p = 0, largest_product = 0;
   std::int64_t contacts = 0, capped = 0;
-  for (std::size_t k = 0; k < p.size(); ++k) {
+  const Survey found = survey(surface, compression, answer);
+  for (const std::size_t k : found.touching) {
     if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
@@ -121,8 +125,8 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   }
   if (!system.halfspace() && largest_p > 0) {
     // Scaled, so that the products do not underflow.
-    for (std::size_t k = 0; k < p.size() && largest_product > 0; ++k)
-      curved += p[k] / largest_p * (answer.product[k] / largest_product);
+    if (largest_product > 0)
+      for (const std::size_t k : found.touching) curved += p[k] / largest_p * (answer.product[k] / largest_product);
     if (curved <= 0)
       fail(RC_ERR_NUMERIC, system.given.op == RC_OPERATOR_DENSE ? "the dense matrix" : "the caller's apply function",
            " is not positive definite: p'Hp = ", curved * largest_p * largest_product, " for the pressures p found, must be > 0");
@@ -135,10 +139,11 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
     if (!spectrum) spectrum = spectrum_of(system);
     ProvenSets sets;
     const bool asked = work.options.integer(RC_OPT_STIFFNESS) == 2;
-    bounds = prove_bounds(system, *spectrum, surface, compression, answer, asked ? &sets : nullptr);
+    bounds = prove_bounds(system, *spectrum, surface, compression, answer, found, asked ? &sets : nullptr);
     work.record.proven = asked && bounds.undecided >= 0 ? std::optional(std::move(sets)) : std::nullopt;
   }
-  Certificate certificate = certify(surface, compression, answer, residual_scale(step, work, compression), system.hardness);
+  Certificate certificate =
+      certify(surface, compression, answer, found, residual_scale(step, work, compression), system.hardness);
   if (step.control == RC_CONTROL_LOAD) certificate.control = load_imbalance(sum * area, step.target);
   if (std::isnan(certificate.dual) || !std::isfinite(sum * area) || !std::isfinite(energy * area))
     fail(RC_ERR_NUMERIC,
@@ -179,10 +184,26 @@ void count_work(const Workspace& work, const Monitor& monitor, rc_result& result
 }
 
 void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result) {
-  if (result.p) answer.pressures.write(result.p, work.system.points());
-  if (!result.gap) return;
-  for (std::size_t i = 0; i < answer.size(); ++i) result.gap[i] = answer.product[i] - (compression - work.surface.height(i));
+  answer.pressures.write(pressures_of(result), work.system.points());
+  const OutputArray gap = gap_of(result);
+  if (!gap.wanted()) return;
+  each_chunk(static_cast<std::int64_t>(answer.size()), work.team(), [&](std::int64_t begin, std::int64_t count) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
+      gap.put(i, answer.product[i] - (compression - work.surface.height(i)));
+  });
 }
+
+namespace {
+
+// From the dimensionless product to lengths.
+void take_units(const Answer& answer, const Workspace& work, std::vector<double>& product) {
+  each_chunk(static_cast<std::int64_t>(product.size()), work.team(), [&](std::int64_t begin, std::int64_t count) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
+      product[i] = product[i] * answer.length_unit - answer.datum_shift;
+  });
+}
+
+}  // namespace
 
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
   const System& system = work.system;
@@ -198,22 +219,21 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
   Operator& op = certifier.empty() ? *answer.op
                                    : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
   if (!everywhere && only_unknowns_matter(work, answer)) {
-    result.product.resize(answer.p.size());
+    result.product = large_vector<double>(answer.p.size());
     raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
-    for (double& value : result.product) value = value * answer.length_unit - answer.datum_shift;
-    result.pressures = answer.pressures();
+    take_units(answer, work, result.product);
+    result.pressures = answer.take_pressures(work.team());
     return result;
   }
-  result.product.resize(static_cast<std::size_t>(system.points()));
+  result.product = large_vector<double>(static_cast<std::size_t>(system.points()));
   op.field(answer.p, result.product);
-  for (double& value : result.product) value = value * answer.length_unit - answer.datum_shift;
+  take_units(answer, work, result.product);
   result.pressures.on.n = system.points();
-  Pressures own = answer.pressures();
-  answer.p = {};
+  Pressures own = answer.take_pressures(work.team());
   if (own.on.index.empty()) {
     result.pressures.p = std::move(own.p);
   } else {
-    result.pressures.p.resize(result.product.size());
+    result.pressures.p = large_vector<double>(result.product.size());
     own.write(result.pressures.p.data(), system.points());
   }
   return result;
@@ -256,7 +276,7 @@ Overlap overlap_of(const Workspace& work, const Deflected& found, double compres
 
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result) {
   Stiffness rate = wanted_stiffness(work, answer);
-  Deflected found = deflected(work, answer, result.gap != nullptr);
+  Deflected found = deflected(work, answer, gap_of(result).wanted());
   // After a stop the approach is made to fit the pressures, but not where points were screened: that holds for one approach.
   const bool by_load = step.control == RC_CONTROL_LOAD, stopped = by_load && answer.status != RC_OK && !answer.checked;
   const double without = by_load ? 0 : compression_of(step, work);
@@ -268,7 +288,8 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
 
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {
   const System& system = work.system;
-  const std::span<const double> p(result.p, static_cast<std::size_t>(system.points()));
+  std::vector<double> p(static_cast<std::size_t>(system.points()));
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = given_pressure(result, i);
   TrialSet trial;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p[i] != 0) trial.index.push_back(static_cast<std::int64_t>(i));
@@ -277,7 +298,6 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
 
   Deflected given;
   given.pressures.on.n = system.points();
-  given.pressures.p.assign(p.begin(), p.end());
   given.product.assign(p.size(), 0.0);
   std::vector<double>& product = given.product;
   Answer answer;
@@ -288,6 +308,7 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
     answer.op->field(answer.p, product);
     for (double& value : product) value *= system.length_per_pressure;
   }
+  given.pressures.p = std::move(p);
   const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(work, given) : compression_of(step, work);
   finish(work, step, answer, given, depth, std::nullopt, monitor, result);
   copy_text(result.solver, "none");

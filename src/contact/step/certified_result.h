@@ -16,12 +16,13 @@ struct Finished {
 // Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing
 // touches, or where a stop came before any answer.
 Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer, const Monitor& monitor, rc_result& result);
-// The same for the pressures in result.p.
+// The same for the pressures in result.p or result.p_single.
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result);
 
 // The parts of certified_result, for answers that are finished in another way.
 
-// H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs.
+// H p by the certifying operator: over all points if `everywhere`, else at least over those that the certificate needs. Takes
+// the pressures out of the answer, but where the operator has screened all points.
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere);
 // The compression at which the mean of the gap, weighted by the pressures, vanishes where these are below the hardness; where
 // none is, the least at which all points with pressure touch.

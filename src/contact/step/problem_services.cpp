@@ -30,7 +30,7 @@ namespace {
 
 // Throws where this solver cannot run inside this run.
 void require(const rc_solver& solver, const SolverRun& run, const char* as) {
-  if ((solver.needs & RC_NEEDS_GRID) && !run.grid.undeformed_gap)
+  if ((solver.needs & RC_NEEDS_GRID) && run.grid.nx == 0)
     fail(RC_ERR_INCOMPATIBLE, as, ": solver \"", solver.name, "\" needs a half-space grid");
   if (const std::string missing = missing_cap(solver, run.work.system); !missing.empty())
     fail(RC_ERR_INCOMPATIBLE, as, ": ", missing);
@@ -120,6 +120,10 @@ void connect(BoundProblem& problem);
 
 rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, double* d) {
   const rc_options& options = problem.run.work.options;
+  const StepSurface& surface = problem.run.work.surface;
+  const bool in_single = (solver.needs & RC_READS_SINGLE_GAP) != 0;
+  if (problem.where.nx > 0) problem.where.undeformed_gap = in_single ? surface.gap().in_double() : surface.gap_in_double();
+  problem.where.undeformed_gap_single = in_single ? surface.gap().in_single() : nullptr;
   op_for(problem);
   return solver.solve(&problem.run.work.host, &problem, &options, p, d);
 }
@@ -143,7 +147,9 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
     for (const std::int64_t i : a) problem.trial.index.push_back(outer.trial.point(i));
   std::vector<double> u, start;
   const auto compenetration = [&](std::int64_t i) {
-    return outer.u ? outer.u[i] : (outer.where.approach - outer.where.undeformed_gap[outer.trial.point(i)]) / outer.length;
+    return outer.u
+               ? outer.u[i]
+               : (outer.where.approach - run.work.surface.gap()[static_cast<std::size_t>(outer.trial.point(i))]) / outer.length;
   };
   for (const std::int64_t i : a) {
     u.push_back(compenetration(i));
@@ -201,7 +207,7 @@ void connect(BoundProblem& problem) {
   problem.pressure = run.pressure_unit;
   problem.cap = run.cap;
   problem.note = note;
-  if (run.grid.undeformed_gap) {
+  if (run.grid.nx > 0) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
     problem.grid = &problem.where;
     problem.coarse = coarse;

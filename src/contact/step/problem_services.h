@@ -36,7 +36,7 @@ class SolverRun {
   Operator& op;
   Monitor& monitor;
   const bool fallbacks;                     // operations that the backend lacks may be replaced
-  const rc_grid grid;                       // without its index and approach; gap null: there is no grid
+  const rc_grid grid;                       // without its index, approach and gap; nx = 0: there is none
   const double length_unit, pressure_unit;  // of u and p; 0 without a grid
   const double cap;                         // the largest p
   const std::int64_t most_iterations;       // of each run

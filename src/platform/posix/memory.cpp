@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <limits>
 
 namespace rc_platform {
@@ -15,7 +16,11 @@ double machine_bytes() {
 
 void prefer_large_pages(void* begin, std::size_t bytes) {
 #ifdef MADV_HUGEPAGE  // C libraries before it have no name for it
-  madvise(begin, bytes, MADV_HUGEPAGE);
+  const long size = sysconf(_SC_PAGE_SIZE);
+  if (size <= 0) return;
+  const auto page = static_cast<std::uintptr_t>(size), address = reinterpret_cast<std::uintptr_t>(begin);
+  const std::uintptr_t first = (address + page - 1) / page * page, end = (address + bytes) / page * page;
+  if (first < end) madvise(static_cast<std::byte*>(begin) + (first - address), end - first, MADV_HUGEPAGE);
 #else
   static_cast<void>(begin), static_cast<void>(bytes);
 #endif

@@ -68,7 +68,8 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   spread(problem, coarse.nx, pressure, p);
   if (!problem.load_control()) return;
   // The datum from u = (datum - gap) / length.
-  const double datum = problem.u() ? grid.undeformed_gap[problem.point(0)] + problem.u()[0] * length : grid.approach;
+  const double datum =
+      problem.u() ? problem.gap()[static_cast<std::size_t>(problem.point(0))] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
 }
 

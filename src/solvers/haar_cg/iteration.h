@@ -182,6 +182,12 @@ template <Machine M> class HaarIteration {
     now_ = m_.add_and_measure(Vector(nullptr), change);
   }
 
+  // The same for the next step alone, which needs no measure.
+  void raise(double change) {
+    datum_ += change;
+    m_.raise(m_.w(), -change);
+  }
+
   // The slope of the load over the trees' slope, sum = 1'z with z = M 1. The multiple of z that has the least energy is
   // 1'z / z'Hz, with an error of second order in that of M.
   double measured_excess(double sum) {
@@ -194,10 +200,10 @@ template <Machine M> class HaarIteration {
   // Every point is at an end of its pressures and should be: the load is exactly that of the present datum. Moves the datum at
   // least to where the first point leaves its end.
   void release() {
-    if (!task_.by_load) return lower(mean_ * now_.load - datum_);
+    if (!task_.by_load) return raise(mean_ * now_.load - datum_);
     const double missing = task_.load - now_.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * scale();
     if (nearest == infinite) return;
-    lower(loads_.leave(datum_, blur * scale(), now_.load, missing, nearest, std::abs(missing) <= few * task_.cap));
+    raise(loads_.leave(datum_, blur * scale(), now_.load, missing, nearest, std::abs(missing) <= few * task_.cap));
   }
 
   // Newton's step of the approach. The missing load is what remains to be added once the present gap is closed.
@@ -226,7 +232,7 @@ template <Machine M> class HaarIteration {
     const double change = loads_.between(
         datum_, std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load)));
     missing_ = change == wanted ? missing : far || task_.elongated ? unknown : 0;
-    lower(change);
+    raise(change);
   }
 
   // Newton's step of the datum in displacement control: the datum must become the deflection that the added mean causes.
@@ -241,7 +247,7 @@ template <Machine M> class HaarIteration {
     const double wanted = missing / (stiffening_ * std::max(1 - mean_ * excess_ * sum, least_slope)), depth = 1 + datum_;
     const double change = std::clamp(wanted, -0.5 * depth, depth);
     missing_ = change == wanted ? missing : unknown;
-    lower(change);
+    raise(change);
   }
 
   // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest

@@ -77,8 +77,20 @@ class HaarTree {
   struct Size {
     std::size_t values = 0, blocks = 0;
   };
+  // Of the children of eight blocks, in two rows of 16; -1: none.
   struct Places {
-    std::int64_t first[16], second[16];  // of the children of eight blocks; -1: none
+    std::int64_t first[16], second[16];
+    // end > 0: the children begin .. end-1 of a row lie side by side from first[0] or second[0] on; there are no others.
+    std::int64_t begin = 0, end = 0;
+
+    template <class Value> void gather(const Value* from, Value* to_first, Value* to_second) const;
+    template <class Value> void scatter(const Value* from_first, const Value* from_second, Value* to) const;
+    // Leaves those that are in begin .. end-1, where all of a row are or none is.
+    void keep(std::int64_t from, std::int64_t stop);
+
+   private:
+    template <class Value> void gather_row(const Value* from, const std::int64_t* place, Value* to) const;
+    template <class Value> void scatter_row(const Value* from, const std::int64_t* place, Value* to) const;
   };
 
   void link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const;

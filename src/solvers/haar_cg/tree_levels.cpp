@@ -12,17 +12,50 @@ constexpr float least_top = 0.1F;  // of the surplus: least coupling of the whol
 constexpr std::int64_t cells_per_part = 32768;
 constexpr std::int64_t groups_per_part = 64;  // where not every cell exists
 
-// The values at 16 places, 0 at place -1; 1 for each place without `from`.
-template <class Value> void gather(const Value* from, const std::int64_t* place, Value* to) {
-  for (int i = 0; i < 16; ++i) to[i] = place[i] < 0 ? Value{0} : from ? from[place[i]] : Value{1};
+}  // namespace
+
+// The values at the places, 0 where there is none; 1 for each place without `from`.
+template <class Value> void HaarTree::Places::gather_row(const Value* from, const std::int64_t* place, Value* to) const {
+  if (end == 0) {
+    for (int i = 0; i < 16; ++i) {
+      const Value value =
+          from ? from[std::max<std::int64_t>(place[i], 0)] : Value{1};  // read anyway: no branch is foreseen wrongly
+      to[i] = place[i] < 0 ? Value{0} : value;
+    }
+    return;
+  }
+  std::fill_n(to, 16, Value{0});
+  if (*place < 0) return;
+  if (from)
+    std::copy_n(from + *place, end - begin, to + begin);
+  else
+    std::fill(to + begin, to + end, Value{1});
 }
 
-template <class Value> void scatter(const Value* from, const std::int64_t* place, Value* to) {
+template <class Value> void HaarTree::Places::scatter_row(const Value* from, const std::int64_t* place, Value* to) const {
+  if (end > 0) {
+    if (*place >= 0) std::copy(from + begin, from + end, to + *place);
+    return;
+  }
   for (int i = 0; i < 16; ++i)
     if (place[i] >= 0) to[place[i]] = from[i];
 }
 
-}  // namespace
+template <class Value> void HaarTree::Places::gather(const Value* from, Value* to_first, Value* to_second) const {
+  gather_row(from, first, to_first);
+  gather_row(from, second, to_second);
+}
+
+template <class Value> void HaarTree::Places::scatter(const Value* from_first, const Value* from_second, Value* to) const {
+  scatter_row(from_first, first, to);
+  scatter_row(from_second, second, to);
+}
+
+void HaarTree::Places::keep(std::int64_t from, std::int64_t stop) {
+  for (std::int64_t* const place : {first, second})
+    for (int i = 0; i < (end > 0 ? 1 : 16); ++i)
+      if (place[i] < from || place[i] >= stop) place[i] = -1;
+}
 
 std::int64_t HaarTree::rows_per_part(std::int64_t columns) { return std::max<std::int64_t>(1, cells_per_part / columns / 2) * 2; }
 
@@ -45,6 +78,14 @@ template <class Visit> void HaarTree::each_row(std::size_t level, std::int64_t p
 HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int64_t group) const {
   const Level& l = levels_[level];
   Places at;
+  if (level == 0 && regular(l)) {
+    const std::int64_t x = 16 * group - l.shift_x, y = 2 * row - l.shift_y;
+    at.begin = std::max<std::int64_t>(0, -x);
+    at.end = std::min<std::int64_t>(16, l.mx - x);
+    at.first[0] = y >= 0 ? y * l.mx + x + at.begin : -1;
+    at.second[0] = y + 1 < l.my ? (y + 1) * l.mx + x + at.begin : -1;
+    return at;
+  }
   std::fill_n(at.first, 16, std::int64_t{-1});
   std::fill_n(at.second, 16, std::int64_t{-1});
   const std::int64_t pitch = level == 0 ? l.mx : l.pitch, lead_x = level == 0 ? 0 : l.lead_x, lead_y = level == 0 ? 0 : l.lead_y;
@@ -98,8 +139,7 @@ void HaarTree::solve_finest(std::int64_t part, const std::uint8_t* active) {
     const auto single = [&](std::int64_t group) {
       const Places at = places(0, row, group);
       std::uint8_t first[16], second[16];
-      gather(active, at.first, first);
-      gather(active, at.second, second);
+      at.gather(active, first, second);
       finest.solve(1, finest_, first, second, to + 8 * group);
     };
     const auto run = [&](std::int64_t from, std::int64_t end) {
@@ -123,8 +163,7 @@ void HaarTree::solve(std::size_t level, std::int64_t part) {
       for (std::int64_t group = begin; group < stop; ++group) {
         const Places at = places(level, row, group);
         float first[16], second[16];
-        gather(cells(level), at.first, first);
-        gather(cells(level), at.second, second);
+        at.gather(cells(level), first, second);
         loops_.solve(1, l.coupling, first, second, blocks + group, to + 8 * group);
       }
     }
@@ -143,10 +182,8 @@ template <class Real> void HaarTree::up_finest(std::int64_t part, const HaarFine
       const Places at = places(0, row, group);
       std::uint8_t in_first[16], in_second[16];
       Real first[16], second[16];
-      gather(values.active, at.first, in_first);
-      gather(values.active, at.second, in_second);
-      gather(values.g, at.first, first);
-      gather(values.g, at.second, second);
+      at.gather(values.active, in_first, in_second);
+      at.gather(values.g, first, second);
       finest.up(1, finest_, in_first, in_second, first, second, to + 8 * group);
     };
     const auto run = [&](std::int64_t from, std::int64_t end) {
@@ -171,8 +208,7 @@ void HaarTree::up(std::size_t level, std::int64_t part) {
     for (std::int64_t group = begin; group < stop; ++group) {
       const Places at = places(level, row, group);
       float first[16], second[16];
-      gather(cells(level), at.first, first);
-      gather(cells(level), at.second, second);
+      at.gather(cells(level), first, second);
       loops_.up(1, blocks + group, first, second, to + 8 * group);
     }
   });
@@ -195,11 +231,9 @@ void HaarTree::down(std::size_t level, std::int64_t part) {
     for (std::int64_t group = begin; group < stop; ++group) {
       const Places at = places(level, row, group);
       float first[16], second[16];
-      gather(cells(level), at.first, first);
-      gather(cells(level), at.second, second);
+      at.gather(cells(level), first, second);
       loops_.down(1, blocks + group, first, second, from + 8 * group);
-      scatter(first, at.first, cells(level));
-      scatter(second, at.second, cells(level));
+      at.scatter(first, second, cells(level));
     }
   });
 }
@@ -211,19 +245,13 @@ void HaarTree::down_group(std::int64_t row, std::int64_t group, std::int64_t beg
   Places at = places(0, row, group);
   std::uint8_t in_first[16], in_second[16];
   Real first[16], second[16], z_first[16], z_second[16];
-  gather(values.active, at.first, in_first);
-  gather(values.active, at.second, in_second);
-  gather(values.g, at.first, first);
-  gather(values.g, at.second, second);
-  for (std::int64_t* const place : {at.first, at.second})
-    for (int i = 0; i < 16; ++i)
-      if (place[i] < begin || place[i] >= end) place[i] = -1;
-  gather<Real>(values.z, at.first, z_first);
-  gather<Real>(values.z, at.second, z_second);
+  at.gather(values.active, in_first, in_second);
+  at.gather(values.g, first, second);
+  at.keep(begin, end);
+  at.gather<Real>(values.z, z_first, z_second);
   best_haar_finest<Real>().down(1, finest_, in_first, in_second, first, second, above(0, row) + 8 * group, values.scale,
                                 values.add, z_first, z_second);
-  scatter(z_first, at.first, values.z);
-  scatter(z_second, at.second, values.z);
+  at.scatter(z_first, z_second, values.z);
 }
 
 template <class Real> void HaarTree::down_rows(std::int64_t begin, std::int64_t end, const HaarFinestValues<Real>& values) {

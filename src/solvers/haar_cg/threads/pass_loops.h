@@ -10,28 +10,35 @@ namespace rc {
 // The new w: w + change, w - shift, product - u - shift, -u - shift.
 enum class HaarUpdate { add, lower, replace, begin };
 
+// Runs of so many points. Idle: none of them is in the free set. Still: and t is 0 there; left: t may be something else.
+constexpr std::int64_t haar_run = 64;
+enum class HaarRun : std::uint8_t { busy, left, still };
+
 // What was found where pressures were cut.
 struct HaarCut {
   bool any;     // some were
   bool capped;  // some are at the cap
 };
 
-// Loops over n values, with sums in a fixed order. `active` is the free set; off it p is 0 or the cap.
+// Loops over n values, with sums in a fixed order. `active` is the free set, `runs` [n/64] tell of its runs; off it p is 0 or the
+// cap.
 template <class Real> struct HaarLoops {
   using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const double* product, double shift,
-                                  const double* u, const double* p, double cap, const std::uint8_t* active);
-  using Choose = bool (*)(std::int64_t n, const double* p, double cap, const Real* w, Real limit, std::uint8_t* active);
+                                  const double* u, const double* p, double cap, const HaarRun* runs);
+  using Choose = bool (*)(std::int64_t n, const double* p, double cap, const Real* w, Real limit, std::uint8_t* active,
+                          HaarRun* runs);
   using Cut = HaarCut (*)(std::int64_t n, double length, const Real* t, const Real* q, double* p, double cap, Real* w, Real* cut,
-                          const std::uint8_t* active);
+                          const HaarRun* runs);
 
   // t = z + beta t where active, 0 elsewhere. Returns (w, t).
-  double (*turn)(std::int64_t n, const Real* z, Real beta, Real* t, const Real* w, const std::uint8_t* active);
+  double (*turn)(std::int64_t n, const Real* z, Real beta, Real* t, const Real* w, const std::uint8_t* active, HaarRun* runs);
   // Returns (a, b), where a is 0 off the free set.
   double (*inner)(std::int64_t n, const Real* a, const Real* b, const std::uint8_t* active);
   // p -= length t, w -= length q
-  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, const std::uint8_t* active);
+  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, const HaarRun* runs);
   // The same, then p = min(max(p, 0), cap); cut: what that added to p.
   Cut advance_and_cut;
+  // Without a cap add and lower read u only in runs that are busy.
   Measure add, lower, replace, begin;
   // active = p > 0 or w < -limit, and where p = cap: w > limit. Returns whether it changed.
   Choose choose;

@@ -6,33 +6,17 @@
 #include <limits>
 #include <vector>
 
+#include "core/chunks.h"
+#include "core/large_memory.h"
 #include "core/sums.h"
 
 namespace rc {
 
 namespace {
 
-constexpr std::int64_t chunk = 8192, piece = 1024;
-constexpr std::int64_t least_shared = 4 * chunk;
+constexpr std::int64_t piece = 1024;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nearly = 1 - 1e-9;  // of the cap: pressures to start from that are higher are at the cap, but for rounding
-
-// act(begin, count) for all chunks.
-template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act) {
-  roughcontact::for_each(team, (n + chunk - 1) / chunk, n >= least_shared,
-                         [&](std::int64_t item, std::int64_t) { act(item * chunk, std::min(chunk, n - item * chunk)); });
-}
-
-// Combines body(begin, count) of all chunks, in their order.
-template <class Part, class Body, class Combine = std::plus<>>
-Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {}) {
-  std::vector<Part> parts(static_cast<std::size_t>((n + chunk - 1) / chunk));
-  each_chunk(n, team, [&](std::int64_t begin, std::int64_t count) {
-    parts[static_cast<std::size_t>(begin / chunk)] = body(begin, count);
-  });
-  for (const Part& part : parts) total = combine(total, part);
-  return total;
-}
 
 // Whether body(begin, count) is true of any chunk.
 template <class Body> bool any(std::int64_t n, const rc_team& team, const Body& body) {
@@ -54,11 +38,14 @@ ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, 
       n_(problem.size()),
       cap_(problem.cap()),
       p_(p.data()),
-      reached_(static_cast<std::size_t>((n_ + chunk - 1) / chunk)) {
+      reached_(static_cast<std::size_t>((n_ + chunk_values - 1) / chunk_values)),
+      runs_(static_cast<std::size_t>(n_ / haar_run), HaarRun::busy) {
   const auto count = static_cast<std::size_t>(n_);
   const std::size_t shared = std::max({count * sizeof(double), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
   const std::size_t spares = (shared + sizeof(double) - 1) / sizeof(double) * sizeof(double);  // so that all is aligned
-  memory_.reset(new std::byte[spares + count * (3 * sizeof(Real) + 1)]);
+  const std::size_t bytes = spares + count * (3 * sizeof(Real) + 1);
+  memory_.reset(new std::byte[bytes]);
+  prefer_large(memory_.get(), bytes);
   w_ = reinterpret_cast<Real*>(memory_.get() + spares);
   t_ = w_ + count;
   q_ = t_ + count;
@@ -70,20 +57,28 @@ ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, 
   trees_.place(reinterpret_cast<std::byte*>(y()));
 }
 
-// visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack, where the problem has none.
+// visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack, where the problem has none:
+// in the runs that are wanted.
 template <class Real>
-template <class Visit>
-void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Visit& visit) const {
+template <class Wanted, class Visit>
+void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Wanted& wanted, const Visit& visit) const {
   const double* const u = problem_.u();
   const rc_grid& grid = *problem_.grid();
+  const GapValues gap = problem_.gap();
   const double approach = grid.approach, length = problem_.length_unit();
   double room[piece];
   for (std::int64_t i = begin; i < begin + n; i += piece) {
     const std::int64_t count = std::min(piece, begin + n - i);
-    if (!u && grid.index)
-      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.undeformed_gap[grid.index[i + k]]) / length;
-    else if (!u)
-      for (std::int64_t k = 0; k < count; ++k) room[k] = (approach - grid.undeformed_gap[i + k]) / length;
+    for (std::int64_t from = 0; !u && from < count; from += haar_run) {
+      if (!wanted(i + from)) continue;
+      const std::int64_t to = std::min(from + haar_run, count);
+      gap.visit([&](const auto* h) {
+        if (grid.index)
+          for (std::int64_t k = from; k < to; ++k) room[k] = (approach - h[grid.index[i + k]]) / length;
+        else
+          for (std::int64_t k = from; k < to; ++k) room[k] = (approach - h[i + k]) / length;
+      });
+    }
     visit(i, count, u ? u + i : room);
   }
 }
@@ -93,9 +88,10 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
   const auto both = [](const HaarStart& a, const HaarStart& b) {
     return HaarStart{std::max(a.highest, b.highest), a.warm || b.warm};
   };
+  const auto all = [](std::int64_t) { return true; };
   const auto body = [&](std::int64_t from, std::int64_t n) {
     HaarStart start = none;
-    with_u(from, n, [&](std::int64_t first, std::int64_t count, const double* u) {
+    with_u(from, n, all, [&](std::int64_t first, std::int64_t count, const double* u) {
       double* const p = p_ + first;
       double highest = start.highest, most = 0;
       for (std::int64_t i = 0; i < count; ++i) {
@@ -103,7 +99,7 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
         p[i] = p[i] >= nearly * cap_ ? cap_ : std::max(p[i], 0.0);
         most = std::max(most, p[i]);
       }
-      if (most >= cap_) reached_[static_cast<std::size_t>(first / chunk)] = 1;
+      if (most >= cap_) reached_[static_cast<std::size_t>(first / chunk_values)] = 1;
       start = both(start, {highest, most > 0});
     });
     return start;
@@ -112,17 +108,22 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
 }
 
 template <class Real> const HaarLoops<Real>& ThreadMachine<Real>::loops_at(std::int64_t begin) const {
-  return reached_[static_cast<std::size_t>(begin / chunk)] ? capped_loops_ : loops_;
+  return reached_[static_cast<std::size_t>(begin / chunk_values)] ? capped_loops_ : loops_;
 }
 
 template <class Real>
 HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change,
                                          const double* product, double shift) {
+  const bool everywhere = loop == &HaarLoops<Real>::replace || loop == &HaarLoops<Real>::begin;
   const auto body = [&](std::int64_t begin, std::int64_t n) {
+    const HaarLoops<Real>& loops = loops_at(begin);
+    const auto read = [&, all = everywhere || &loops == &capped_loops_](std::int64_t i) {
+      return all || i + haar_run > n_ || runs_[static_cast<std::size_t>(i / haar_run)] == HaarRun::busy;
+    };
     HaarMeasure sum;
-    with_u(begin, n, [&](std::int64_t i, std::int64_t count, const double* u) {
-      sum = sum_of_two(sum, (loops_at(begin).*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr,
-                                                    shift, u, p_ + i, cap_, active_ + i));
+    with_u(begin, n, read, [&](std::int64_t i, std::int64_t count, const double* u) {
+      sum = sum_of_two(sum, (loops.*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr, shift, u,
+                                          p_ + i, cap_, runs_.data() + i / haar_run));
     });
     return sum;
   };
@@ -148,32 +149,33 @@ template <class Real> void ThreadMachine<Real>::multiply(double factor, bool fre
       p_[i] = p_[i] < cap_ ? std::min(p_[i] * factor, cap_) : cap_;
       most = std::max(most, p_[i]);
     }
-    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk)] = 1;
+    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk_values)] = 1;
   });
 }
 
 template <class Real> double ThreadMachine<Real>::turn(double beta) {
   return reduce<double>(n_, team_, [&](std::int64_t i, std::int64_t n) {
-    return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i);
+    return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i, runs_.data() + i / haar_run);
   });
 }
 
 template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut) {
   return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
     if (!cut) {
-      loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, active_ + i);
+      loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_.data() + i / haar_run);
       return false;
     }
     const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
-    const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, active_ + i);
-    if (found.capped) reached_[static_cast<std::size_t>(i / chunk)] = 1;
+    const HaarCut found =
+        loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_.data() + i / haar_run);
+    if (found.capped) reached_[static_cast<std::size_t>(i / chunk_values)] = 1;
     return found.any;
   });
 }
 
 template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
   return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
-    return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i);
+    return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i, runs_.data() + i / haar_run);
   });
 }
 

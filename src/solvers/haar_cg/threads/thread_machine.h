@@ -53,7 +53,8 @@ template <class R> class ThreadMachine {
   const HaarLoops<Real>& loops_at(std::int64_t begin) const;
   HaarMeasure measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change, const double* product,
                       double shift);
-  template <class Visit> void with_u(std::int64_t begin, std::int64_t count, const Visit& visit) const;
+  template <class Wanted, class Visit>
+  void with_u(std::int64_t begin, std::int64_t count, const Wanted& wanted, const Visit& visit) const;
 
   const Problem& problem_;
   const rc_team& team_;
@@ -63,6 +64,7 @@ template <class R> class ThreadMachine {
   const double cap_;
   double* const p_;
   std::vector<std::uint8_t> reached_;  // for each chunk: some of its pressures are, or were, at the cap
+  std::vector<HaarRun> runs_;          // of the free set
   // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
   // the free set.
   std::unique_ptr<std::byte[]> memory_;

@@ -1,0 +1,59 @@
+// Passes over many values by all threads, in pieces of a fixed size, so that nothing depends on the number of threads. What is
+// called for a piece must not throw.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <roughcontact/plugin.hpp>
+#include <vector>
+
+namespace rc {
+
+inline constexpr std::int64_t chunk_values = 8192;
+inline constexpr std::int64_t least_shared_values = 4 * chunk_values;  // fewer are left to one thread
+
+// act(begin, count) for all chunks.
+template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act) {
+  roughcontact::for_each(team, (n + chunk_values - 1) / chunk_values, n >= least_shared_values,
+                         [&](std::int64_t item, std::int64_t) {
+                           const std::int64_t begin = item * chunk_values;
+                           act(begin, std::min(chunk_values, n - begin));
+                         });
+}
+
+// Combines body(begin, count) of all chunks, in their order.
+template <class Part, class Body, class Combine = std::plus<>>
+Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {}) {
+  std::vector<Part> parts(static_cast<std::size_t>((n + chunk_values - 1) / chunk_values));
+  each_chunk(n, team, [&](std::int64_t begin, std::int64_t count) {
+    parts[static_cast<std::size_t>(begin / chunk_values)] = body(begin, count);
+  });
+  for (const Part& part : parts) total = combine(total, part);
+  return total;
+}
+
+// A bit for each of n values. Chunks share no word.
+class Marks {
+ public:
+  explicit Marks(std::int64_t n) : words_(static_cast<std::size_t>((n + 63) / 64)) {}
+  void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << i % 64; }
+  // The marked values in ascending order.
+  std::vector<std::size_t> list() const {
+    std::size_t count = 0;
+    for (const std::uint64_t word : words_) count += static_cast<std::size_t>(std::popcount(word));
+    std::vector<std::size_t> all;
+    all.reserve(count);
+    for (std::size_t k = 0; k < words_.size(); ++k)
+      for (std::uint64_t rest = words_[k]; rest != 0; rest &= rest - 1)
+        all.push_back(64 * k + static_cast<std::size_t>(std::countr_zero(rest)));
+    return all;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace rc
