@@ -36,7 +36,7 @@ if command -v "$fc" >/dev/null && [ -e "$root/share/roughcontact/fortran" ]; the
   grep RC_OK said.txt || fail "Fortran: $(cat said.txt)"
 fi
 
-if [ -e "$(program roughcontact)" ]; then
+if [ -f "$(program roughcontact)" ]; then
   command() { "${run[@]}" "$(program roughcontact)" "$@"; }
   command generate spectral --output 'größe 2.gsf' --size 32 --pitch 1um --rms-height 100nm --seed 3 || fail "generate ended with $?"
   command solve 'größe 2.gsf' --E 1GPa --nu 0.3 --pressure 1MPa --out 'out λ' >said.txt || fail "solve ended with $?"
