@@ -11,7 +11,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-cc='' fc='' emulator=''
+cc='' fc='' host='' emulator=''
 eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$system.cmake" -P "$tree/packaging/cross/parts/describe.cmake")"
 IFS=';' read -ra run <<<"$emulator"
 root="$scratch/größe λ 1"
@@ -32,7 +32,8 @@ LD_LIBRARY_PATH=$native/lib ./answers-here here.txt "$@"
 if command -v "$fc" >/dev/null && [ -e "$root/share/roughcontact/fortran" ]; then
   read -ra modules <<<"$(flags --variable=fortran_source roughcontact-fortran)"
   $fc -O2 -J. "${modules[@]}" "$tree/examples/press_sphere.f90" -o "$root/bin/fortran" "${contact[@]}"
-  "${run[@]}" "$(program fortran)" >said.txt || fail "Fortran ended with $?"
+  # Where Wine finds the compiler's own libraries, of which this program has no copy.
+  WINEPATH="Z:$(dirname "$($fc -print-file-name=libgfortran.a)");Z:/usr/$host/lib" "${run[@]}" "$(program fortran)" >said.txt || fail "Fortran ended with $?"
   grep RC_OK said.txt || fail "Fortran: $(cat said.txt)"
 fi
 
