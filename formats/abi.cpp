@@ -21,10 +21,9 @@
 
 namespace rc {
 
-// Sizes when the structs were first released. Literals: they must not follow today's sizeof.
-template <> inline constexpr std::size_t first_size<rc_surface_read_spec> = 40;
-template <> inline constexpr std::size_t first_size<rc_surface_file> = 504;
-template <> inline constexpr std::size_t first_size<rc_surface_format> = 48;
+RC_FIRST_SIZE(rc_surface_read_spec, hy, 40);
+RC_FIRST_SIZE(rc_surface_file, storage, 504);
+RC_FIRST_SIZE(rc_surface_format, reserved, 48);
 
 namespace formats {
 

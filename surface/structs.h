@@ -11,14 +11,13 @@
 
 namespace rc {
 
-// Sizes when the structs were first released. Literals: they must not follow today's sizeof.
-template <> inline constexpr std::size_t first_size<rc_surface_rmd_spec> = 48;
-template <> inline constexpr std::size_t first_size<rc_surface_spectral_spec> = 104;
-template <> inline constexpr std::size_t first_size<rc_surface_shape_spec> = 88;
-template <> inline constexpr std::size_t first_size<rc_surface_map> = 56;
-template <> inline constexpr std::size_t first_size<rc_surface_statistics> = 112;
-template <> inline constexpr std::size_t first_size<rc_surface_power_law> = 176;
-template <> inline constexpr std::size_t first_size<rc_surface_cmr> = 472;
+RC_FIRST_SIZE(rc_surface_rmd_spec, rms_height, 48);
+RC_FIRST_SIZE(rc_surface_spectral_spec, reserved, 104);
+RC_FIRST_SIZE(rc_surface_shape_spec, period_y, 88);
+RC_FIRST_SIZE(rc_surface_map, trend, 56);
+RC_FIRST_SIZE(rc_surface_statistics, nayak, 112);
+RC_FIRST_SIZE(rc_surface_power_law, peak_share, 176);
+RC_FIRST_SIZE(rc_surface_cmr, reason, 472);
 
 }  // namespace rc
 

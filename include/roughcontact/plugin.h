@@ -112,7 +112,7 @@ typedef struct rc_screen {
   /* [ceil(nx/16) * ceil(ny/16)] a lower bound of the gap at the points looked at of each tile of 16 x 16 points, row by row
      (+infinity: there is none); spares the pass over the gap. NULL: none is known                             */
   const double *tile_lowest;
-  /* [nx*ny] in place of undeformed_gap, which is then NULL: only backends with RC_CAP_SINGLE_GAP get it. Since plugin ABI minor 8 */
+  /* [nx*ny] in place of undeformed_gap, which is then NULL: only backends with RC_CAP_SINGLE_GAP get it. Since ABI minor 8 */
   const float *undeformed_gap_single;
 } rc_screen;
 
@@ -198,7 +198,7 @@ typedef struct rc_grid {
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
   double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
-  /* [nx*ny] in place of undeformed_gap, which is then NULL: only solvers with RC_READS_SINGLE_GAP get it. Since plugin ABI minor 8 */
+  /* [nx*ny] in place of undeformed_gap, which is then NULL: only solvers with RC_READS_SINGLE_GAP get it. Since ABI minor 8 */
   const float *undeformed_gap_single;
 } rc_grid;
 

@@ -1,10 +1,9 @@
 // Every exported function runs inside guard(): exceptions become a status and a message.
 #pragma once
 
-#include <cxxabi.h>
-
 #include <new>
 
+#include "core/cancelled.h"
 #include "core/error.h"
 
 namespace rc {
@@ -25,7 +24,7 @@ template <class Body> rc_status guard(const char* where, const Body& body) {
     return failed(error.code(), error.what());
   } catch (const std::bad_alloc&) {
     return failed(RC_ERR_MEMORY, "out of memory");
-  } catch (const abi::__forced_unwind&) {
+  } catch (const Cancelled&) {
     throw;  // the thread is being cancelled
   } catch (const std::exception& error) {
     return failed(RC_ERR_INTERNAL, error.what());

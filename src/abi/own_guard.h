@@ -1,11 +1,10 @@
 // The guard of a library beside libroughcontact: exceptions become a status and a message of that library's own.
 #pragma once
 
-#include <cxxabi.h>
-
 #include <cstdio>
 #include <new>
 
+#include "core/cancelled.h"
 #include "core/error.h"
 
 namespace rc {
@@ -27,7 +26,7 @@ template <class Library, class Body> rc_status own_guard(const char* where, cons
     return failed(where, error.code(), error.what());
   } catch (const std::bad_alloc&) {
     return failed(where, RC_ERR_MEMORY, "out of memory");
-  } catch (const abi::__forced_unwind&) {
+  } catch (const Cancelled&) {
     throw;  // the thread is being cancelled
   } catch (const std::exception& error) {
     return failed(where, RC_ERR_INTERNAL, error.what());

@@ -11,28 +11,26 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/first_size.h"
 
 namespace rc {
 
-// Sizes when the structs were first released. Literals: they must not follow today's sizeof.
-template <class Struct> inline constexpr std::size_t first_size = 0;
-template <> inline constexpr std::size_t first_size<rc_system> = 88;
-template <> inline constexpr std::size_t first_size<rc_step> = 48;
-template <> inline constexpr std::size_t first_size<rc_result> = 432;
-template <> inline constexpr std::size_t first_size<rc_accuracy> = 48;
-template <> inline constexpr std::size_t first_size<rc_level> = 88;
-template <> inline constexpr std::size_t first_size<rc_state> = 72;
-template <> inline constexpr std::size_t first_size<rc_path> = 120;
-template <> inline constexpr std::size_t first_size<rc_batch> = 200;
-template <> inline constexpr std::size_t first_size<rc_gradient> = 88;
-template <> inline constexpr std::size_t first_size<rc_tangent> = 88;
-template <> inline constexpr std::size_t first_size<rc_direct> = 248;
-template <> inline constexpr std::size_t first_size<rc_area> = 40;
-template <> inline constexpr std::size_t first_size<rc_patches> = 96;
-template <> inline constexpr std::size_t first_size<rc_histogram> = 80;
-template <> inline constexpr std::size_t first_size<rc_context_config> = 40;
-template <> inline constexpr std::size_t first_size<rc_component> = 40;
-template <> inline constexpr std::size_t first_size<rc_option_spec> = 64;
+RC_FIRST_SIZE(rc_system, user, 88);
+RC_FIRST_SIZE(rc_step, mask, 48);
+RC_FIRST_SIZE(rc_result, note, 432);
+RC_FIRST_SIZE(rc_accuracy, left_out, 48);
+RC_FIRST_SIZE(rc_level, contacts, 88);
+RC_FIRST_SIZE(rc_state, load_before, 72);
+RC_FIRST_SIZE(rc_path, completed, 120);
+RC_FIRST_SIZE(rc_batch, first, 200);
+RC_FIRST_SIZE(rc_gradient, products, 88);
+RC_FIRST_SIZE(rc_tangent, products, 88);
+RC_FIRST_SIZE(rc_direct, note, 248);
+RC_FIRST_SIZE(rc_area, corrected_area, 40);
+RC_FIRST_SIZE(rc_patches, count, 96);
+RC_FIRST_SIZE(rc_histogram, max_pressure, 80);
+RC_FIRST_SIZE(rc_context_config, log_user, 40);
+RC_FIRST_SIZE(rc_component, origin, 40);
 
 template <class Struct> void check_size(const Struct* from, const char* name) {
   if (!from) fail(RC_ERR_ARGUMENT, name, " is null");

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/first_size.h"
 
 namespace rc {
 
@@ -31,16 +32,9 @@ std::vector<std::string> Schema::keys() const {
   return result;
 }
 
-namespace {
-
-// Size of rc_option_spec when it was first released. A literal, so that it does not follow today's size.
-constexpr std::size_t first_spec_size = 64;
-
-}  // namespace
-
 OptionSpec checked_spec(const rc_option_spec& spec, std::string_view component) {
   const std::string prefix = join(component, ".");
-  if (spec.struct_size < first_spec_size || !spec.key || std::strncmp(spec.key, prefix.c_str(), prefix.size()) != 0)
+  if (spec.struct_size < first_size<rc_option_spec> || !spec.key || std::strncmp(spec.key, prefix.c_str(), prefix.size()) != 0)
     fail(RC_ERR_PLUGIN, "component \"", component, "\" declares the option \"", spec.key ? spec.key : "",
          "\"; its keys must start with \"", prefix, "\"");
   if (!spec.default_value || !spec.help || spec.type < RC_TYPE_INT || spec.type > RC_TYPE_TEXT)

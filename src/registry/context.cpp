@@ -5,10 +5,13 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/first_size.h"
 #include "registry/builtin.h"
 #include "registry/loader.h"
 
 namespace rc {
+
+RC_FIRST_SIZE(rc_plugin, solvers, 64);
 
 Context::Context(const ContextConfig& config) : config_(config), host_(*this) {
   for (const OptionSpec& spec : core_options()) schema_.add(spec);
@@ -30,9 +33,6 @@ void Context::log(std::int32_t level, const std::string& message) const {
 }
 
 namespace {
-
-// Of rc_plugin when it was first released; a literal, so that it does not follow today's size.
-constexpr std::size_t first_plugin_size = 64;
 
 // The members that the component's header knew, the rest null.
 template <class Vtable> Vtable zero_filled(const Vtable& vtable) {
@@ -110,8 +110,8 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
 
 void Context::add(const rc_plugin& given, const std::string& origin) {
   const std::lock_guard lock(mutex_);
-  if (given.struct_size < first_plugin_size || !given.name)
-    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", given.struct_size, " is smaller than ", first_plugin_size,
+  if (given.struct_size < first_size<rc_plugin> || !given.name)
+    fail(RC_ERR_PLUGIN, "plugin ", origin, ": struct_size ", given.struct_size, " is smaller than ", first_size<rc_plugin>,
          ", or it has no name");
   if (given.abi_major != RC_PLUGIN_ABI_MAJOR)
     fail(RC_ERR_PLUGIN, "plugin \"", given.name, "\" (", origin, ") has plugin ABI ", given.abi_major, ", this library has ",

@@ -16,6 +16,7 @@ eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$system.cmake" -P "$tree/packag
 IFS=';' read -ra run <<<"$emulator"
 root="$scratch/größe λ 1"
 cp -r "$folder" "$root"
+mkdir -p "$root/bin"
 cd "$scratch"
 export LD_LIBRARY_PATH=$root/lib PKG_CONFIG_LIBDIR=$root/lib/pkgconfig
 ln -s "$root" plain  # compilers split what pkg-config says at spaces

@@ -7,4 +7,4 @@ foreach(tool AR RANLIB)
   endif()
 endforeach()
 execute_process(COMMAND ${CMAKE_COMMAND} -E echo
-  "system='${CMAKE_SYSTEM_NAME}' host='${host}' cc='${CMAKE_C_COMPILER}' fc='${CMAKE_Fortran_COMPILER}' ar='${CMAKE_AR}' ranlib='${CMAKE_RANLIB}' emulator='${CMAKE_CROSSCOMPILING_EMULATOR}'")
+  "system='${CMAKE_SYSTEM_NAME}' host='${host}' cc='${CMAKE_C_COMPILER}' ar='${CMAKE_AR}' ranlib='${CMAKE_RANLIB}' fc='${CMAKE_Fortran_COMPILER}' wheel='${wheel}' emulator='${CMAKE_CROSSCOMPILING_EMULATOR}'")

@@ -8,5 +8,5 @@ set(CMAKE_C_COMPILER ${zig}/${target}-cc)
 set(CMAKE_CXX_COMPILER ${zig}/${target}-c++)
 set(CMAKE_AR ${zig}/${target}-ar)
 set(CMAKE_RANLIB ${zig}/${target}-ranlib)
-set(CMAKE_Fortran_COMPILER false)  # zig has none
+set(CMAKE_Fortran_COMPILER "")  # zig has none
 include(${CMAKE_CURRENT_LIST_DIR}/search.cmake)

@@ -14,7 +14,7 @@ venv=$folder/venv
 zig=$(echo "$venv"/lib/python3*/site-packages/ziglang/zig)
 for tool in cc c++ ar ranlib; do
   target=''
-  [[ $tool != c* ]] || target="-target $2"
+  [[ $tool != c* ]] || target="-target $2 -O2"  # one build of the C++ library, whatever the flags
   printf '#!/bin/sh\nZIG_GLOBAL_CACHE_DIR=%q ZIG_LOCAL_CACHE_DIR=%q exec %q %s %s "$@"\n' "$folder/cache" "$folder/cache" "$zig" $tool "$target" >"$folder/$2-$tool"
   chmod +x "$folder/$2-$tool"
 done

@@ -1,7 +1,5 @@
 #include "contact/history/batch.h"
 
-#include <cxxabi.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "contact/contact.h"
+#include "core/cancelled.h"
 #include "core/error.h"
 
 namespace rc {
@@ -243,7 +242,7 @@ class Worker {
       return ended(error.code(), error.what());
     } catch (const std::bad_alloc&) {
       return ended(RC_ERR_MEMORY, "out of memory");
-    } catch (const abi::__forced_unwind&) {
+    } catch (const Cancelled&) {
       throw;  // the thread is being cancelled
     } catch (const std::exception& error) {
       return ended(RC_ERR_INTERNAL, error.what());
@@ -311,7 +310,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   Helpers helpers(std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS)) - 1, progress, [&] {
     try {
       Worker(contact(), request, progress).work();
-    } catch (const abi::__forced_unwind&) {
+    } catch (const Cancelled&) {
       throw;
     } catch (...) {
       // No memory for its contact: the others do its share.
