@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "platform/files.h"
+#include "platform/libraries.h"
 #include "text.h"
 #include "whole_file.h"
 
@@ -45,11 +46,10 @@ std::string OutputFolder::read(const std::string& name) const {
 }
 
 std::vector<std::string> OutputFolder::names() const {
-  std::vector<std::string> found;
-  std::error_code error;
-  for (fs::directory_iterator entry{path_, error}, end; !error && entry != end; entry.increment(error))
-    found.push_back(entry->path().filename().string());
-  if (error) throw Error("--out: cannot list folder " + in_quotes(path_.string()) + ": " + error.message());
+  // std::filesystem::directory_iterator ends the process where memory runs out.
+  const std::u8string path = path_.u8string();
+  std::vector<std::string> found = rc_platform::names_in({path.begin(), path.end()});  // "." and ".." at least
+  if (found.empty()) throw Error("--out: cannot list folder " + in_quotes(path_.string()) + ": " + std::strerror(errno));
   return found;
 }
 

@@ -33,8 +33,9 @@ LD_LIBRARY_PATH=$native/lib ./answers-here here.txt "$@"
 if command -v "$fc" >/dev/null && [ -e "$root/share/roughcontact/fortran" ]; then
   read -ra modules <<<"$(flags --variable=fortran_source roughcontact-fortran)"
   $fc -O2 -J. "${modules[@]}" "$tree/examples/press_sphere.f90" -o "$root/bin/fortran" "${contact[@]}"
-  # Where Wine finds the compiler's own libraries, of which this program has no copy.
-  WINEPATH="Z:$(dirname "$($fc -print-file-name=libgfortran.a)");Z:/usr/$host/lib" "${run[@]}" "$(program fortran)" >said.txt || fail "Fortran ended with $?"
+  # Where the compiler's own libraries are, of which this program has no copy.
+  own=$(dirname "$(realpath "$($fc -print-file-name=libgfortran.so)")")
+  LD_LIBRARY_PATH=$LD_LIBRARY_PATH:$own WINEPATH="Z:$(dirname "$($fc -print-file-name=libgfortran.a)");Z:/usr/$host/lib" "${run[@]}" "$(program fortran)" >said.txt || fail "Fortran ended with $?"
   grep RC_OK said.txt || fail "Fortran: $(cat said.txt)"
 fi
 

@@ -5,6 +5,8 @@ set -euo pipefail
 mkdir -p "$1"
 folder=$(realpath "$1")
 venv=$folder/venv
+exec 9>"$folder/lock"
+flock 9  # several systems may begin at once
 [ -d "$venv/ready" ] || {
   rm -rf "$venv"
   python3 -m venv "$venv"
@@ -15,6 +17,6 @@ zig=$(echo "$venv"/lib/python3*/site-packages/ziglang/zig)
 for tool in cc c++ ar ranlib; do
   target=''
   [[ $tool != c* ]] || target="-target $2 -O2"  # one build of the C++ library, whatever the flags
-  printf '#!/bin/sh\nZIG_GLOBAL_CACHE_DIR=%q ZIG_LOCAL_CACHE_DIR=%q exec %q %s %s "$@"\n' "$folder/cache" "$folder/cache" "$zig" $tool "$target" >"$folder/$2-$tool"
+  printf '#!/bin/sh\nZIG_LOCAL_CACHE_DIR=%q exec %q %s %s "$@"\n' "$folder/cache" "$zig" $tool "$target" >"$folder/$2-$tool"
   chmod +x "$folder/$2-$tool"
 done
