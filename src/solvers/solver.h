@@ -82,6 +82,10 @@ class Problem {
   }
   // The point of the grid that unknown i stands for.
   std::int64_t point(std::int64_t i) const { return grid()->index ? grid()->index[i] : i; }
+  // Of the undeformed surfaces at unknown i.
+  double compenetration(std::int64_t i) const {
+    return u() ? u()[i] : (grid()->approach - gap()[static_cast<std::size_t>(point(i))]) / length_unit();
+  }
   void coefficients(std::int64_t mx, std::int64_t my, Vector& out) const {
     out.resize(static_cast<std::size_t>(mx * my));
     check(problem_.coefficients(&problem_, mx, my, out.data()));

@@ -138,7 +138,7 @@ void full_contact_is_exact(const Pair& pair) {
     double worst = 0;
     for (std::size_t i = 0; i < expected.p.size(); ++i) worst = std::max(worst, std::abs(answer.p[i] - expected.p[i]));
     report("largest error of p / max p" + size + ": " + text(worst / largest(expected.p)));
-    check_near(answer.p, expected.p, 1e-12, "p" + size);
+    check_near(answer.p, expected.p, 4e-12, "p" + size);  // a residual of 1e-12, times what H damps
     check_near(answer.result.approach, expected.mean_gap, 1e-12 * expected.mean_gap, "approach is the mean plane" + size);
     check_equal(answer.result.contacts, nx * ny, "contacts" + size);
     check(std::isinf(answer.result.stiffness), "the stiffness of full contact is infinite");

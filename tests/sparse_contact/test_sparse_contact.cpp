@@ -17,10 +17,18 @@ constexpr std::int64_t side = 512;
 constexpr double shallow = 1.2;  // standard deviations below the highest point: about one point in a hundred touches
 const Pair everywhere{"haar-cg", "fft"};
 
+const char* few_on(const Problem& problem) { return problem.periodic() ? "fft" : "split"; }
+
 Problem at_load_of(Problem problem, const Sparse& answer) { return at_load(std::move(problem), answer.result.load); }
 
+Problem periodic(Problem problem) {
+  problem.system.boundary = RC_BOUNDARY_PERIODIC;
+  return problem;
+}
+
 void check_against_all_points(const Problem& problem, const char* what) {
-  const Sparse sparse = sparse_contact::solved(problem, "split");
+  const Sparse sparse = sparse_contact::solved(problem, few_on(problem));
+  check_equal(sparse.result.levels, 0, "grids of a solver that starts over all points");
   const Answer all = pairs::solved(problem, everywhere, {{RC_OPT_TOL, "1e-9"}});
   check_near(sparse.everywhere(), all.p, 1e-6, what);
   check_near(sparse.result.load, all.result.load, 1e-7 * all.result.load, "load");
@@ -42,12 +50,13 @@ void check_against_all_points(const Problem& problem, const char* what) {
 
 void agrees(const Problem& problem) {
   check_against_all_points(problem, "displacement control");
-  check_against_all_points(at_load_of(problem, sparse_contact::solved(problem, "split")), "load control");
+  check_against_all_points(at_load_of(problem, sparse_contact::solved(problem, few_on(problem))), "load control");
 }
 
 void rough_surfaces() {
   for (const unsigned seed : {1u, 2u})
     for (const double depth : {0.5, shallow}) agrees(self_affine(side, side, seed, depth));
+  for (const double depth : {0.5, shallow}) agrees(periodic(self_affine(side, side, 5, depth)));
 }
 
 void any_shape_and_cell() {
@@ -56,6 +65,7 @@ void any_shape_and_cell() {
   problem.system.hy = 1.25;
   problem.system.modulus = 7;
   agrees(problem);
+  agrees(periodic(problem));
   problem.kernel = "galerkin";
   agrees(problem);
 }
@@ -70,6 +80,17 @@ void masked_points() {
     }
   problem.target = problem.lowest_gap() + 10 * shallow;
   agrees(problem);
+  agrees(periodic(problem));
+}
+
+// Also over all points, where that is asked for.
+void periodic_arrays_over_all_points() {
+  const Problem problem = periodic(self_affine(side, side, 6, shallow));
+  const Answer full = pairs::solved(problem, automatic, {{RC_OPT_TOL, "1e-8"}}),
+               checked = Contact(problem, automatic, {{RC_OPT_TOL, "1e-7"}}).certify(problem.step(), full.p);
+  check(checked.status == RC_OK, checked.message);
+  check_near(full.p, sparse_contact::solved(problem, "fft").everywhere(), 0, "pressures");
+  check_near(checked.gap, full.gap, 1e-9, "gap");
 }
 
 // Peaks of one cell vanish in the mean of a coarser grid: only the screening sees them.
@@ -86,6 +107,7 @@ void peaks_that_no_coarse_grid_shows() {
     }
   problem.target = 1;
   agrees(problem);
+  agrees(periodic(problem));
 }
 
 // Its candidates lie in a small box: transforms of the box, and no product beyond it.
@@ -125,8 +147,8 @@ void arrays_over_all_points_on_request() {
 
 void borrowed_arrays_and_threads_do_not_change_a_bit() {
   const Problem problem = self_affine(side, side, 7, shallow);
-  for (const Problem& each : {problem, at_load_of(problem, sparse_contact::solved(problem, "split"))}) {
-    const Sparse alone = sparse_contact::solved(each, "split");
+  for (const Problem& each : {problem, at_load_of(problem, sparse_contact::solved(problem, "split")), periodic(problem)}) {
+    const Sparse alone = sparse_contact::solved(each, few_on(each));
     for (const char* threads : {"1", "2", "3"}) {
       const SparseContact contact(each, {{RC_OPT_THREADS, threads}});
       const Sparse answer = contact.solve(each, true);
@@ -177,6 +199,7 @@ int main(int argc, char** argv) {
                           {{"rough_surfaces", rough_surfaces},
                            {"any_shape_and_cell", any_shape_and_cell},
                            {"masked_points", masked_points},
+                           {"periodic_arrays_over_all_points", periodic_arrays_over_all_points},
                            {"peaks_that_no_coarse_grid_shows", peaks_that_no_coarse_grid_shows},
                            {"one_asperity", one_asperity},
                            {"dense_contact_is_left_to_transforms", dense_contact_is_left_to_transforms},

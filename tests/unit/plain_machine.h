@@ -71,9 +71,13 @@ template <class R> class PlainMachine {
   void set_up_trees(double surplus) {
     for (PlainTree& tree : trees_) tree.set_up(active_, surplus);
   }
-  double apply_trees(Vector g, Vector q) {
+  double apply_trees(Vector g, Vector q, double* level) {
     std::vector<double> loads(n_, 1.0), sum(n_, 0.0);
     if (g) std::copy(g->begin(), g->end(), loads.begin());
+    if (level) {
+      *level = total_of(loads) / total_of(std::vector<double>(n_, 1.0));
+      for (double& load : loads) load -= *level;
+    }
     for (const PlainTree& tree : trees_) tree.add(loads, 0.5, sum);
     for (std::size_t i = 0; i < n_; ++i) z_[i] = active_[i] ? static_cast<Real>(sum[i]) : 0;
     return q ? inner(&z_, q) : 0;
@@ -93,6 +97,14 @@ template <class R> class PlainMachine {
 
   void multiply(double factor, bool free) {
     for (double& value : p_) value = !free ? value * factor : value < cap_ ? std::min(value * factor, cap_) : cap_;
+  }
+
+  void scale(double factor, bool after_cut) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double next = p_[i] < cap_ ? std::min(factor * p_[i], cap_) : cap_;
+      z_[i] = (after_cut ? z_[i] : 0) + static_cast<Real>(next - p_[i]);
+      p_[i] = next;
+    }
   }
 
   double turn(double beta) {
@@ -142,6 +154,15 @@ template <class R> class PlainMachine {
 
  private:
   static constexpr double nearly = 1 - 1e-9;
+
+  // 1'M g
+  double total_of(const std::vector<double>& g) const {
+    std::vector<double> sum(n_, 0.0);
+    for (const PlainTree& tree : trees_) tree.add(g, 0.5, sum);
+    double all = 0;
+    for (std::size_t i = 0; i < n_; ++i) all += active_[i] ? sum[i] : 0;
+    return all;
+  }
 
   HaarMeasure measure() const {
     HaarMeasure sum;

@@ -206,7 +206,7 @@ template <class Real> void compare(const Contact& c, const Field& start) {
   assert_true(most > 0);
   assert_true(difference <= 100 * tol * most);
   assert_true(std::abs(by_threads.approach - by_plain.approach) <= 100 * tol);
-  assert_true(apart <= 3e-3);
+  assert_true(apart <= 5e-3);
   assert_true(contact.violation(by_plain) <= 2 * tol);
   assert_int_equal(by_threads.steps, by_plain.steps);
 }
@@ -228,11 +228,13 @@ constexpr Contact contacts[] = {{"square, by approach", 24, 24, 1, 1, false, fal
                                 {"capped, above the mean plane", 20, 24, 1, 1, true, false, 1.4, 0.6},
                                 {"capped, periodic, by load", 20, 24, 1, 1, true, true, 1, 0.4}};
 
+// A load without a cap starts from pressures, all others from none.
 void machines_agree(void**) {
   for (const Contact& contact : contacts) {
-    const Field none(static_cast<std::size_t>(contact.nx * contact.ny), 0.0);
-    compare<float>(contact, none);
-    compare<double>(contact, none);
+    const double pressure = contact.by_load && contact.cap == infinite ? mean_pressure : 0;
+    const Field start(static_cast<std::size_t>(contact.nx * contact.ny), pressure);
+    compare<float>(contact, start);
+    compare<double>(contact, start);
   }
 }
 

@@ -1,6 +1,7 @@
 // Contact at few of the points. A coarser grid estimates where, and the tiles there become the unknowns. The operator screens all
 // other points for overlap, without a product over the whole grid. Tiles that overlap are added and the step is solved again, so
-// the answer is that of all points.
+// the answer is that of all points. Where the operator cannot screen, as with periodic boundaries, single points become the
+// unknowns, and a product over the whole grid shows all others.
 #include "contact/grids/sparse_contact.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace rc {
 namespace {
 
 constexpr double coarse_tol = 1e-2;  // of an estimate: spreading the pressures loses further digits
-constexpr double halo = 0.02;        // of the depth: tiles with a smaller gap under the estimate become unknowns
+constexpr double halo = 0.02;        // of the depth: tiles, or points, with a smaller gap under the estimate become unknowns
 constexpr double headroom = 0.1;     // of the depth: room for an approach above its estimate, in load control
 constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
@@ -33,19 +34,59 @@ std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
 }
 
-// Adds the tiles of the points. Keeps `tiles` ascending.
-void add_tiles(std::vector<std::int64_t>& tiles, const std::vector<std::int64_t>& points, const Workspace& work) {
-  const std::int64_t nx = work.system.given.nx;
-  for (const std::int64_t point : points) {
-    const std::int64_t tile = point / nx / StepSurface::tile * work.surface.tiles_x() + point % nx / StepSurface::tile;
-    if (tiles.empty() || tiles.back() != tile) tiles.push_back(tile);
+bool screens(const Choice& choice) { return (choice.backend->caps & RC_CAP_SCREEN) != 0; }
+
+// Where the unknowns are: in tiles or at points, whose numbers are ascending.
+class Region {
+ public:
+  Region(const Workspace& work, bool of_tiles) : work_(work), of_tiles_(of_tiles) {}
+
+  // Returns whether any of the points is new to it.
+  bool add(const std::vector<std::int64_t>& points) {
+    const std::size_t before = members_.size();
+    for (const std::int64_t point : points) {
+      const std::int64_t member = of_tiles_ ? tile_of(point) : point;
+      if (members_.empty() || members_.back() != member) members_.push_back(member);
+    }
+    std::sort(members_.begin(), members_.end());
+    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+    return members_.size() > before;
   }
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+
+  // Of its tiles, the points with a gap below the limit.
+  TrialSet below(double limit) const {
+    if (of_tiles_) return work_.surface.below(limit, members_);
+    return {static_cast<std::int64_t>(members_.size()), members_};
+  }
+  bool of_tiles() const { return of_tiles_; }
+
+ private:
+  std::int64_t tile_of(std::int64_t point) const {
+    const std::int64_t nx = work_.system.given.nx;
+    return point / nx / StepSurface::tile * work_.surface.tiles_x() + point % nx / StepSurface::tile;
+  }
+
+  const Workspace& work_;
+  const bool of_tiles_;
+  std::vector<std::int64_t> members_;
+};
+
+// H p at all points.
+Deflected everywhere(const Workspace& work, const Answer& answer) {
+  const auto n = static_cast<std::size_t>(work.system.points());
+  Deflected result;
+  result.product.resize(n);
+  answer.op->field(answer.p, result.product);
+  for (double& value : result.product) value *= answer.length_unit;
+  result.pressures.on.n = work.system.points();
+  result.pressures.p.resize(n);
+  answer.pressures().write(result.pressures.p.data(), work.system.points());
+  return result;
 }
 
-// H p on the trial set, and at the points outside it whose gap is below the margin.
+// H p on the trial set, and at least at the points outside it whose gap is below the margin.
 Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
+  if (!screens(answer.choice)) return everywhere(work, answer);
   const StepSurface& surface = work.surface;
   const TrialSet& trial = answer.op->trial();
   Deflected result;
@@ -106,12 +147,13 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
 
 // Every point that the approach can reach, where these lie in a small part of the grid; else nothing.
 TrialSet reachable(const Workspace& work, const Estimate& estimate, double limit) {
+  if (!work.system.positive) return {};
   const std::int64_t box = work.surface.extent_below(limit).box();
   return estimate.pressures.empty() || compact * box > work.system.points() ? TrialSet{} : work.surface.below(limit);
 }
 
-// Tiles that carry pressure, or have a small gap, under an estimate.
-std::vector<std::int64_t> tiles_under(Workspace& work, const Estimate& estimate, const Choice& choice) {
+// Points that carry pressure, or have a small gap, under an estimate.
+std::vector<std::int64_t> points_under(Workspace& work, const Estimate& estimate, const Choice& choice) {
   Answer guess;
   guess.choice = choice;
   guess.length_unit = estimate.approach - work.surface.lowest();
@@ -119,17 +161,24 @@ std::vector<std::int64_t> tiles_under(Workspace& work, const Estimate& estimate,
   guess.op = &work.bound_operator(*choice.backend, estimate.pressures.on);
   guess.p = estimate.pressures.p;
   for (double& value : guess.p) value /= guess.pressure_unit;
-  std::vector<std::int64_t> tiles;
-  add_tiles(tiles, screened(work, guess, guess.length_unit, halo * guess.length_unit).on().index, work);
-  return tiles;
+  const double compression = guess.length_unit, margin = halo * compression;
+  const Deflected found = screened(work, guess, compression, margin);
+  std::vector<std::int64_t> points;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t i = found.point(k);
+    if (found.p()[k] > 0 || (work.surface.included(i) && found.product[k] - (compression - work.surface.height(i)) < margin))
+      points.push_back(static_cast<std::int64_t>(i));
+  }
+  return points;
 }
 
 // Points without pressure that overlap by more than the certificate allows.
-std::vector<std::int64_t> overlapping(const Workspace& work, const Deflected& found, double compression) {
-  const double allowed = 0.9 * work.options.real(RC_OPT_TOL) * compression;
+std::vector<std::int64_t> overlapping(const Workspace& work, const Deflected& found, double compression, double scale) {
+  const double allowed = 0.9 * work.options.real(RC_OPT_TOL) * scale;
   std::vector<std::int64_t> points;
   for (std::size_t k = 0; k < found.size(); ++k)
-    if (!(found.p()[k] > 0) && found.product[k] - (compression - work.surface.height(found.point(k))) < -allowed)
+    if (!(found.p()[k] > 0) && work.surface.included(found.point(k)) &&
+        found.product[k] - (compression - work.surface.height(found.point(k))) < -allowed)
       points.push_back(static_cast<std::int64_t>(found.point(k)));
   return points;
 }
@@ -140,15 +189,15 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
   const System& system = work.system;
   const bool by_load = step.control == RC_CONTROL_LOAD;
   const double lowest = surface.lowest(), load = step.target / system.cell_area();
-  std::vector<std::int64_t> tiles;
+  Region region(work, screens(choice));
   for (int round = 0;; ++round) {
     const double depth = estimate.approach - lowest;
     if (!(depth > 0) || estimate.pressures.empty()) return std::nullopt;
     const double limit = by_load ? estimate.approach + headroom * depth : step.target;
     TrialSet trial = reachable(work, estimate, limit);
     const bool whole = trial.n > 0;
-    if (!whole && round == 0) tiles = tiles_under(work, estimate, choice);
-    if (!whole) trial = surface.below(limit, tiles);
+    if (!whole && round == 0) region.add(points_under(work, estimate, choice));
+    if (!whole) trial = region.below(limit);
     if (trial.n == 0) return std::nullopt;
     Answer answer;
     if (whole) {
@@ -169,7 +218,8 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     double d = by_load ? 1 : 0;
     const double wanted = by_load ? load / answer.pressure_unit : 0;
     if (!(static_cast<double>(trial.n) * answer.cap() > wanted)) return std::nullopt;
-    answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), datum, answer.p, d);
+    const double tol = solver_tol(work) * (by_load ? 1 : residual_scale(step, work, depth) / depth);
+    answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, tol, datum, answer.p, d);
     answer.compression = by_load ? d * depth : compression_of(step, work);
     if (!std::isfinite(answer.compression)) return std::nullopt;
 
@@ -182,12 +232,11 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     const double contacts = static_cast<double>(count_positive(answer.p));
     const double margin = std::min(halo, 30 * work.options.real(RC_OPT_TOL) * std::sqrt(contacts)) * depth;
     Deflected all = screened(work, answer, answer.compression, margin);
-    const std::vector<std::int64_t> more = overlapping(work, all, answer.compression);
-    const std::size_t before = tiles.size();
-    add_tiles(tiles, more, work);
+    const double scale = by_load ? answer.compression : residual_scale(step, work, answer.compression);
+    const std::vector<std::int64_t> more = overlapping(work, all, answer.compression, scale);
     // A larger approach reaches more points of the same tiles: they are unknowns of the next round.
-    const bool new_unknowns = tiles.size() > before || answer.compression > limit - lowest;
-    if (more.empty() || last || !new_unknowns) {
+    const bool wider = region.add(more) || (region.of_tiles() && answer.compression > limit - lowest);
+    if (more.empty() || last || !wider) {
       answer.checked = std::move(all);
       return answer;
     }
@@ -249,7 +298,7 @@ std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, cons
                                      std::optional<Estimate> estimate) {
   if (step.p0 || !work.record.failed.empty()) return std::nullopt;
   const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control);
-  if (!choice) return std::nullopt;
+  if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.control))) return std::nullopt;
   if (estimate && !few(count_positive(estimate->pressures.p), work.system.points())) return std::nullopt;
   if (!estimate) estimate = last_estimate(work, memory.last, step);
   if (!estimate) estimate = coarse_estimate(work, step, monitor);

@@ -313,7 +313,7 @@ bool few(std::int64_t contacts, std::int64_t points) {
 }
 
 std::optional<Choice> choose_for_few(const rc_options& options, const System& system, std::int32_t control) {
-  if (!system.halfspace() || system.periodic() || !system.positive || system.points() < least_dilute_points ||
+  if (!system.halfspace() || (!system.periodic() && !system.positive) || system.points() < least_dilute_points ||
       options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
       !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_BACKEND).find(',') != std::string::npos)
     return std::nullopt;
@@ -321,7 +321,7 @@ std::optional<Choice> choose_for_few(const rc_options& options, const System& sy
                         .candidates = static_cast<std::int64_t>(few_share * static_cast<double>(system.points())),
                         .box = system.points(),
                         .tol = options.real(RC_OPT_TOL),
-                        .few = true};
+                        .few = !system.periodic()};
   const std::vector<std::string> none;
   const std::vector<Candidate> all = answered({options, system, facts, none, false});
   if (!can(all)) return std::nullopt;

@@ -207,7 +207,7 @@ void take_units(const Answer& answer, const Workspace& work, std::vector<double>
 
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
   const System& system = work.system;
-  if (answer.checked && !everywhere) return std::move(*answer.checked);
+  if (answer.checked && (!everywhere || answer.checked->on().n == system.points())) return std::move(*answer.checked);
   Deflected result;
   if (!answer.op) {
     result.pressures.on.n = system.points();

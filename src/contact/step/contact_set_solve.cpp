@@ -106,7 +106,7 @@ void ContactSetSolve::precondition(std::span<const double> r, double unit, std::
   std::fill(z.begin(), z.end(), 0.0);
   for (Trees& trees : trees_) {
     for (std::size_t i = 0; i < r.size(); ++i) trees.g[trees.place[i]] = static_cast<float>(r[i] / unit);
-    trees.pair.apply<float>(trees.g.data(), trees.active.data(), trees.p.data(), nullptr, team_);
+    trees.pair.apply<float>(trees.g.data(), trees.active.data(), trees.p.data(), nullptr, nullptr, team_);
     for (std::size_t i = 0; i < z.size(); ++i) z[i] += static_cast<double>(trees.p[trees.place[i]]);
   }
 }

@@ -25,6 +25,7 @@ const rc_option_spec* const specs[] = {&products, &nested, &patience};
 constexpr std::int64_t coarsest_side = 64;
 constexpr std::int64_t chunk = 8192;
 constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
+constexpr double many = 0.25;                   // of the points: within the length unit where a load starts everywhere
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
 // Every point takes the pressure of the coarse cell in which it lies.
@@ -73,6 +74,24 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   d = std::max(0.0, (request.approach - datum) / length);
 }
 
+// Pressures that carry the load. Nearly full contact begins with the same pressure everywhere; where only few points lie within
+// the length unit, which then is an estimate of the approach, pressures grow with the overlap at that approach.
+void start_cold(const Problem& problem, std::span<double> p) {
+  const auto n = static_cast<std::int64_t>(p.size());
+  double sum = 0, most = 0;
+  std::int64_t within = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    double& value = p[static_cast<std::size_t>(i)];
+    value = std::max(0.0, 1 + problem.compenetration(i));
+    sum += value;
+    most = std::max(most, value);
+    within += value > 0 ? 1 : 0;
+  }
+  const bool everywhere =
+      static_cast<double>(within) > many * static_cast<double>(n) || most * problem.load() >= problem.cap() * sum;
+  for (double& value : p) value = everywhere ? problem.load() / static_cast<double>(n) : value * (problem.load() / sum);
+}
+
 template <class Real> rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
   TreeInputs inputs = tree_inputs(*problem.grid(), problem.size(),
                                   [&](std::int64_t mx, std::int64_t my, Vector& out) { problem.coefficients(mx, my, out); });
@@ -99,6 +118,7 @@ const Options haar_cg_options = listed(specs);
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   if (problem.option_int("haar-cg.nested") != 0 && !any_positive(problem.size(), p.data(), problem.team()))
     start_nested(problem, p, d);
+  if (problem.load_control() && !any_positive(problem.size(), p.data(), problem.team())) start_cold(problem, p);
   const bool mixed = problem.has_float() && problem.option_text("haar-cg.products") == "mixed";
   const rc_status status = mixed ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;

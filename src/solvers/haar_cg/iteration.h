@@ -9,15 +9,20 @@
 
 #include "solvers/haar_cg/known_loads.h"
 #include "solvers/haar_cg/machine.h"
+#include "solvers/haar_cg/newton_slope.h"
+#include "solvers/haar_cg/pace.h"
+#include "solvers/haar_cg/progress.h"
+#include "solvers/haar_cg/sought_load.h"
 #include "solvers/haar_cg/task.h"
 
 namespace rc {
 
 template <Machine M> class HaarIteration {
  public:
-  HaarIteration(M& machine, const HaarTask& task) : m_(machine), task_(task), mean_(task.by_load ? task.periodic_mean : 0) {}
+  HaarIteration(M& machine, const HaarTask& task)
+      : m_(machine), task_(task), kept_load_(task.load), mean_(task.by_load ? task.periodic_mean : 0) {}
 
-  // Starts from the machine's pressures and, by load, from the approach given; 0: none is known.
+  // Starts from the machine's pressures and, by load where there are none, from the approach given; 0: none is known.
   HaarOutcome run(double approach) {
     start(approach);
     const HaarEnding ending = iterate();
@@ -29,30 +34,22 @@ template <Machine M> class HaarIteration {
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
 
-  // Interval: steps between two bounds. Admission: a point at an end of its pressures enters the free set where it violates its
-  // condition by more than this share of the residual.
-  static constexpr int first_interval = 2, longest_interval = 16;
-  static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
-  // The same where points are at the cap; added after a bound at which the violation rose, taken off after any other.
-  static constexpr double capped_admission = 0.3, capped_rise = 0.3, capped_relief = 0.2;
   static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
   static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
 
-  // The safeguard acts after `patience` bounds in which the residual has not halved, or after a rise of the merit.
-  static constexpr int patience = 10;
-  static constexpr double progress = 0.5;
-
-  // Newton's method on the load or, where a mean was added to a periodic operator, on the deflection that this mean causes.
+  // Newton's method on the load, where pressures have a cap, or on the deflection that an added mean causes.
   static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
-  static constexpr double caution = 0.7, damping = 1.2;                  // lengthens steps less; shortens diverging ones
   static constexpr double settled = 5e-2;                                // residual below which the free set changes little
   static constexpr double overloaded = 10;                               // relative imbalance: the approach may then fall by more
   static constexpr double most_fall = 0.5, most_fall_overloaded = 0.95;  // of the compenetration in a step
-  static constexpr double least_stiffening = 1e-2, most_stiffening = 4, least_slope = 1e-4;
-  static constexpr double most_share = 0.99;  // of the deflection under a load: the added mean makes up less
-  static constexpr double few = 2;            // points whose caps make up the missing load: then the nearest one is released
-  static constexpr double blur = 1e-5;        // of the compenetration: error of such a state's datum
-  static constexpr int tolerated_rises = 2;   // troubles before the search with the added mean is given up
+  static constexpr double least_stiffening = 1e-2, most_stiffening = 4;  // correction of the deflection's slope
+  static constexpr double least_slope = 1e-4;                            // of the deflection that is missing
+  static constexpr double most_share = 0.99;                 // of the deflection under a load: the added mean makes up less
+  static constexpr int tolerated_rises = 2, most_rises = 8;  // troubles until the mean is dropped; until the load is sought
+  static constexpr double few = 2;      // points whose caps make up the missing load: then the nearest one is released
+  static constexpr double blur = 1e-5;  // of the compenetration: error of such a state's datum
+  static constexpr double drift = 0.1;  // of the tolerance: error of a kept load that is put right without a cut
+  static constexpr double known = 0.5;  // residual over the datum below which the datum of a load that is sought is known
 
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
@@ -60,11 +57,9 @@ template <Machine M> class HaarIteration {
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  // The present state.
-
   double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
   // Whether Newton's method moves the datum: by load, or with an added mean.
-  bool follows() const { return task_.by_load || mean_ > 0; }
+  bool follows() const { return !keeps_load_ && (task_.by_load || mean_ > 0); }
   double scale() const {
     return task_.by_load ? std::max({datum_ - mean_ * task_.load + highest_, task_.least_scale, 1e-300}) : 1.0;
   }
@@ -74,26 +69,23 @@ template <Machine M> class HaarIteration {
   // Single precision is reliable for a few digits below the residual of the last product in double precision.
   bool blurred() const { return single && worst() <= drop * exact_; }
 
-  // Operator, preconditioner, free set.
-
-  // to = (H + mean 11') from. By load the added mean only shifts the datum by a multiple of the load. Without it the energy of a
-  // periodic contact would hardly depend on the mean pressure, and in full contact not at all.
+  // to = (H + mean 11') from. The mean makes the energy of a periodic contact depend on the mean pressure, also in full contact.
   template <class Handle> void product(Handle from, Handle to) {
     m_.product(from, to);
     if (mean_ != 0) m_.raise(to, mean_ * m_.total(from));
   }
 
-  // z = M g on the free set; without g: z = M 1. Returns (z, q), where q is given.
+  // z = M g on the free set; without g: z = M 1. Where steps keep the load the sum of z is 0. Returns (z, q), where q is given.
   double precondition(Vector g, Vector q) {
-    if (!prepared_) m_.set_up_trees(task_.periodic_mean - mean_);
+    if (!prepared_) m_.set_up_trees(keeps_load_ ? 0 : task_.periodic_mean - mean_);
     prepared_ = true;
-    return m_.apply_trees(g, q);
+    return m_.apply_trees(g, q, keeps_load_ ? &level_ : nullptr);
   }
 
   // A point at an end of its pressures enters the free set where it violates its condition by more than this.
   double threshold() const {
-    if (capped()) return std::max(admission_, capped_admission) * now_.largest;
-    return follows() ? 0 : admission_ * last_ * scale();
+    if (capped()) return pace_.admission(true) * now_.largest;
+    return follows() ? 0 : pace_.admission(false) * (keeps_load_ ? now_.largest : last_ * scale());
   }
 
   void choose(double threshold) {
@@ -109,38 +101,43 @@ template <Machine M> class HaarIteration {
     exact_ = worst();
   }
 
-  // Start.
-
   void start(double approach) {
     const HaarStart given = m_.begin();
     highest_ = given.highest;
-    if (task_.elongated) missing_ = unknown;
+    if (task_.elongated) excess_.expect(unknown);
+    keeps_load_ = task_.by_load && given.warm;
+    if (keeps_load_) mean_ = 0;
     if (task_.by_load) datum_ = (approach > 0 ? approach : 0.5) + mean_ * task_.load;
-    if (!given.warm) {
+    if (keeps_load_) {
+      m_.multiply(task_.load / m_.total(m_.p()), true);
+      refresh();
+      if (capped()) {
+        pace_.begin_at_cap();
+        follow();
+      } else {
+        lower(now_.moment / now_.load);
+      }
+    } else if (!given.warm) {
       now_ = m_.replace_and_measure(Wide(nullptr), datum_);
       exact_ = worst();
     } else {
       refresh();
       reduce();
-      if (capped()) admission_ = strictest_admission;
+      if (capped()) pace_.begin_at_cap();
     }
     choose(0);
   }
 
   // Replaces pressures that have more energy than p = 0 by their multiple of least energy.
   void reduce() {
-    const double work = now_.moment - 2 * now_.merit + datum_ * now_.load;
-    const double curved = now_.moment + work;
+    const double work = now_.moment - 2 * now_.merit + datum_ * now_.load, curved = now_.moment + work;
     if (0.5 * curved > work) {
       m_.multiply(curved > 0 ? std::max(0.0, work / curved) : 0, false);
       refresh();
     }
   }
 
-  // One step, and the bound after an interval of steps.
-
-  // One step along a conjugate direction. Pressures may become negative until the next bound. False where the product is not
-  // finite.
+  // Along a conjugate direction; pressures may become negative until the next bound. False where the product is not finite.
   bool step() {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
     const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
@@ -149,13 +146,11 @@ template <Machine M> class HaarIteration {
     curvature_ = m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
-    // A long interval ends where a step gains little beside the first: a better free set then gains more than further steps.
     ++phase_;
     if (phase_ == 1) first_gain_ = slope * slope / curvature_;
-    if (phase_ > first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
-    const bool last = phase_ >= planned_ || !conjugate_;
+    if (phase_ > HaarPace::first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
     if (!conjugate_) phase_ = planned_;
-    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, last);
+    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, phase_ >= planned_);
     return true;
   }
 
@@ -163,19 +158,26 @@ template <Machine M> class HaarIteration {
   void bound() {
     phase_ = 0;
     add_cut();
-    planned_ = capped() && cut_any_ ? interval_ / 2 : interval_;
+    planned_ = capped() && cut_any_ ? pace_.interval() / 2 : pace_.interval();
   }
 
+  // Where steps keep the load, what the cut added to it is scaled off, and the datum takes the trees' level.
   void add_cut() {
+    if (keeps_load_) {
+      const double factor = kept_load_ / m_.total(m_.p());
+      if (cut_any_ || std::abs(factor - 1) > drift * task_.tol) {
+        m_.scale(factor, cut_any_);
+        cut_any_ = true;
+      }
+      datum_ += level_;
+    }
     if (++since_refresh_ >= refresh_every) return refresh();
     if (cut_any_) {
       prepared_ = false;
       product(m_.z(), m_.y());
     }
-    now_ = m_.add_and_measure(cut_any_ ? m_.y() : Vector(nullptr), 0);
+    now_ = m_.add_and_measure(cut_any_ ? m_.y() : Vector(nullptr), keeps_load_ ? level_ : 0);
   }
-
-  // The load.
 
   void lower(double change) {
     datum_ += change;
@@ -190,11 +192,11 @@ template <Machine M> class HaarIteration {
 
   // The slope of the load over the trees' slope, sum = 1'z with z = M 1. The multiple of z that has the least energy is
   // 1'z / z'Hz, with an error of second order in that of M.
-  double measured_excess(double sum) {
+  void measure_excess(double sum) {
     prepared_ = false;
     product(m_.z(), m_.y());
     const double energy = m_.inner(m_.z(), m_.y());
-    return energy > 0 ? std::clamp(sum / energy, 1 / most_excess(), most_excess()) : 1;
+    excess_.set(energy > 0 ? sum / energy : 1);
   }
 
   // Every point is at an end of its pressures and should be: the load is exactly that of the present datum. Moves the datum at
@@ -218,36 +220,40 @@ template <Machine M> class HaarIteration {
       if (!(sum > 0)) return;
     }
     // The added mean causes less than the whole deflection. Where the trees contradict that, they overrate the slope.
-    if (excess_ == 0 || (!task_.by_load && mean_ * excess_ * sum > most_share)) excess_ = measured_excess(sum);
+    if (!excess_.known() || (!task_.by_load && mean_ * excess_.factor() * sum > most_share)) measure_excess(sum);
     if (!task_.by_load) return deflect(pending, sum);
-    const double depth = scale(), missing = task_.load - now_.load + excess_ * pending;
-    // The share of the missing load that the last step left corrects the slope: in full where the step was too long.
-    const double left = missing / missing_;
-    if (last_ < settled && left < 1)
-      excess_ = std::clamp(excess_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)), 1 / most_excess(), most_excess());
-    else if (left < -1)  // the steps diverge
-      excess_ = std::min(excess_ * damping, most_excess());
-    const double wanted = missing / (excess_ * sum);
+    const double depth = scale(), missing = task_.load - now_.load + excess_.factor() * pending;
+    excess_.correct(missing, last_ < settled, last_ < settled);
+    const double wanted = missing / (excess_.factor() * sum);
     const bool far = imbalance() > overloaded;
     const double change = loads_.between(
         datum_, std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load)));
-    missing_ = change == wanted ? missing : far || task_.elongated ? unknown : 0;
+    excess_.expect(change == wanted ? missing : far || task_.elongated ? unknown : 0);
     raise(change);
   }
 
   // Newton's step of the datum in displacement control: the datum must become the deflection that the added mean causes.
   void deflect(double pending, double sum) {
-    const double missing = mean_ * (now_.load - excess_ * pending) - datum_;
-    const double left = missing / missing_;
-    if (left < 0 ? last_ < settled : left < 1)
-      stiffening_ *= 1 - (left < 0 ? std::max(left, -1.0) : caution * left);
-    else if (left < -1)
-      stiffening_ *= damping;
-    stiffening_ = std::clamp(stiffening_, least_stiffening, most_stiffening);
-    const double wanted = missing / (stiffening_ * std::max(1 - mean_ * excess_ * sum, least_slope)), depth = 1 + datum_;
+    const double excess = excess_.factor(), missing = mean_ * (now_.load - excess * pending) - datum_, depth = 1 + datum_;
+    stiffening_.correct(missing, true, last_ < settled);
+    const double wanted = missing / (stiffening_.factor() * std::max(1 - mean_ * excess * sum, least_slope));
     const double change = std::clamp(wanted, -0.5 * depth, depth);
-    missing_ = change == wanted ? missing : unknown;
+    stiffening_.expect(change == wanted ? missing : unknown);
     raise(change);
+  }
+
+  // Displacement control by the load: the next load to keep, once the datum of the present one is known.
+  void seek() {
+    if (now_.largest > known * std::abs(datum_)) return;
+    kept_load_ = sought_.next(datum_, kept_load_);
+    progress_.restart();
+  }
+
+  // Some point is at the cap: from here on Newton's method moves the datum.
+  void follow() {
+    keeps_load_ = conjugate_ = prepared_ = false;
+    mean_ = task_.periodic_mean;
+    datum_ += mean_ * now_.load;
   }
 
   // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest
@@ -266,81 +272,63 @@ template <Machine M> class HaarIteration {
   void settle() {
     const double at_cap = now_.load - now_.free_load;
     if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
+    if (!task_.by_load) datum_ = mean_ * now_.load;
     refresh();
-    if (task_.by_load) {
-      if (now_.free_load > 0)
-        lower(now_.free_moment / now_.free_load);
-      else if (capped())
-        descend();
-    } else if (mean_ > 0) {
-      lower(mean_ * now_.load - datum_);
-    }
+    if (task_.by_load && now_.free_load > 0)
+      lower(now_.free_moment / now_.free_load);
+    else if (task_.by_load && capped())
+      descend();
     exact_ = worst();
   }
 
-  // Safeguards.
+  // Worse than no pressure at all: a periodic operator does not resist a uniform one, so steps raise the load without end.
+  bool runs_away() const { return now_.merit > 0 && may_run_away(); }
+  bool may_run_away() const { return task_.periodic_mean > 0 && !task_.by_load && !mean_tried_; }
 
-  // After a bound, where points are at the cap. A point that leaves one end drives its neighbours to the other, so fewer may
-  // leave their ends at once where that makes things worse.
-  void adapt_admission() {
-    const double violation = now_.largest / scale();
-    if (capped())
-      admission_ =
-          std::clamp(admission_ + (violation > violation_ ? capped_rise : -capped_relief), first_admission, strictest_admission);
-    violation_ = violation;
-  }
-
-  // Worse than no pressure at all: on a periodic surface steps raise the load without end.
-  bool runs_away() const { return now_.merit > 0 && task_.periodic_mean > 0 && !follows() && !mean_tried_; }
-
-  // After a bound: whether the merit rose, or the residual has not halved for `patience` bounds.
-  bool in_trouble() {
-    bool trouble = runs_away() || (!follows() && now_.merit > merit_before_ + merit_noise * std::abs(now_.merit));
-    merit_before_ = now_.merit;
-    ++since_best_;
-    ++stalled_;
-    if (last_ < progress * best_) {
-      best_ = last_;
-      since_best_ = stalled_ = 0;
-    }
-    if (since_best_ >= patience) {
-      trouble = true;
-      since_best_ = 0;
-    }
-    return trouble;
-  }
+  // What the solution minimises, among pressures of one load where that is kept.
+  double merit() const { return now_.merit + 0.5 * datum_ * now_.load; }
 
   // The first trouble is tolerated.
   void safeguard() {
     ++rises_;
     if (rises_ > tolerated_rises && mean_ > 0 && !task_.by_load) return drop_mean();
+    if (rises_ > most_rises && mean_tried_ && !keeps_load_) return keep_load();
     if (runs_away()) return add_mean();
     if (rises_ <= 1) return;
-    if (task_.periodic_mean > 0 && !follows() && !mean_tried_) return add_mean();
-    interval_ = std::min(longest_interval, 2 * interval_);
-    admission_ = std::min(strictest_admission, admission_ + admission_step);
+    if (may_run_away()) return add_mean();
+    pace_.tighten();
     conjugate_ = false;
   }
 
-  // A periodic operator does not resist a uniform pressure, so steps may raise the load without end. With a mean added to the
-  // operator they cannot. The datum is then the deflection that this mean causes, and is found together with the load.
+  // Without a mean in the operator steps may raise the load without end. The datum is then the deflection that it causes.
   void add_mean() {
-    refresh();
-    reduce();
+    restart();
     mean_ = task_.periodic_mean;
     datum_ = mean_ * now_.load;
-    conjugate_ = prepared_ = false;
-    excess_ = missing_ = 0;
+    stiffening_.set(1);
     mean_tried_ = true;
-    rises_ = 0;
   }
 
-  // Gives that search up: where nearly all points touch, the load grows too fast with the datum to be found.
+  // Where nearly all points touch, the load grows too fast with the datum to be found.
   void drop_mean() {
     mean_ = datum_ = 0;
-    conjugate_ = prepared_ = false;
+    conjugate_ = false;
     refresh();
-    best_ = last_ = worst();
+  }
+
+  // From here on steps keep the load, and the load is sought.
+  void keep_load() {
+    restart();
+    keeps_load_ = true;
+    kept_load_ = now_.load;
+    progress_.forget_merit();
+  }
+
+  void restart() {
+    refresh();
+    reduce();
+    conjugate_ = prepared_ = false;
+    rises_ = 0;
   }
 
   HaarEnding iterate() {
@@ -358,45 +346,53 @@ template <Machine M> class HaarIteration {
       last_ = worst();
       if (last_ <= task_.tol && since_refresh_ == 0) return HaarEnding::solved;
       task_.poll(steps, last_);
-      adapt_admission();
-      const bool trouble = in_trouble();
-      if (stalled_ > task_.patience) return HaarEnding::stalled;
-      if (trouble) safeguard();
-      if (follows())
+      const bool trouble = progress_.in_trouble(last_, merit(), merit_noise, !follows()) || runs_away();
+      if (progress_.stalled() > task_.patience) return HaarEnding::stalled;
+      const bool rose = now_.largest / scale() > violation_;
+      violation_ = now_.largest / scale();
+      if (capped()) pace_.adapt(rose);
+      if (capped() && task_.by_load && keeps_load_) follow();
+      if (trouble)
+        safeguard();
+      else if (!capped())
+        pace_.relieve(rose);
+      if (follows()) {
         balance();
-      else
+      } else {
         choose(threshold());
+        if (keeps_load_ && !task_.by_load) seek();
+      }
     }
   }
 
   M& m_;
   const HaarTask& task_;
-  double mean_;             // what is added to every entry of the operator
-  double datum_ = 0;        // w = H p - u - datum
-  double highest_ = 0;      // largest u
-  HaarMeasure now_;         // of the present p and w
-  double last_ = infinite;  // residual after the last bound
-  double exact_ = 1;        // residual of the last product in double precision
-  int since_refresh_ = 0;   // bounds since then
+  bool keeps_load_ = false;  // steps and bounds leave the load as it is
+  double kept_load_;         // that load
+  double level_ = 0;         // of w, from the trees: less it, a step changes no load
+  double mean_;              // what is added to every entry of the operator
+  double datum_ = 0;         // w = H p - u - datum
+  double highest_ = 0;       // largest u
+  HaarMeasure now_;          // of the present p and w
+  double last_ = infinite;   // residual after the last bound
+  double exact_ = 1;         // residual of the last product in double precision
+  int since_refresh_ = 0;    // bounds since then
 
-  double curvature_ = 0;                      // (t, q) of the last step
-  double first_gain_ = 0;                     // twice the energy gained by the first step of the interval
-  int interval_ = first_interval;             // steps of an interval
-  int planned_ = first_interval, phase_ = 0;  // steps of this interval; how many were made
-  bool conjugate_ = false;                    // the next direction is made conjugate to t
-  bool cut_any_ = false;                      // the last bound cut pressures off
-  bool prepared_ = false;                     // the trees are set up for the present free set
-  double admission_ = first_admission;
-  double violation_ = infinite;  // at the last bound, relative to the largest compenetration
+  double curvature_ = 0;   // (t, q) of the last step
+  double first_gain_ = 0;  // twice the energy gained by the first step of the interval
+  HaarPace pace_;
+  int planned_ = HaarPace::first_interval, phase_ = 0;  // steps of this interval; how many were made
+  bool conjugate_ = false;                              // the next direction is made conjugate to t
+  bool cut_any_ = false;                                // the last bound cut pressures off
+  bool prepared_ = false;                               // the trees are set up for the present free set
+  double violation_ = infinite;                         // at the last bound, relative to the largest compenetration
 
   KnownLoads loads_;
-  double excess_ = 0;      // slope of the load over the trees' slope; 0: not measured yet
-  double missing_ = 0;     // load, or deflection, that the last Newton's step was to make up; NaN: not known
-  double stiffening_ = 1;  // correction of the datum's slope in displacement control
-
-  double best_ = infinite, merit_before_ = infinite;
-  int since_best_ = 0, stalled_ = 0,
-      rises_ = 0;  // bounds since the residual halved or patience ran out; since it halved; troubles
+  NewtonSlope excess_{1 / most_excess(), most_excess()};       // slope of the load over the trees' slope
+  NewtonSlope stiffening_{least_stiffening, most_stiffening};  // correction of the datum's slope in displacement control
+  SoughtLoad sought_;
+  HaarProgress progress_;
+  int rises_ = 0;  // troubles
   bool mean_tried_ = false;
 };
 

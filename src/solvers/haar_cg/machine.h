@@ -32,7 +32,7 @@ struct HaarStart {
 template <class M>
 concept Machine = std::floating_point<typename M::Real> && std::constructible_from<typename M::Vector, std::nullptr_t> &&
     std::constructible_from<typename M::Wide, std::nullptr_t> &&
-    requires(M& m, typename M::Vector a, typename M::Vector b, typename M::Wide wide, double number, bool yes) {
+    requires(M& m, typename M::Vector a, typename M::Vector b, typename M::Wide wide, double number, double* level, bool yes) {
   // Vectors of Real.
   { m.w() } -> std::same_as<typename M::Vector>;
   { m.t() } -> std::same_as<typename M::Vector>;
@@ -57,19 +57,22 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
 
   // Sets up the trees for the free set. number: by how much every entry of the trees' table exceeds that of the operator.
   m.set_up_trees(number);
-  // z = M a on the free set, 0 elsewhere; without a: z = M 1. Returns (z, b); without b: 0.
-  { m.apply_trees(a, b) } -> std::same_as<double>;
+  // z = M a on the free set, 0 elsewhere; without a: z = M 1. With a level: z = M (a - level), and the level is set so that the
+  // sum of z is 0. Returns (z, b); without b: 0.
+  { m.apply_trees(a, b, level) } -> std::same_as<double>;
 
   // p = max(p, 0), and cap where it is that but for rounding or more; every unknown is in the free set; t = 0.
   { m.begin() } -> std::same_as<HaarStart>;
   // p *= number; with yes only where p is below the cap, and up to the cap.
   m.multiply(number, yes);
+  // p *= number where p is below the cap, and up to the cap; z is what that added to p; with yes it is added to z.
+  m.scale(number, yes);
   // t = z + number t on the free set, 0 elsewhere. Returns (w, t).
   { m.turn(number) } -> std::same_as<double>;
   // p -= number t and w -= number q. With yes: p = min(max(p, 0), cap), and z is what that added to p; returns whether it added
   // anything.
   { m.advance(number, yes) } -> std::same_as<bool>;
-  // w += a, and number is 0; without a: w -= number.
+  // w += a and w -= number; without a: w -= number.
   { m.add_and_measure(a, number) } -> std::same_as<HaarMeasure>;
   // w = wide - u - number; without wide: w = -u - number, for p = 0.
   { m.replace_and_measure(wide, number) } -> std::same_as<HaarMeasure>;

@@ -55,7 +55,9 @@ class HaarTree {
   // Loads go up, pressures come down.
   template <class Real> void up_finest(std::int64_t part, const HaarFinestValues<Real>& values);
   void up(std::size_t level, std::int64_t part);
-  void turn_top();
+  double load() { return *cells(levels()); }                   // that has come up to the top
+  double softness() const { return top_ > 0 ? 1 / top_ : 0; }  // pressure that a unit load brings down
+  void turn_top(float level);                                  // of the loads, which is taken off
   void down(std::size_t level, std::int64_t part);
   template <class Real> void down_finest(std::int64_t part, const HaarFinestValues<Real>& values);  // where not every cell exists
   template <class Real> void down_rows(std::int64_t begin, std::int64_t end, const HaarFinestValues<Real>& values);  // of cells

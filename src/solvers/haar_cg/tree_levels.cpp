@@ -214,9 +214,9 @@ void HaarTree::up(std::size_t level, std::int64_t part) {
   });
 }
 
-void HaarTree::turn_top() {
+void HaarTree::turn_top(float level) {
   float& whole = *cells(levels());
-  whole = top_ > 0 ? whole / top_ : 0;
+  whole = top_ > 0 ? (whole - level) / top_ : 0;
 }
 
 void HaarTree::down(std::size_t level, std::int64_t part) {

@@ -84,7 +84,8 @@ void HaarTreePair::set_up(const std::uint8_t* active, float surplus, const rc_te
 }
 
 template <class Real>
-double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team) {
+double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out,
+                           const rc_team& team) {
   if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
   const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
   HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
@@ -96,7 +97,14 @@ double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, c
     HaarTree& tree = tree_[i];
     for (std::size_t level = small; level < tree.levels(); ++level)
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.up(level, part);
-    tree.turn_top();
+  });
+  // Shares add up to 1 and differences to 0, so the sum of a tree's z is what comes down from its top.
+  const double softness[2] = {tree_[0].softness(), tree_[1].softness()}, both = softness[0] + softness[1];
+  const double level_of = level_out && both > 0 ? (softness[0] * tree_[0].load() + softness[1] * tree_[1].load()) / both : 0;
+  if (level_out) *level_out = level_of;
+  roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
+    HaarTree& tree = tree_[i];
+    tree.turn_top(static_cast<float>(level_of));
     for (std::size_t level = tree.levels(); level-- > small;)
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.down(level, part);
   });
@@ -132,7 +140,7 @@ double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, c
   return total;
 }
 
-template double HaarTreePair::apply(const float*, const std::uint8_t*, float*, const float*, const rc_team&);
-template double HaarTreePair::apply(const double*, const std::uint8_t*, double*, const double*, const rc_team&);
+template double HaarTreePair::apply(const float*, const std::uint8_t*, float*, const float*, double*, const rc_team&);
+template double HaarTreePair::apply(const double*, const std::uint8_t*, double*, const double*, double*, const rc_team&);
 
 }  // namespace rc

@@ -18,8 +18,10 @@ class HaarTreePair {
 
   // active [unknowns]: the free set. surplus: by how much every entry of the table exceeds that of the operator.
   void set_up(const std::uint8_t* active, float surplus, const rc_team& team);
-  // z = M g on the free set, 0 elsewhere; g null: z = M 1. Returns (z, q), where q is given.
-  template <class Real> double apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, const rc_team& team);
+  // z = M g on the free set, 0 elsewhere; g null: z = M 1. With a level: z = M (g - level), and the level is set so that the sum
+  // of z is 0. Returns (z, q), where q is given.
+  template <class Real>
+  double apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level, const rc_team& team);
 
  private:
   std::size_t shared_levels() const;

@@ -153,6 +153,20 @@ template <class Real> void ThreadMachine<Real>::multiply(double factor, bool fre
   });
 }
 
+template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_cut) {
+  Real* const change = z();
+  each_chunk(n_, team_, [&](std::int64_t from, std::int64_t n) {
+    double most = 0;
+    for (std::int64_t i = from; i < from + n; ++i) {
+      const double next = p_[i] < cap_ ? std::min(factor * p_[i], cap_) : cap_;
+      change[i] = (after_cut ? change[i] : Real{0}) + static_cast<Real>(next - p_[i]);
+      p_[i] = next;
+      most = std::max(most, next);
+    }
+    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk_values)] = 1;
+  });
+}
+
 template <class Real> double ThreadMachine<Real>::turn(double beta) {
   return reduce<double>(n_, team_, [&](std::int64_t i, std::int64_t n) {
     return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i, runs_.data() + i / haar_run);

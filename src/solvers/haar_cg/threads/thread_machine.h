@@ -37,10 +37,11 @@ template <class R> class ThreadMachine {
   double inner(Vector a, Vector b);
 
   void set_up_trees(double surplus) { trees_.set_up(active_, static_cast<float>(surplus), team_); }
-  double apply_trees(Vector g, Vector q) { return trees_.apply<Real>(g, active_, z(), q, team_); }
+  double apply_trees(Vector g, Vector q, double* level) { return trees_.apply<Real>(g, active_, z(), q, level, team_); }
 
   HaarStart begin();
   void multiply(double factor, bool free);
+  void scale(double factor, bool after_cut);
   double turn(double beta);
   bool advance(double length, bool cut);
   HaarMeasure add_and_measure(Vector change, double shift);

@@ -1,0 +1,35 @@
+// The slope that Newton's steps go by: an estimate of it times a factor. What a step left of what it was to make up corrects the
+// factor.
+#pragma once
+
+#include <algorithm>
+
+namespace rc {
+
+class NewtonSlope {
+ public:
+  NewtonSlope(double least, double most) : least_(least), most_(most) {}
+
+  bool known() const { return factor_ > 0; }
+  double factor() const { return factor_; }
+  void set(double factor) { factor_ = std::clamp(factor, least_, most_); }
+
+  // missing: what is to be made up now. Steps that fell short are lengthened where `by_short`, steps that were too long are
+  // shortened in full where `by_long`; where they diverge, they are shortened in any case.
+  void correct(double missing, bool by_short, bool by_long) {
+    const double left = missing / missing_;
+    if (left < 0 ? by_long : by_short && left < 1)
+      set(factor_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)));
+    else if (left < -1)
+      set(factor_ * damping);
+  }
+  // What the next step is to make up; NaN: not known.
+  void expect(double missing) { missing_ = missing; }
+
+ private:
+  static constexpr double caution = 0.7, damping = 1.2;  // lengthens steps less; shortens diverging ones
+
+  double least_, most_, factor_ = 0, missing_ = 0;
+};
+
+}  // namespace rc

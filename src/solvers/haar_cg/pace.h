@@ -1,0 +1,49 @@
+// How many steps are made between two bounds, and which points enter the free set. Both become stricter where sets cycle, and go
+// back once they do not.
+#pragma once
+
+#include <algorithm>
+
+namespace rc {
+
+class HaarPace {
+ public:
+  static constexpr int first_interval = 2, longest_interval = 16;
+  static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
+  static constexpr double capped_admission = 0.3;  // at least, where points are at the cap
+
+  int interval() const { return interval_; }  // steps between two bounds
+  // A point at an end of its pressures enters the free set where it violates its condition by more than this share of the
+  // residual.
+  double admission(bool capped) const { return capped ? std::max(admission_, capped_admission) : admission_; }
+
+  void begin_at_cap() { admission_ = strictest_admission; }
+  void tighten() {
+    calm_ = 0;
+    interval_ = std::min(longest_interval, 2 * interval_);
+    admission_ = std::min(strictest_admission, admission_ + admission_step);
+  }
+  // After a bound without trouble. rose: the violation is larger than at the last one. Strict admission lets few points in at a
+  // time, which is slow once sets no longer cycle.
+  void relieve(bool rose) {
+    calm_ = rose ? 0 : calm_ + 1;
+    if (calm_ < relief) return;
+    calm_ = 0;
+    interval_ = std::max(first_interval, interval_ / 2);
+    admission_ = std::max(first_admission, admission_ - admission_step);
+  }
+  // After a bound where points are at the cap. A point that leaves one end drives its neighbours to the other, so fewer may leave
+  // their ends at once where that makes things worse.
+  void adapt(bool rose) {
+    admission_ = std::clamp(admission_ + (rose ? capped_rise : -capped_relief), first_admission, strictest_admission);
+  }
+
+ private:
+  static constexpr double capped_rise = 0.3, capped_relief = 0.2;
+  static constexpr int relief = 2;  // bounds in which nothing rose
+
+  int interval_ = first_interval, calm_ = 0;
+  double admission_ = first_admission;
+};
+
+}  // namespace rc
