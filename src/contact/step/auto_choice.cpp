@@ -17,6 +17,8 @@ constexpr double worth_opening = 7.5e-5;
 constexpr double usual_products = 100;  // of a solver that does not say what it costs
 
 constexpr std::int64_t least_dilute_points = 512 * 512;
+// The choice for sparse contact comes before the unknowns are known: it assumes no more than this.
+constexpr std::int64_t most_few = 1 << 24;
 constexpr double few_share = 0.05;  // of the grid's points: products that cost by the contact are cheaper below
 
 const char* kind_of(const System& system) {
@@ -317,11 +319,12 @@ std::optional<Choice> choose_for_few(const rc_options& options, const System& sy
       options.text(RC_OPT_SOLVER) != "auto" || options.text(RC_OPT_WARMUP) != "none" ||
       !options.text(RC_OPT_CERTIFY_BACKEND).empty() || options.text(RC_OPT_BACKEND).find(',') != std::string::npos)
     return std::nullopt;
-  const StepFacts facts{.control = control,
-                        .candidates = static_cast<std::int64_t>(few_share * static_cast<double>(system.points())),
-                        .box = system.points(),
-                        .tol = options.real(RC_OPT_TOL),
-                        .few = !system.periodic()};
+  const StepFacts facts{
+      .control = control,
+      .candidates = std::min(most_few, static_cast<std::int64_t>(few_share * static_cast<double>(system.points()))),
+      .box = system.points(),
+      .tol = options.real(RC_OPT_TOL),
+      .few = !system.periodic()};
   const std::vector<std::string> none;
   const std::vector<Candidate> all = answered({options, system, facts, none, false});
   if (!can(all)) return std::nullopt;
