@@ -303,9 +303,8 @@ RC_API void rc_contact_destroy(rc_contact *contact);
 /** Solves one step and certifies the answer. A failed or stopped step keeps the last certified pressures as
  *  the next warm start. Errors: ARGUMENT, INFEASIBLE, INCOMPATIBLE, NO_BACKEND, MEMORY, NUMERIC, EXTERNAL, BUSY. */
 RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Certifies the pressures the caller puts in result->p, or where it is NULL in result->p_single ([n]), for this step: nothing is
- *  solved. In
- *  load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
+/** Certifies the pressures that the caller puts in result->p or, where it is NULL, in result->p_single ([n]) for this step:
+ *  nothing is solved. In load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
 /** Which grid the last step's answer is of, and its estimated errors. An rc_path_fn may call it for the step that it is
  *  told of. Errors: ARGUMENT (no answer: no step yet, or it failed), BUSY. */
