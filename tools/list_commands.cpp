@@ -7,6 +7,7 @@
 
 #include "formats/registry.h"
 #include "library.h"
+#include "platform/libraries.h"
 #include "text.h"
 
 namespace cli {
@@ -44,6 +45,7 @@ void list_components(Count count, Describe describe) {
   }
   context.report_warnings();
   print_rows(rows);
+  if (!rc_platform::loads_plugins()) report("this command is linked statically and loads no plugins; these are all it has");
 }
 
 std::string type_name(int32_t type) {

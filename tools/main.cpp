@@ -11,6 +11,7 @@
 #include "completion.h"
 #include "interrupt.h"
 #include "list_commands.h"
+#include "platform/libraries.h"
 #include "platform/terminal.h"
 #include "solve_command.h"
 #include "standard_streams.h"
@@ -21,7 +22,8 @@ namespace {
 std::string version() {
   int32_t major = 0, minor = 0, patch = 0, abi = 0;
   rc_version(&major, &minor, &patch, &abi);
-  return cli::format("roughcontact %d.%d.%d (library ABI %d, plugin ABI %d)", major, minor, patch, abi, RC_PLUGIN_ABI);
+  return cli::format("roughcontact %d.%d.%d (library ABI %d, %s)", major, minor, patch, abi,
+                     rc_platform::loads_plugins() ? "plugin ABI " RC_PLUGIN_ABI : "linked statically, loads no plugins");
 }
 
 // What is wrong with a command line, with the nearest word that would be right.

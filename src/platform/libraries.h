@@ -23,6 +23,8 @@ std::string file_of(const void* code);
 bool exists(const std::string& path);
 std::vector<std::string> names_in(const std::string& folder);  // empty if it cannot be read
 
+bool loads_plugins();  // false for a program that is linked statically, C library included
+
 // A plugin once opened stays open to the end of the program. What others can write to is refused, and so is what is incomplete,
 // since the system's own loader may end the process over it.
 struct OpenedPlugin {

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/first_size.h"
+#include "platform/libraries.h"
 #include "registry/builtin.h"
 #include "registry/loader.h"
 
@@ -202,7 +203,12 @@ const Component<Vtable>& Context::get(const std::deque<Component<Vtable>>& compo
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
   if (const char* hint = known_but_absent(name))
-    fail(missing, kind, " \"", name, "\" is not installed: ", hint, "; available: ", list);
+    fail(missing, kind, " \"", name, "\" is not installed: ",
+         rc_platform::loads_plugins()
+             ? hint
+             : "this program is linked statically (-static) and loads no plugins; build the backend into "
+               "the library (RC_BUILTIN_BACKENDS)",
+         "; available: ", list);
   fail(missing, kind, " \"", name, "\" not found", suggestion(name, known), "; available: ", list);
 }
 

@@ -34,7 +34,7 @@ std::string flaw(int file, std::int64_t size, const std::string& path) {
 }
 
 // Such a program names no dynamic loader; one that dlopen brings in later finds a half-made process.
-bool program_is_static() {
+bool loads_plugins() {
   bool has_loader = false;
   const auto look = [](dl_phdr_info* program, std::size_t, void* found) {
     for (int i = 0; i < program->dlpi_phnum; ++i)
@@ -42,7 +42,7 @@ bool program_is_static() {
     return 1;  // the program itself comes first
   };
   dl_iterate_phdr(look, &has_loader);
-  return !has_loader;
+  return has_loader;
 }
 
 }  // namespace rc_platform

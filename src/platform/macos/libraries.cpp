@@ -16,6 +16,6 @@ const char* trusted_environment(const char* name) { return issetugid() ? nullptr
 // dyld compares the segments with the size of the file itself, and refuses other machines' files with a sentence.
 std::string flaw(int, std::int64_t, const std::string&) { return {}; }
 
-bool program_is_static() { return false; }  // every program has dyld
+bool loads_plugins() { return true; }  // every program has dyld
 
 }  // namespace rc_platform

@@ -51,7 +51,7 @@ std::string obstacle(const std::string& path) {
   if (fstat(file.number, &info) != 0 || !S_ISREG(info.st_mode)) return "plugin refused: " + path + " is not a regular file";
   if (std::string reason = distrust(info, path); !reason.empty()) return reason;
   if (std::string reason = flaw(file.number, info.st_size, path); !reason.empty()) return reason;
-  if (program_is_static())
+  if (!loads_plugins())
     return "plugin " + path +
            " is not loaded: this program is linked statically (-static), where libraries that plugins need cannot run; link the "
            "C "

@@ -11,6 +11,4 @@ bool reach_disk(int descriptor);  // false with the cause in errno
 // Why the system's loader should not see a plugin's file, as a whole sentence; "" if nothing speaks against it.
 std::string flaw(int file, std::int64_t size, const std::string& path);
 
-bool program_is_static();  // and can load no plugins
-
 }  // namespace rc_platform
