@@ -90,6 +90,19 @@ void relative_directories_are_ignored_and_logged(void**) {
   assert_has(registry.log(), "plugin directory \"./\" from RC_PLUGIN_PATH ignored: it is not absolute");
 }
 
+// Relative ones and, on Windows, those of other machines and devices.
+void directories_by_other_names_are_ignored_and_logged(void**) {
+  const Scratch scratch;
+  scratch.put({"toy"});
+  for (const std::string& name : support::other_names(scratch.path())) {
+    const Registry registry(name);
+    assert_int_equal(registry.names("toy"), RC_ERR_NO_BACKEND);
+    assert_false(registry.lists("toy"));
+    assert_has(registry.log(),
+               "warning: plugin directory \"" + name + "\" from the context's plugin_path ignored: it is not absolute");
+  }
+}
+
 void a_name_cannot_leave_the_directory(void**) {
   const Scratch scratch;
   // What the names would lead to if they were pasted into a path.
@@ -172,6 +185,7 @@ const std::vector<CMUnitTest> place_tests = {
     cmocka_unit_test(the_first_directory_of_a_path_wins),
     cmocka_unit_test(the_current_directory_is_not_searched),
     cmocka_unit_test(relative_directories_are_ignored_and_logged),
+    cmocka_unit_test(directories_by_other_names_are_ignored_and_logged),
     cmocka_unit_test(a_name_cannot_leave_the_directory),
     cmocka_unit_test(files_of_other_names_are_left_alone),
     cmocka_unit_test(a_missing_backend_says_how_to_get_it),

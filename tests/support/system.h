@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace support {
 
@@ -10,11 +11,14 @@ extern const char* const device;            // a path that is no file
 extern const char* const device_refused;    // what the readers of surfaces say of it
 extern const long machine_in_library;       // where the file of a shared object says what it runs on [bytes]
 extern const char* const folder_separator;  // in a list of folders
-extern const char* const writable_to_all;   // how the refusal of a plugin calls a file that everybody can write to
+// How the same folder may be called that a path names, by words that plugins are not looked for by.
+std::vector<std::string> other_names(const std::string& path);
+extern const char* const writable_to_all;  // how the refusal of a plugin calls a file that everybody can write to
 void let_everybody_write(const std::string& path);
 void let_owner_alone_write(const std::string& path);
-bool give_away(const std::string& path);  // to another user; false where that is not possible
-bool make_pipe(const std::string& path);  // false where pipes are not files
+extern const char* const owned_by_another;  // how it calls one that was given away
+bool give_away(const std::string& path);    // to another user; false where that is not possible
+bool make_pipe(const std::string& path);    // false where pipes are not files
 
 void set_variable(const char* name, const char* value);  // of the environment; null: not set
 

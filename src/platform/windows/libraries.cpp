@@ -3,13 +3,12 @@
 #include <windows.h>
 // windows.h comes first
 #include <aclapi.h>
-#include <sddl.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 
+#include "platform/windows/rights.h"
 #include "platform/windows/text.h"
 
 namespace rc_platform {
@@ -29,59 +28,31 @@ struct CloseAnyHandle {
 };
 using Handle = std::unique_ptr<void, CloseAnyHandle>;
 
-std::string name_of(PSID user) {
-  wchar_t* text = nullptr;
-  if (!ConvertSidToStringSidW(user, &text)) return "unknown";
-  const Local<wchar_t> owned(text);
-  return to_utf8(text);
-}
+// Of the user whom this process runs for.
+struct CurrentUser {
+  alignas(TOKEN_USER) unsigned char buffer[sizeof(TOKEN_USER) + SECURITY_MAX_SID_SIZE]{};
 
-bool is_well_known(PSID user, std::initializer_list<WELL_KNOWN_SID_TYPE> kinds) {
-  return std::any_of(kinds.begin(), kinds.end(), [user](WELL_KNOWN_SID_TYPE kind) { return IsWellKnownSid(user, kind); });
-}
-
-// TrustedInstaller, who owns what Windows itself brings.
-bool installs_windows(PSID user) { return name_of(user) == "S-1-5-80-956008885-3418522649-1831038044-1853292631-2271478464"; }
-
-bool is_current_user(PSID user) {
-  HANDLE opened = nullptr;
-  if (!OpenProcessToken(GetCurrentProcess(), TOKEN_QUERY, &opened)) return false;
-  const Handle token(opened);
-  alignas(TOKEN_USER) unsigned char buffer[sizeof(TOKEN_USER) + SECURITY_MAX_SID_SIZE];
-  DWORD length = 0;
-  return GetTokenInformation(opened, TokenUser, buffer, sizeof buffer, &length) &&
-         EqualSid(user, reinterpret_cast<const TOKEN_USER*>(buffer)->User.Sid);
-}
+  PSID read() {
+    HANDLE opened = nullptr;
+    if (!OpenProcessToken(GetCurrentProcess(), TOKEN_QUERY, &opened)) return nullptr;
+    const Handle token(opened);
+    DWORD length = 0;
+    if (!GetTokenInformation(opened, TokenUser, buffer, sizeof buffer, &length)) return nullptr;
+    return reinterpret_cast<const TOKEN_USER*>(buffer)->User.Sid;
+  }
+};
 
 // What others can write to is not loaded; "" if only its owner, the system and its administrators can.
 std::string distrust(const std::string& path) {
-  PSID owner = nullptr;
-  PACL rights = nullptr;
+  FileRights rights;
   PSECURITY_DESCRIPTOR descriptor = nullptr;
   std::wstring wide = to_wide(path);
   const DWORD error = GetNamedSecurityInfoW(wide.data(), SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION | DACL_SECURITY_INFORMATION,
-                                            &owner, nullptr, &rights, nullptr, &descriptor);
+                                            &rights.owner, nullptr, &rights.list, nullptr, &descriptor);
   if (error != ERROR_SUCCESS) return "plugin refused: the owner of " + path + " cannot be read: " + error_text(error);
   const Local<void> owned(descriptor);
-  const auto trusted = [](PSID user) {
-    return is_well_known(user, {WinLocalSystemSid, WinBuiltinAdministratorsSid, WinCreatorOwnerSid}) || installs_windows(user) ||
-           is_current_user(user);
-  };
-  if (!owner || !trusted(owner))
-    return "plugin refused: " + path + " is owned by " + (owner ? name_of(owner) : "nobody") +
-           ", neither the system, its administrators nor the current user";
-  if (!rights) return "plugin refused: " + path + " can be written to by everybody; take that right away";
-  constexpr DWORD writes = FILE_WRITE_DATA | FILE_APPEND_DATA | WRITE_DAC | WRITE_OWNER | GENERIC_WRITE | GENERIC_ALL;
-  for (DWORD i = 0; i < rights->AceCount; ++i) {
-    void* entry = nullptr;
-    if (!GetAce(rights, i, &entry)) continue;
-    const auto& allowed = *static_cast<const ACCESS_ALLOWED_ACE*>(entry);
-    const bool applies = allowed.Header.AceType == ACCESS_ALLOWED_ACE_TYPE && (allowed.Header.AceFlags & INHERIT_ONLY_ACE) == 0;
-    const auto user = const_cast<DWORD*>(&allowed.SidStart);
-    if (applies && (allowed.Mask & writes) != 0 && !trusted(user))
-      return "plugin refused: " + path + " can be written to by " + name_of(user) + "; take that right away";
-  }
-  return {};
+  CurrentUser user;
+  return distrust(path, rights, user.read());
 }
 
 // The parts that the headers of a library promise must be in the file.
@@ -173,6 +144,8 @@ std::vector<std::string> names_in(const std::string& folder) {
   FindClose(search);
   return names;
 }
+
+bool loads_plugins() { return true; }
 
 OpenedPlugin open_plugin(const std::string& path) {
   OpenedPlugin opened{nullptr, obstacle(path)};

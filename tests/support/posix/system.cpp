@@ -13,6 +13,13 @@ const char* const device_refused = "is a device";
 const long machine_in_library = 18;  // ELF
 const char* const folder_separator = ":";
 const char* const writable_to_all = " is world-writable; chmod o-w it";
+const char* const owned_by_another = " is owned by user 12345, neither root nor the current user 0";
+
+// Relative to a folder beside it, and to its parent.
+std::vector<std::string> other_names(const std::string& path) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  return {name, "./" + name, name + "/../" + name, "~/" + name};
+}
 
 void let_everybody_write(const std::string& path) { chmod(path.c_str(), 0777); }
 

@@ -5,6 +5,7 @@
 // windows.h comes first
 #include <aclapi.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <thread>
 
@@ -15,6 +16,7 @@ const char* const device_refused = "unknown format";
 const long machine_in_library = 0x84;  // where linkers put it
 const char* const folder_separator = ";";
 const char* const writable_to_all = " can be written to by S-1-1-0; take that right away";
+const char* const owned_by_another = " is owned by S-1-5-7, neither the system, its administrators nor the current user";
 
 namespace {
 
@@ -54,7 +56,42 @@ void let_everybody_write(const std::string& path) {
 
 void let_owner_alone_write(const std::string& path) { set_rights(path, FILE_GENERIC_READ | FILE_GENERIC_EXECUTE); }
 
-bool give_away(const std::string&) { return false; }
+// Windows lets none but its administrators do so. Wine starts programs of the system below, for which the file belongs to a user
+// whom Wine calls anonymous.
+bool give_away(const std::string& path) {
+  if (!GetProcAddress(GetModuleHandleW(L"ntdll.dll"), "wine_get_version")) return false;
+  std::string below = path.substr(2);
+  std::replace(below.begin(), below.end(), '\\', '/');
+  std::string line = "chown 12345 \"" + below + "\"";
+  STARTUPINFOA start{};
+  start.cb = sizeof start;
+  PROCESS_INFORMATION process{};
+  if (!CreateProcessA("Z:\\bin\\chown", line.data(), nullptr, nullptr, FALSE, 0, nullptr, nullptr, &start, &process))
+    return false;
+  DWORD code = 1;
+  WaitForSingleObject(process.hProcess, INFINITE);
+  GetExitCodeProcess(process.hProcess, &code);
+  CloseHandle(process.hThread);
+  CloseHandle(process.hProcess);
+  return code == 0;
+}
+
+// Relative to the folder that it is in, to a drive's current folder or to the drive; or as folders of other machines are called.
+std::vector<std::string> other_names(const std::string& path) {
+  std::string below = path.substr(2);
+  std::replace(below.begin(), below.end(), '/', '\\');
+  const std::string drive = path.substr(0, 2), name = below.substr(below.rfind('\\') + 1);
+  const std::string shared = std::string("localhost\\") + path[0] + "$" + below;
+  std::vector<std::string> names = {name, ".\\" + name, drive + name, below};
+  for (const char* start : {"\\\\?\\", "\\\\.\\"}) names.push_back(start + drive + below);
+  for (const char* start : {"\\\\", "\\\\?\\UNC\\"}) names.push_back(start + shared);
+  for (std::size_t i = 0, n = names.size(); i < n; ++i) {
+    std::string other = names[i];
+    std::replace(other.begin(), other.end(), '\\', '/');
+    if (other != names[i]) names.push_back(other);
+  }
+  return names;
+}
 
 bool make_pipe(const std::string&) { return false; }
 
