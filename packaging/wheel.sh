@@ -2,12 +2,18 @@
 # packaging/wheel.sh [--system SYSTEM] [DIRECTORY [SETTING...]]: makes the source distribution of the Python package and, from it, the
 # wheel, with every library that it needs inside, in DIRECTORY (dist if none is named). Its tag says which C library it needs. The
 # licences of what is inside go with it. SYSTEM: another system, a file SYSTEM.cmake of packaging/cross; its libraries come from
-# RC_CROSS_DEPENDENCIES (build-cross/dependencies if it is not set), as cross.sh has it. SETTING: cmake.define.RC_WERROR=ON and the
-# like. PYTHON names the interpreter; pip fetches the tools. Exit code 77 where it cannot.
+# RC_CROSS_DEPENDENCIES (build-cross/dependencies if it is not set), as cross.sh has it. all: one for this system, aarch64, musl and
+# Windows each. SETTING: cmake.define.RC_WERROR=ON and the like. PYTHON names the interpreter; pip fetches the tools. Exit code 77
+# where it cannot.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 other='' wheel=''
 [ "${1:-}" != --system ] || { other=$2; shift 2; }
+if [ "$other" = all ]; then
+  "$0" "$@"
+  for other in aarch64 musl windows; do "$0" --system "$other" "$@"; done
+  exit
+fi
 mkdir -p "${1:-$source/dist}"
 out=$(cd "${1:-$source/dist}" && pwd)
 [ $# = 0 ] || shift
@@ -34,7 +40,8 @@ if [ -n "$other" ]; then
   quietly "$source/packaging/cross/dependencies.sh" "$other" "$dependencies"
   export PKG_CONFIG_LIBDIR=$dependencies/$other/lib/pkgconfig LDFLAGS=-L$dependencies/$other/lib
   settings+=("--config-settings=cmake.define.CMAKE_TOOLCHAIN_FILE=$toolchain"
-    "--config-settings=cmake.define.CMAKE_FIND_ROOT_PATH=$dependencies/$other" '--config-settings=cmake.define.RC_MODULE_BACKENDS=fft;split')
+    "--config-settings=cmake.define.CMAKE_FIND_ROOT_PATH=$dependencies/$other"
+    --config-settings=cmake.define.CMAKE_UNITY_BUILD=ON --config-settings=cmake.define.CMAKE_UNITY_BUILD_BATCH_SIZE=0 '--config-settings=cmake.define.RC_MODULE_BACKENDS=fft;split')
 fi
 quietly pip wheel --no-deps --no-build-isolation -w "$work/plain" "${settings[@]}" "$work"/sdist/*.tar.gz
 if [ -n "$other" ]; then  # what pip calls a wheel of this machine, whichever system it is for
