@@ -26,28 +26,41 @@ quietly() {
 configure() (
   export PKG_CONFIG_LIBDIR=$dependencies/$1/lib/pkgconfig LDFLAGS=-L$dependencies/$1/lib
   quietly "$2.log" cmake -S . -B "$2" -DCMAKE_TOOLCHAIN_FILE="$tree/packaging/cross/$1.cmake" -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_FIND_ROOT_PATH="$dependencies/$1" -DCMAKE_INSTALL_PREFIX=/roughcontact -DCMAKE_INSTALL_LIBDIR=lib -DRC_WERROR=ON -DRC_BUILD_BENCH=OFF "${@:3}"
+    -DCMAKE_FIND_ROOT_PATH="$dependencies/$1" -DCMAKE_INSTALL_PREFIX=/roughcontact -DCMAKE_INSTALL_LIBDIR=lib -DRC_WERROR=ON -DRC_BUILD_BENCH=OFF \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 "${@:3}"
 )
 
-# use SYSTEM FOLDER BACKEND...: what was installed, as a program of that system uses it; 77 where the emulator is missing.
-use() {
-  local program=${emulator%%;*} native=build-cross/native
-  [ -n "$program" ] || { echo "$1: built; nothing runs it here"; return 0; }
-  command -v "$program" >/dev/null || { echo "$1: built, not run: $program is not installed"; return 77; }
+# answer_here FILE BACKEND...: this machine's answers, once for all systems.
+answer_here() (
+  native=build-cross/native
+  exec 8>build-cross/answers.lock
+  flock 8
   if [ -e build-gcc/lib/roughcontact/abi-1/rcb_fft.so ]; then
     native=build-gcc
   else
     quietly $native.log cmake -S . -B $native -DCMAKE_BUILD_TYPE=Release "${core[@]}" "-DRC_MODULE_BACKENDS=fft;split"
     quietly $native.log cmake --build $native -j "$(nproc)"
   fi
+  [ "$1" -nt $native/lib/libroughcontact.so ] && [ "$1" -nt tests/systems/answers.c ] && return
+  cc -std=c99 -O2 -Iinclude tests/systems/answers.c -o build-cross/answers -L$native/lib -lroughcontact
+  LD_LIBRARY_PATH=$native/lib build-cross/answers "$1.new" "${@:2}"
+  mv "$1.new" "$1"
+)
+
+# use SYSTEM INSTALLED BACKEND...: a folder or an archive, as a program of that system uses it; 77 where the emulator is missing.
+use() {
+  local program=${emulator%%;*} answers="build-cross/answers by ${*:3}.txt"
+  [ -n "$program" ] || { echo "$1: built; nothing runs it here"; return 0; }
+  command -v "$program" >/dev/null || { echo "$1: built, not run: $program is not installed"; return 77; }
+  answer_here "$answers" "${@:3}" || return
   # Wine's server outlives a program and would keep the pipes open that it was started with.
   [ "$system" != Windows ] || "$program" cmd /c exit </dev/null >/dev/null 2>&1
-  tests/systems/use.sh "$1" "$2" $native "${@:3}"
+  tests/systems/use.sh "$1" "$2" "$answers" "${@:3}"
 }
 
 smoke() {
   local build=build-cross/$1-smoke
-  configure "$1" "$build" "${core[@]}" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
+  configure "$1" "$build" "${core[@]}" "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
   quietly "$build.log" cmake --build "$build" -j "$(nproc)"
   rm -rf "$build-root"
   quietly "$build.log" cmake --install "$build" --prefix "$build-root"
@@ -55,11 +68,13 @@ smoke() {
 }
 
 everything() {
-  local build=build-cross/$1 name=roughcontact-$version-$1 form=(-cJf) suffix=tar.xz tests=OFF
+  local build=build-cross/$1 name=roughcontact-$version-$1 form=(-cJf) suffix=tar.xz tests=OFF kind=("-DRC_MODULE_BACKENDS=fft;split")
   [ "$system" != Windows ] || form=(-cf --format=zip) suffix=zip
   [ "$what" != --test ] || tests=ON
+  # The command of musl runs wherever there is Linux; it has dense and fft inside.
+  [ "$1" != musl ] || kind=("-DRC_BUILTIN_BACKENDS=dense;fft" -DRC_MODULE_BACKENDS=split -DRC_STATIC_COMMAND=ON)
   quietly "build-cross/$1-dependencies.log" packaging/cross/dependencies.sh "$1" "$dependencies"
-  configure "$1" "$build" -DRC_BUILD_TESTS=$tests -DRC_BUILD_EXAMPLES=$tests "-DRC_MODULE_BACKENDS=fft;split" -DRC_WRITE_NETCDF=OFF -DRC_WRITE_HDF5=OFF
+  configure "$1" "$build" -DRC_BUILD_TESTS=$tests -DRC_BUILD_EXAMPLES=$tests "${kind[@]}" -DRC_WRITE_NETCDF=OFF -DRC_WRITE_HDF5=OFF
   quietly "$build.log" cmake --build "$build" -j "$(nproc)"
   rm -rf "$build-root"
   quietly "$build.log" cmake --install "$build" --strip --prefix "$build-root/$name"
@@ -68,7 +83,7 @@ everything() {
   (cd "$build-root" && cmake -E tar "${form[0]}" "../$name.$suffix" "${form[@]:1}" "$name")
   echo "$1: build-cross/$name.$suffix, $(du -h "build-cross/$name.$suffix" | cut -f1)"
   [ $tests = ON ] || return 0
-  use "$1" "$build-root/$name" dense fft split || return
+  use "$1" "build-cross/$name.$suffix" dense fft split || return
   RC_TEST_QUICK=1 ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 600 -LE 'slow|full' -j "$(nproc)"
 }
 

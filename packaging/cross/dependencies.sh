@@ -3,23 +3,14 @@
 # there is not built again. The sources are those of Debian's source packages, kept in FOLDER/sources.
 set -euo pipefail
 toolchain=$(dirname "$(realpath "$0")")/$1.cmake
-mkdir -p "$2/sources/lists/partial" "$2/$1/include" "$2/$1/share/cmake"
+mkdir -p "$2/$1/include" "$2/$1/share/cmake"
 folder=$(realpath "$2") prefix=$(realpath "$2/$1")
 system='' host='' cc='' ar='' ranlib=''
 eval "$(cmake -DTOOLCHAIN="$toolchain" -P "$(dirname "$toolchain")/parts/describe.cmake")"
 jobs=$(nproc)
-names=(cmocka fftw3 gsl libzip pugixml zlib)
 export PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig
 
-# Debian's own sources, without a change to this machine's lists of packages.
-cd "$folder/sources"
-if ! ls gsl_*.orig.tar.* fftw3_*.orig.tar.* cmocka_*.orig.tar.* >/dev/null 2>&1; then
-  sed 's/^Types: deb$/Types: deb-src/' /etc/apt/sources.list.d/debian.sources >debian.sources
-  get=(apt-get -q -o "Dir::Etc::sourcelist=$PWD/debian.sources" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::lists=$PWD/lists"
-    -o APT::Sandbox::User=root)
-  "${get[@]}" update >/dev/null
-  "${get[@]}" source --download-only "${names[@]}" >/dev/null
-fi
+"$(dirname "$toolchain")/parts/sources.sh" "$folder/sources" cmocka fftw3 gsl libzip pugixml zlib
 
 unpack() {
   cd "$prefix"
@@ -68,8 +59,18 @@ made libgsl.a || {
   unpack gsl
   cd "$prefix/work"
   CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib ./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --quiet CFLAGS=-O2
-  parts=$(sed -n 's/^SUBDIRS = //p' Makefile)
-  make -j "$jobs" --quiet SUBDIRS="${parts/ doc/}" install  # Debian's source has no documents
+  # The library of surfaces takes transforms, lines through points and the digamma function; these folders have them.
+  parts=(err sys complex fft fit specfunc)
+  make -j "$jobs" --quiet -C gsl
+  make --quiet gsl.pc
+  for part in "${parts[@]}"; do
+    make -j "$jobs" --quiet -C "$part" "libgsl$part.la"
+    $ar crs libgsl.a "$part"/*.o
+  done
+  mkdir -p "$prefix/include/gsl" "$prefix/lib/pkgconfig"
+  cp -L gsl/*.h "$prefix/include/gsl"
+  sed 's/-lgslcblas//' gsl.pc >"$prefix/lib/pkgconfig/gsl.pc"
+  cp libgsl.a "$prefix/lib"
 }
 cd "$prefix"
 rm -rf work
