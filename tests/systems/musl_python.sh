@@ -12,14 +12,15 @@ cc='' ar='' ranlib='' host=''
 eval "$(cmake -DTOOLCHAIN="$cross/musl.cmake" -P "$cross/parts/describe.cmake")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CFLAGS="-O1 -fPIC" PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig
+export CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CFLAGS="-O1 -fPIC -Wno-date-time" PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig
 jobs=$(nproc)
 
 mkdir "$work/libffi" "$work/python"
 tar xf "$sources"/libffi_*.orig.tar.gz -C "$work/libffi" --strip-components 1
 tar xf "$sources"/python3.11_*.orig.tar.gz -C "$work/python" --strip-components 1
 cd "$work/libffi"
-./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --disable-docs --disable-multi-os-directory
+./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --disable-docs --disable-multi-os-directory \
+  --disable-exec-static-tramp
 make -j "$jobs"
 make install
 
