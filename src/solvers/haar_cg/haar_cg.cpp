@@ -7,6 +7,7 @@
 
 #include "grid/downsample.h"
 #include "solvers/haar_cg/iteration.h"
+#include "solvers/haar_cg/regular_start.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
 #include "solvers/haar_cg/tree_inputs.h"
 #include "solvers/solver.h"
@@ -26,6 +27,7 @@ constexpr std::int64_t coarsest_side = 64;
 constexpr std::int64_t chunk = 8192;
 constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
 constexpr double many = 0.25;                   // of the points: within the length unit where a load starts everywhere
+constexpr std::int64_t few_overlaps = 16;       // points without a gap at the approach: then all products are in double precision
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
 // Every point takes the pressure of the coarse cell in which it lies.
@@ -92,6 +94,15 @@ void start_cold(const Problem& problem, std::span<double> p) {
   for (double& value : p) value = everywhere ? problem.load() / static_cast<double>(n) : value * (problem.load() / sum);
 }
 
+// Whether products in single precision save anything: not where few points overlap, which a step or two solve to all digits.
+bool worth_mixing(const Problem& problem) {
+  if (!problem.has_float() || problem.option_text("haar-cg.products") != "mixed") return false;
+  if (problem.load_control()) return true;
+  std::int64_t overlaps = 0;
+  for (std::int64_t i = 0; i < problem.size() && overlaps <= few_overlaps; ++i) overlaps += problem.compenetration(i) > 0 ? 1 : 0;
+  return overlaps > few_overlaps;
+}
+
 template <class Real> rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
   TreeInputs inputs = tree_inputs(*problem.grid(), problem.size(),
                                   [&](std::int64_t mx, std::int64_t my, Vector& out) { problem.coefficients(mx, my, out); });
@@ -116,11 +127,10 @@ template <class Real> rc_status iterate(const Problem& problem, std::span<double
 const Options haar_cg_options = listed(specs);
 
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
-  if (problem.option_int("haar-cg.nested") != 0 && !any_positive(problem.size(), p.data(), problem.team()))
-    start_nested(problem, p, d);
-  if (problem.load_control() && !any_positive(problem.size(), p.data(), problem.team())) start_cold(problem, p);
-  const bool mixed = problem.has_float() && problem.option_text("haar-cg.products") == "mixed";
-  const rc_status status = mixed ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
+  const auto cold = [&] { return !any_positive(problem.size(), p.data(), problem.team()); };
+  if (cold() && !start_regular(problem, p) && problem.option_int("haar-cg.nested") != 0) start_nested(problem, p, d);
+  if (problem.load_control() && cold()) start_cold(problem, p);
+  const rc_status status = worth_mixing(problem) ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
   problem.note("haar-cg: stalled; nnls finished");
   return problem.by_nnls(p.data());

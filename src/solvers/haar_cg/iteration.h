@@ -25,7 +25,7 @@ template <Machine M> class HaarIteration {
   // Starts from the machine's pressures and, by load where there are none, from the approach given; 0: none is known.
   HaarOutcome run(double approach) {
     start(approach);
-    const HaarEnding ending = iterate();
+    const HaarEnding ending = since_refresh_ == 0 && worst() <= task_.tol ? HaarEnding::solved : iterate();
     return {ending, datum_ - mean_ * now_.load};  // without the deflection that the added mean causes
   }
 
@@ -35,6 +35,7 @@ template <Machine M> class HaarIteration {
   using Wide = typename M::Wide;
 
   static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
+  static constexpr double nothing = 1e-10;  // of the first step's slope: the set is solved, and a product would tell nothing
   static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
 
   // Newton's method on the load, where pressures have a cap, or on the deflection that an added mean causes.
@@ -142,12 +143,21 @@ template <Machine M> class HaarIteration {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
     const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
     const double slope = m_.turn(beta);
+    if (phase_ > 0 && slope <= nothing * first_slope_) {
+      conjugate_ = false;
+      phase_ = planned_;
+      cut_any_ = m_.advance(0, true);
+      return true;
+    }
     product(m_.t(), m_.q());
     curvature_ = m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
     ++phase_;
-    if (phase_ == 1) first_gain_ = slope * slope / curvature_;
+    if (phase_ == 1) {
+      first_slope_ = slope;
+      first_gain_ = slope * slope / curvature_;
+    }
     if (phase_ > HaarPace::first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
     if (!conjugate_) phase_ = planned_;
     cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, phase_ >= planned_);
@@ -379,7 +389,8 @@ template <Machine M> class HaarIteration {
   int since_refresh_ = 0;    // bounds since then
 
   double curvature_ = 0;   // (t, q) of the last step
-  double first_gain_ = 0;  // twice the energy gained by the first step of the interval
+  double first_slope_ = 0;  // (w, t) of the first step of the interval
+  double first_gain_ = 0;   // twice the energy that it gained
   HaarPace pace_;
   int planned_ = HaarPace::first_interval, phase_ = 0;  // steps of this interval; how many were made
   bool conjugate_ = false;                              // the next direction is made conjugate to t
