@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 8u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 9u /* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -62,6 +62,21 @@ struct rc_team {
   void (*share)(const rc_team *, int64_t items, void (*task)(void *argument, int64_t item, int64_t thread), void *argument);
 };
 
+/** Processes that share a grid, each with some of its rows. All of them call the same function at the same time, on the thread that
+ *  uses the operator. */
+typedef struct rc_rows rc_rows;
+struct rc_rows {
+  size_t struct_size;
+  int64_t rank, ranks;  /* this process is number `rank` of so many                                            */
+  const int64_t *first; /* [ranks + 1] process r has the rows first[r] .. first[r+1] - 1; first[ranks] = ny     */
+  /** sent[r] bytes to each process, one after the other in `from`; received[r] bytes from each, likewise into `into`. What fails
+   *  here is told to all later: go on as if it had not. */
+  void (*transpose)(const rc_rows *, const void *from, const int64_t *sent, void *into, const int64_t *received);
+  /** Before a transpose() for which a process may be missing: whether any of them has failed. `mine`: this one's status, with its
+   *  message set. The same status on all of them, to be returned. */
+  rc_status (*agree)(const rc_rows *, rc_status mine);
+};
+
 /** What an operator is built for. Valid as long as the operator. */
 typedef struct rc_operator_spec rc_operator_spec;
 struct rc_operator_spec {
@@ -73,6 +88,9 @@ struct rc_operator_spec {
   /** For what takes long, now and then, on the calling thread. Nonzero: the caller has cancelled or the time is up; return
    *  it at once. NULL: nobody can stop the operator. Since plugin ABI minor 4. */
   rc_status (*poll)(const rc_operator_spec *);
+  /** NULL: this process has the whole grid. Else vectors are of this process's rows, every point of them, and all processes call
+   *  create, bind and products together. Only backends with RC_CAP_ROWS get it. Since plugin ABI minor 9. */
+  const rc_rows *rows;
 };
 
 /** The points that may carry pressure (the trial set T). Valid until the next bind or destroy. */
@@ -97,6 +115,7 @@ typedef struct rc_domain {
 #define RC_CAP_APPROXIMATE (UINT64_C(1) << 10)     /* products may be off by about 1e-11 of the largest entry */
 #define RC_CAP_FAR_FIELD (UINT64_C(1) << 11)   /* only for kernels with RC_KERNEL_FAR_FIELD                    */
 #define RC_CAP_SINGLE_GAP (UINT64_C(1) << 12)  /* screen() reads rc_screen.undeformed_gap_single, too          */
+#define RC_CAP_ROWS (UINT64_C(1) << 13)        /* reads rc_operator_spec.rows                                  */
 
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {

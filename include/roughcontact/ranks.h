@@ -1,0 +1,83 @@
+/* roughcontact: one contact shared by many processes, each with some rows of the grid. This header knows no means of exchange: the
+ * caller brings three functions. <roughcontact/mpi.h> brings those of MPI, and is what most programs include.
+ *
+ * Pressures and every number of a result are the same, bit for bit, for every number of processes and threads. */
+#ifndef ROUGHCONTACT_RANKS_H
+#define ROUGHCONTACT_RANKS_H
+
+#include "history.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @defgroup ranks Ranks: processes that share a grid  @{ */
+/** How the ranks exchange what they have. All ranks call the same function at the same time, on the thread that called
+ *  rc_ranks_*; a function returns when this rank's part is done. NULL: done; else a text that says what failed, which lives until
+ *  the next call. No exception may leave them. Counts are in bytes and may be 0. */
+typedef struct rc_exchange {
+  size_t struct_size;
+  int64_t rank, ranks; /* 0 <= rank < ranks                                                                          */
+  void *user;          /* handed to the functions                                                                    */
+  /** What all ranks have, in the order of ranks: bytes[r] of rank r [ranks]. `mine` may be its place in `all`. */
+  const char *(*gather)(void *user, const void *mine, const int64_t *bytes, void *all);
+  /** sent[r] bytes to each rank, one after the other in `from`; received[r] bytes from each, likewise into `into`. */
+  const char *(*transpose)(void *user, const void *from, const int64_t *sent, void *into, const int64_t *received);
+  /** `sent` bytes to rank `to` and `received` bytes from rank `source`; -1: none. */
+  const char *(*shift)(void *user, int64_t to, const void *from, int64_t sent, int64_t source, void *into, int64_t received);
+} rc_exchange;
+#define RC_EXCHANGE_INIT \
+  { sizeof(rc_exchange), 0, 1, NULL, NULL, NULL, NULL }
+
+/** A contact of which this process has some rows. One thread at a time. */
+typedef struct rc_ranks_contact rc_ranks_contact;
+
+/** What the exchange has carried since the contact was made, on this rank. */
+typedef struct rc_ranks_counts {
+  size_t struct_size;
+  int64_t products;       /* with H, distributed ones                                                               */
+  int64_t transpositions; /* two in each product                                                                    */
+  int64_t transposed;     /* bytes sent to other ranks in them                                                      */
+  int64_t reductions;     /* sums over all ranks                                                                    */
+  int64_t reduced;        /* bytes that this rank gave to them                                                      */
+  int64_t gathers;        /* other gathers: of coarse levels and coarse grids                                       */
+  int64_t gathered;       /* bytes that this rank gave to them                                                      */
+  int64_t shifts;         /* exchanges with a neighbour                                                             */
+  int64_t shifted;        /* bytes sent in them                                                                     */
+  int64_t iterations;     /* steps of the distributed iteration                                                     */
+} rc_ranks_counts;
+#define RC_RANKS_COUNTS_INIT \
+  { sizeof(rc_ranks_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/** Which rows of the system's grid a rank has: rows first .. first + count - 1 of ny, in the order of ranks. A rank may have none:
+ *  there are no more than 512 pieces of whole rows to hand out, fewer on small grids. Errors: ARGUMENT. */
+RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *system, int64_t *first, int64_t *count);
+
+/** Every rank calls these functions, with its own rows in the arrays (iy counts from its first row, n = nx * count) and the same
+ *  values in all else. Where a rank has none, arrays are not read. If one rank fails, all return its status, and the message
+ *  begins with its number.
+ *
+ *  system: a half-space. Systems whose smaller side is below 32 points are solved by every rank alike. Ranks that disagree on
+ *  system, options or version are refused: ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be
+ *  auto or haar-cg, `backend` auto or one that works on rows (fft), `accuracy` and `stiffness` 0, `certify_backend` and `warmup`
+ *  not set: else UNSUPPORTED. All of exchange but what user points to is copied. Errors: as rc_contact_create, EXTERNAL. */
+RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_system *system, const rc_options *options,
+                                         rc_ranks_contact **out);
+/** May be called by one rank alone. */
+RC_API void rc_ranks_contact_destroy(rc_ranks_contact *contact);
+/** As rc_contact_solve, with local rows in step and result. What the result says besides p and gap is of the whole grid, and the
+ *  same on every rank but for seconds. Errors: as rc_contact_solve, EXTERNAL. */
+RC_API rc_status rc_ranks_contact_solve(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
+/** As rc_contact_solve_path, with local rows. */
+RC_API rc_status rc_ranks_contact_solve_path(rc_ranks_contact *contact, rc_path *path);
+/** As rc_contact_certify, with local rows. */
+RC_API rc_status rc_ranks_contact_certify(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
+/** Errors: ARGUMENT. */
+RC_API rc_status rc_ranks_contact_counts(rc_ranks_contact *contact, rc_ranks_counts *out);
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
