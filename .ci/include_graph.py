@@ -7,8 +7,8 @@ import pathlib
 import re
 import sys
 
-CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'registry')}
-PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
+CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'ranks', 'registry')}
+PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
     'core': {'core', 'platform'},
@@ -22,7 +22,8 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'solvers/haar_cg': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'grid', 'core'},
     'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'core'},
     'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
-    'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'ranks': {'ranks', 'contact', 'registry', 'core'},
+    'abi': {'abi', 'analysis', 'contact', 'ranks', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
     'solvers/haar_cg/machine.h': (),
@@ -45,6 +46,7 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
     'bindings': CONTACT | {'roughcontact/formats.h'},
     'tools': CONTACT | {'roughcontact/surface.h'},
+    'mpi': {'roughcontact/mpi.h', 'roughcontact/ranks.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},

@@ -24,6 +24,11 @@ foreach(option RC_BUILD_SURFACE RC_BUILD_FORMATS RC_BUILD_TOOLS RC_BUILD_TESTS R
   endif()
 endforeach()
 
+if(DEFINED RC_BUILD_MPI AND NOT "${RC_BUILD_MPI}" MATCHES "^([Aa][Uu][Tt][Oo]|[Oo][Nn]|[Oo][Ff][Ff])$")
+  message(FATAL_ERROR "RC_BUILD_MPI = \"${RC_BUILD_MPI}\" is none of ON, OFF, AUTO")
+endif()
+string(TOUPPER "${RC_BUILD_MPI}" RC_BUILD_MPI)
+
 string(REPLACE "," ";" sanitizers "${RC_SANITIZE}")
 foreach(name IN LISTS sanitizers)
   if(NOT name MATCHES "^(address|leak|thread|memory|undefined)$")

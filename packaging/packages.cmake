@@ -84,6 +84,10 @@ rc_package(libroughcontact-formats0 COMPONENTS formats SECTION libs LIBRARY roug
   SUMMARY "reads surfaces from files of instruments - shared library"
   DESCRIPTION ${rc_about} "." "This package has the library that reads surface files: X3P, Digital Surf, SDF, PLu,"
     "Gwyddion's and NumPy's files, NetCDF and text.")
+rc_package(libroughcontact-mpi0 COMPONENTS mpi SECTION libs LIBRARY roughcontact-mpi
+  DEPENDS libroughcontact0
+  SUMMARY "certified normal contact of rough surfaces - over MPI"
+  DESCRIPTION ${rc_about} "." "This package has the library for contacts that the ranks of MPI share by rows.")
 rc_package(libroughcontact-dev COMPONENTS development fortran octave SECTION libdevel NOTICES eigen gsl
   DEPENDS libroughcontact0 libroughcontact-surface0 libroughcontact-formats0
   RECOMMENDS libgsl-dev libzip-dev libpugixml-dev zlib1g-dev SUGGESTS pkg-config gfortran octave-dev

@@ -1,6 +1,7 @@
 #include "turned.h"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace rc_fft {
@@ -19,6 +20,11 @@ rc_system turned(rc_system system) {
 rc_operator_spec with(rc_operator_spec spec, const rc_system& system) {
   spec.system = &system;
   return spec;
+}
+
+// Null where an older core knows none.
+const rc_rows* rows_of(const rc_operator_spec& spec) {
+  return spec.struct_size >= offsetof(rc_operator_spec, rows) + sizeof spec.rows ? spec.rows : nullptr;
 }
 
 bool is_narrow(const rc_system& system) {
@@ -40,11 +46,14 @@ void Turned::score(const rc_facts& facts, rc_estimate& estimate) {
 Turned::Turned(const rc_host* host, const rc_operator_spec& spec)
     : nx_(spec.system->nx),
       ny_(spec.system->ny),
-      turned_(is_narrow(*spec.system)),
+      turned_(is_narrow(*spec.system) && !rows_of(spec)),
       system_(turned_ ? turned(*spec.system) : *spec.system),
-      op_(host, with(spec, system_)) {}
+      op_(host, with(spec, system_)) {
+  if (rows_of(spec)) slabs_ = std::make_unique<Slabs>(host, spec);
+}
 
 void Turned::bind(const rc_domain& domain) {
+  if (slabs_) return;
   order_.clear();
   if (!turned_ || nx_ == 1) return op_.bind(domain);
   const auto n = static_cast<std::size_t>(domain.n);
@@ -72,14 +81,17 @@ template <class Real, class Product> void Turned::reordered(const Real* x, Real*
 }
 
 void Turned::apply(const double* x, double* y) {
+  if (slabs_) return slabs_->apply(x, y);
   reordered(x, y, [&](const double* from, double* to) { op_.apply(from, to); });
 }
 
 void Turned::apply_float(const float* x, float* y) {
+  if (slabs_) return slabs_->apply(x, y);
   reordered(x, y, [&](const float* from, float* to) { op_.apply_float(from, to); });
 }
 
 void Turned::field(const double* x, double* y) {
+  if (slabs_) return slabs_->apply(x, y);
   if (order_.empty()) return op_.field(x, y);
   std::vector<double> from(order_.size()), to(static_cast<std::size_t>(nx_ * ny_));
   for (std::size_t i = 0; i < order_.size(); ++i) from[i] = x[order_[i]];

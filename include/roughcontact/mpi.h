@@ -28,9 +28,9 @@ extern "C" {
 /** A contact of which this rank has some rows. Used by the thread that MPI allows to call it. */
 typedef struct rc_mpi_contact rc_mpi_contact;
 
-/** Which rows this rank has: first .. first + count - 1, in the order of ranks. No communication. A rank may have none: there are
- *  no more than 512 pieces of whole rows to hand out, fewer on small grids. Errors: ARGUMENT (also null communicators and
- *  intercommunicators). */
+/** Which rows this rank has: first .. first + count - 1, in the order of ranks. No communication. Rows are handed
+ *  out in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT (also null
+ *  communicators and intercommunicators). */
 RC_API rc_status rc_mpi_rows(MPI_Comm comm, const rc_system *system, int64_t *first, int64_t *count);
 
 /** Every rank of the communicator calls the functions below, with its own rows in the arrays (n = nx * count values) and the same

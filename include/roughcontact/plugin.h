@@ -75,6 +75,8 @@ struct rc_rows {
   /** Before a transpose() for which a process may be missing: whether any of them has failed. `mine`: this one's status, with its
    *  message set. The same status on all of them, to be returned. */
   rc_status (*agree)(const rc_rows *, rc_status mine);
+  /** What all processes have, in their order: bytes[r] of process r [ranks]. Failures as in transpose(). */
+  void (*gather)(const rc_rows *, const void *mine, const int64_t *bytes, void *all);
 };
 
 /** What an operator is built for. Valid as long as the operator. */
@@ -282,6 +284,10 @@ struct rc_problem {
   const rc_team *team;     /* the contact's threads                                                            */
   double length, pressure; /* units: u and d in lengths [length], p in pressures [force/length^2]; 0 without a grid */
   double cap;              /* the largest pressure: 0 <= p <= cap; p = cap: w <= 0. INFINITY: none                      */
+  /* NULL: all is here. Else the unknowns are every point of this process's rows, masked ones included, whose gap is then far above
+     the others; the grid's nx and ny are of all rows, its arrays of these, and so are those of coarse(). Only solvers with
+     RC_TAKES_ROWS get it. Since ABI minor 9 */
+  const rc_rows *rows;
 };
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
@@ -290,6 +296,7 @@ struct rc_problem {
 #define RC_READS_GAP (UINT64_C(1) << 34)  /* rc_problem.u may be NULL where there is a grid: the solver works with
                                              u = (grid->approach - grid->undeformed_gap) / length              */
 #define RC_TAKES_CAP (UINT64_C(1) << 35) /* keeps p <= cap; without it the core refuses a step with a hardness */
+#define RC_TAKES_ROWS (UINT64_C(1) << 37) /* reads rc_problem.rows                                                */
 #define RC_READS_SINGLE_GAP (UINT64_C(1) << 36) /* reads rc_grid.undeformed_gap_single, too; others get a copy in doubles */
 
 /** A solver. It never knows which backend multiplies. */

@@ -25,9 +25,10 @@ typedef struct rc_exchange {
   const char *(*transpose)(void *user, const void *from, const int64_t *sent, void *into, const int64_t *received);
   /** `sent` bytes to rank `to` and `received` bytes from rank `source`; -1: none. */
   const char *(*shift)(void *user, int64_t to, const void *from, int64_t sent, int64_t source, void *into, int64_t received);
+  const char *refused; /* not NULL: why there is no exchange; rc_ranks_contact_create then fails with this message   */
 } rc_exchange;
 #define RC_EXCHANGE_INIT \
-  { sizeof(rc_exchange), 0, 1, NULL, NULL, NULL, NULL }
+  { sizeof(rc_exchange), 0, 1, NULL, NULL, NULL, NULL, NULL }
 
 /** A contact of which this process has some rows. One thread at a time. */
 typedef struct rc_ranks_contact rc_ranks_contact;
@@ -49,8 +50,8 @@ typedef struct rc_ranks_counts {
 #define RC_RANKS_COUNTS_INIT \
   { sizeof(rc_ranks_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/** Which rows of the system's grid a rank has: rows first .. first + count - 1 of ny, in the order of ranks. A rank may have none:
- *  there are no more than 512 pieces of whole rows to hand out, fewer on small grids. Errors: ARGUMENT. */
+/** Which rows of the system's grid a rank has: rows first .. first + count - 1 of ny, in the order of ranks. Rows are
+ *  handed out in pieces of 2^k, k = min(5, log2(ny) / 2) rounded down, so a rank may have none. Errors: ARGUMENT. */
 RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *system, int64_t *first, int64_t *count);
 
 /** Every rank calls these functions, with its own rows in the arrays (iy counts from its first row, n = nx * count) and the same
@@ -60,7 +61,7 @@ RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *sys
  *  system: a half-space. Systems whose smaller side is below 32 points are solved by every rank alike. Ranks that disagree on
  *  system, options or version are refused: ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be
  *  auto or haar-cg, `backend` auto or one that works on rows (fft), `accuracy` and `stiffness` 0, `certify_backend` and `warmup`
- *  not set: else UNSUPPORTED. All of exchange but what user points to is copied. Errors: as rc_contact_create, EXTERNAL. */
+ *  not set: else INCOMPATIBLE. All of exchange but what user points to is copied. Errors: as rc_contact_create, EXTERNAL. */
 RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_system *system, const rc_options *options,
                                          rc_ranks_contact **out);
 /** May be called by one rank alone. */

@@ -5,6 +5,7 @@
 #include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
+#include <roughcontact/ranks.h>
 #include <roughcontact/registry.h>
 
 #include <algorithm>
@@ -31,6 +32,8 @@ RC_FIRST_SIZE(rc_patches, count, 96);
 RC_FIRST_SIZE(rc_histogram, max_pressure, 80);
 RC_FIRST_SIZE(rc_context_config, log_user, 40);
 RC_FIRST_SIZE(rc_component, origin, 40);
+RC_FIRST_SIZE(rc_exchange, refused, 64);
+RC_FIRST_SIZE(rc_ranks_counts, iterations, 88);
 
 template <class Struct> void check_size(const Struct* from, const char* name) {
   if (!from) fail(RC_ERR_ARGUMENT, name, " is null");

@@ -30,7 +30,8 @@ Indentation indentation_of(const rc_state& state, const System& system) {
 
 }  // namespace
 
-Contact::Contact(const rc_system& system, const rc_options& options) : grid_(system, options, nullptr) {
+Contact::Contact(const rc_system& system, const rc_options& options, const Ranks* ranks)
+    : grid_(system, options, nullptr, ranks) {
   grid_.leave_indentations();
   grid_.work().goal = goal_of(options);
 }

@@ -18,7 +18,8 @@ namespace rc {
 
 class Contact {
  public:
-  Contact(const rc_system& system, const rc_options& options);
+  // ranks: null, or those that share the grid by rows; see Workspace.
+  Contact(const rc_system& system, const rc_options& options, const Ranks* ranks = nullptr);
 
   const Workspace& work() const { return grid_.work(); }
   const Memory& memory() const { return grid_.memory(); }

@@ -31,7 +31,7 @@ struct IndentedSurface {
 StepSurface surface_with(const Indentation& indentation, std::span<const std::uint8_t> mask, const Workspace& work) {
   const rc_system& system = work.system.given;
   const std::vector<double> gap = indentation.indented();
-  return StepSurface({system.nx, system.ny, gap, mask, false}, work.team());
+  return StepSurface({system.nx, work.own_rows(), gap, mask, false}, work.team(), work.ranks());
 }
 
 // The gap that a step gives; empty where it gives none.
@@ -43,21 +43,23 @@ GapValues given_gap(const rc_step& step, std::size_t n) {
 
 // The surface that this step describes; nothing where it keeps that of the step before.
 std::optional<IndentedSurface> given_surface(const rc_step& step, const Workspace& work, const Indentation& indentation) {
-  const auto n = static_cast<std::size_t>(work.system.points());
+  const auto n = static_cast<std::size_t>(work.own_points());
   if (step.undeformed_gap && step.undeformed_gap_single)
     fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap and rc_step.undeformed_gap_single are both given; set one of them to null");
   const GapValues gap = given_gap(step, n);
-  if (gap.empty() && work.surface.empty()) fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
-  if (gap.empty() && !step.mask) return std::nullopt;
+  const bool given_anew = step.undeformed_gap || step.undeformed_gap_single;
+  if (!given_anew && work.surface.empty()) fail(RC_ERR_ARGUMENT, "rc_step.undeformed_gap is null and no earlier step gave one");
+  if (!given_anew && !step.mask) return std::nullopt;
   const std::span<const std::uint8_t> mask(step.mask, step.mask ? n : 0);
   if (!indentation.none()) {
-    IndentedSurface given{{}, gap.empty() ? indentation : indentation.of(gap)};
+    IndentedSurface given{{}, given_anew ? indentation.of(gap) : indentation};
     given.surface = surface_with(given.indentation, mask, work);
     return given;
   }
   const rc_system& system = work.system.given;
-  const GivenSurface given{system.nx, system.ny, gap.empty() ? work.surface.gap() : gap, mask, !gap.empty() && step.borrow != 0};
-  return IndentedSurface{StepSurface(given, work.team()), {}};
+  const GivenSurface given{system.nx, work.own_rows(), given_anew ? gap : work.surface.gap(), mask,
+                           given_anew && step.borrow != 0};
+  return IndentedSurface{StepSurface(given, work.team(), work.ranks()), {}};
 }
 
 }  // namespace
@@ -72,11 +74,21 @@ Monitor GridContact::monitor() const {
 
 // Puts what the last step has left into the surface, which counts as the same.
 void GridContact::indent() {
-  if (overlap_.empty()) return;
-  Indentation next = indentation_.with(overlap_, work_.surface.gap());
+  if (work_.ranks() ? !work_.ranks()->any(!overlap_.empty()) : overlap_.empty()) return;
+  Indentation next;
+  on_all(work_.ranks(), [&] { next = indentation_.with(overlap_, work_.surface.gap()); });
   work_.surface = surface_with(next, work_.surface.masks(), work_);
+  fill_masked();
   indentation_ = std::move(next);
   overlap_ = {};
+}
+
+// With ranks every point is an unknown.
+void GridContact::fill_masked() {
+  if (!work_.ranks()) return;
+  const rc_system& s = work_.system.given;
+  const double side = std::max(s.hx * static_cast<double>(s.nx), s.hy * static_cast<double>(s.ny));
+  on_all(work_.ranks(), [&] { work_.surface.fill_masked(side); });
 }
 
 void GridContact::write_indentation(std::span<double> to) const {
@@ -85,6 +97,7 @@ void GridContact::write_indentation(std::span<double> to) const {
 }
 
 void GridContact::begin(const rc_step& step) {
+  if (work_.ranks()) work_.ranks()->forget_stop();
   indent();
   std::optional<IndentedSurface> given = given_surface(step, work_, indentation_);
   check_target(step, work_, given ? given->surface : work_.surface);
@@ -121,13 +134,15 @@ rc_status GridContact::solve(const rc_step& step, rc_result& result) {
 rc_status GridContact::certify(const rc_step& step, rc_result& result) {
   if (!result.p && !result.p_single) fail(RC_ERR_ARGUMENT, "rc_result.p is null: the pressures to certify are expected there");
   const StepSurface& last = work_.surface;
-  for (std::int64_t k = 0; k < work_.system.points(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const double p = given_pressure(result, i);
-    if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
-    if (p != 0 && (step.mask ? step.mask[i] == 0 : given_gap(step, 1).empty() && !last.empty() && !last.included(i)))
-      fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
-  }
+  on_all(work_.ranks(), [&] {
+    for (std::int64_t k = 0; k < work_.own_points(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double p = given_pressure(result, i);
+      if (!std::isfinite(p)) fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " is not finite");
+      if (p != 0 && (step.mask ? step.mask[i] == 0 : given_gap(step, 1).empty() && !last.empty() && !last.included(i)))
+        fail(RC_ERR_ARGUMENT, "rc_result.p[", i, "] = ", p, " but this point is excluded by the mask");
+    }
+  });
   begin(step);
   const Rest after(work_);
   return certify_given(work_, step, Monitor(cancelled_, {}, 0, 1), result);
@@ -146,13 +161,15 @@ void GridContact::remember(Finished&& finished, const rc_result& result) {
 }
 
 void GridContact::adopt(StepSurface&& given) {
-  const bool same = !work_.surface.empty() && given.equals(work_.surface, work_.team());
+  bool same = !work_.surface.empty() && given.equals(work_.surface, work_.team());
+  if (work_.ranks()) same = !work_.ranks()->any(!same);
   memory_.surface_is(same);
   if (!same) {
     work_.facts.tilt.reset();
     ++surfaces_;
   }
   work_.surface = std::move(given);
+  fill_masked();
 }
 
 void GridContact::reset() {

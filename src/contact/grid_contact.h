@@ -18,8 +18,10 @@ struct Finished;
 
 class GridContact {
  public:
-  // team: null, or a team to use instead of its own.
-  GridContact(const rc_system& system, const rc_options& options, const rc_team* team) : work_(system, options, team) {}
+  // team: null, or a team to use instead of its own. ranks: null, or those that share the grid by rows; see Workspace. All of them
+  // then call the same functions.
+  GridContact(const rc_system& system, const rc_options& options, const rc_team* team, const Ranks* ranks = nullptr)
+      : work_(system, options, team, ranks) {}
 
   Workspace& work() { return work_; }
   const Workspace& work() const { return work_; }
@@ -61,6 +63,7 @@ class GridContact {
 
  private:
   void indent();
+  void fill_masked();
   void forget_surface();
 
   Workspace work_;

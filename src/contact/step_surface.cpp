@@ -19,15 +19,29 @@ constexpr std::size_t serial_points = 64 * 64;  // up to here, threads would cos
 struct Summary {
   double lowest = infinite, highest = -infinite;
   std::int64_t included = 0, bad = 0, first_bad = -1;
+  double bad_value = 0;
 
   void add(double gap, std::int64_t point) {
     ++included;
     if (!std::isfinite(gap)) {
-      if (bad++ == 0) first_bad = point;
+      if (bad++ == 0) {
+        first_bad = point;
+        bad_value = gap;
+      }
       return;
     }
     lowest = std::min(lowest, gap);
     highest = std::max(highest, gap);
+  }
+  void add(const Summary& each) {
+    included += each.included;
+    lowest = std::min(lowest, each.lowest);
+    highest = std::max(highest, each.highest);
+    if (bad == 0) {
+      first_bad = each.first_bad;
+      bad_value = each.bad_value;
+    }
+    bad += each.bad;
   }
 };
 
@@ -49,20 +63,26 @@ template <class Real> bool add_finite(Summary& summary, const Real* gap, std::in
 
 }  // namespace
 
-StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : team_(&team), nx_(given.nx), ny_(given.ny) {
+StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const Ranks* ranks)
+    : team_(&team),
+      ranks_(ranks),
+      nx_(given.nx),
+      ny_(given.ny),
+      all_points_(nx_ * (ranks ? ranks->all_rows() : ny_)) {
   const std::int64_t columns = tiles_x(), rows = (ny_ + tile - 1) / tile;
-  tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
-  std::vector<Summary> summaries(static_cast<std::size_t>(rows));
-  if (!given.borrowed) {
-    own_mask_.assign(given.mask.begin(), given.mask.end());
-  }
+  std::vector<Summary> summaries;
   const auto own = [&]<class Real>(std::unique_ptr<Real[]>& values) {
     values = std::make_unique_for_overwrite<Real[]>(given.gap.size());
     prefer_large(values.get(), given.gap.size() * sizeof(Real));
     return GapValues(std::span<const Real>(values.get(), given.gap.size()));
   };
-  gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
-  mask_ = given.borrowed ? given.mask : own_mask_;
+  on_all(ranks, [&] {
+    tile_lowest_.assign(static_cast<std::size_t>(columns * rows), infinite);
+    summaries.resize(static_cast<std::size_t>(rows));
+    if (!given.borrowed) own_mask_.assign(given.mask.begin(), given.mask.end());
+    gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
+    mask_ = given.borrowed ? given.mask : own_mask_;
+  });
   roughcontact::for_each(team, rows, gap_.size() > serial_points, [&](std::int64_t row, std::int64_t) {
     Summary& summary = summaries[static_cast<std::size_t>(row)];
     for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y) {
@@ -82,19 +102,34 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team) : team_
     }
   });
   Summary whole;
-  for (const Summary& each : summaries) {
-    whole.included += each.included;
-    whole.lowest = std::min(whole.lowest, each.lowest);
-    whole.highest = std::max(whole.highest, each.highest);
-    if (whole.bad == 0) whole.first_bad = each.first_bad;
-    whole.bad += each.bad;
+  for (const Summary& each : summaries) whole.add(each);
+  if (ranks) {
+    if (whole.bad > 0) whole.first_bad += first_row() * nx_;
+    const std::vector<Summary> all = ranks->of_each(whole);
+    whole = {};
+    for (const Summary& each : all) whole.add(each);
   }
   if (whole.bad > 0)
     fail(RC_ERR_ARGUMENT, "gap has ", whole.bad, " value(s) that are not finite, first at index ", whole.first_bad, " (",
-         given.gap[static_cast<std::size_t>(whole.first_bad)], "); exclude them with rc_step.mask");
+         whole.bad_value, "); exclude them with rc_step.mask");
   included_points_ = whole.included;
   lowest_ = whole.lowest;
   highest_ = whole.highest;
+}
+
+void StepSurface::fill_masked(double side) {
+  if (mask_.empty()) return;
+  const double far = highest_ + 1e6 * std::max(range(), side);
+  const auto fill = [&]<class Real>(std::vector<Real>& to, const Real* from) {
+    to.assign(from, from + gap_.size());
+    for (std::size_t i = 0; i < to.size(); ++i)
+      if (!included(i)) to[i] = static_cast<Real>(far);
+    filled_ = std::span<const Real>(to);
+  };
+  if (gap_.in_single())
+    fill(filled_single_, gap_.in_single());
+  else
+    fill(filled_double_, gap_.in_double());
 }
 
 bool StepSurface::equals(const StepSurface& other, const rc_team& team) const {
@@ -179,7 +214,12 @@ std::vector<Extent> StepSurface::extents_below(double limit) const {
 Extent StepSurface::extent_below(double limit) const {
   Extent extent;
   for (const Extent& row : extents_below(limit)) extent = extent + row;
-  return extent;
+  if (!ranks_) return extent;
+  if (extent.n > 0) {
+    extent.low += first_row();
+    extent.high += first_row();
+  }
+  return united(extent);
 }
 
 TrialSet StepSurface::below(double limit) const {
@@ -221,10 +261,14 @@ const double* StepSurface::gap_in_double() const {
 
 double StepSurface::mean_height() const {
   if (!mean_height_) {
-    double sum = 0;
-    for (std::size_t i = 0; i < gap_.size(); ++i)
-      if (included(i)) sum += height(i);
-    mean_height_ = sum / static_cast<double>(included_points_);
+    struct Sum {
+      double of = 0;
+      Sum operator+(const Sum& other) const { return {of + other.of}; }
+    };
+    const Sum sum = sum_over_all<Sum>([&](Sum& part, std::size_t i) {
+      if (included(i)) part.of += height(i);
+    });
+    mean_height_ = sum.of / static_cast<double>(included_points_);
   }
   return *mean_height_;
 }
@@ -238,6 +282,7 @@ namespace {
 
 constexpr std::size_t bins = 1024;
 constexpr std::size_t histograms = 16;  // each of a part of the surface, whatever the number of threads
+constexpr double fine = 1 << 16;        // steps of a range: sums of whole steps do not depend on who adds them
 
 // Counts and sums of heights by bins of equal width over [0, range).
 struct Histogram {
@@ -265,6 +310,19 @@ struct Histogram {
       sum[bin] += other.sum[bin];
     }
   }
+  // With those of all ranks.
+  void unite(const Ranks& ranks) {
+    for (std::vector<double>* const values : {&count, &sum}) {
+      const std::vector<double> all = ranks.of_any(*values);
+      std::fill(values->begin(), values->end(), 0.0);
+      for (std::size_t i = 0; i < all.size(); ++i) (*values)[i % bins] += all[i];
+    }
+  }
+  // To another range, in proportion.
+  void scale(double to) {
+    for (double& value : sum) value *= to / range;
+    range = to;
+  }
   double range;
   std::vector<double> count, sum;
 };
@@ -278,15 +336,20 @@ double StepSurface::bearing_height(double target) const {
   if (all >= range) return all;
   // Narrows the range until the bins resolve the answer.
   for (int round = 0;; ++round) {
-    std::vector<Histogram> parts(gap_.size() > serial_points ? histograms : 1, Histogram(range));
+    std::vector<Histogram> parts(gap_.size() > serial_points ? histograms : 1, Histogram(ranks_ ? fine : range));
     const auto count = static_cast<std::int64_t>(parts.size()), rows = (ny_ + tile - 1) / tile;
     roughcontact::for_each(*team_, count, count > 1, [&](std::int64_t part, std::int64_t) {
       for (std::int64_t row = part * rows / count; row < (part + 1) * rows / count; ++row)
         visit_below(limit_of(range), row, [&](std::int64_t point, std::int64_t, std::int64_t) {
-          parts[static_cast<std::size_t>(part)].add(height(static_cast<std::size_t>(point)));
+          const double exact = height(static_cast<std::size_t>(point));
+          parts[static_cast<std::size_t>(part)].add(ranks_ ? std::floor(exact / range * fine) : exact);
         });
     });
     for (std::size_t part = 1; part < parts.size(); ++part) parts.front().add(parts[part]);
+    if (ranks_) {
+      parts.front().unite(*ranks_);
+      parts.front().scale(range);
+    }
     const double height = parts.front().reach(target);
     if (height > 0.02 * range || round == 6) return height;
     range = 2 * height;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/chunks.h"
 #include "grid/gap_values.h"
 #include "operator/operator.h"
 
@@ -36,6 +37,7 @@ struct Extent {
 };
 
 // A gap over nx * ny points, and which of them count; an empty mask: all.
+// With ranks: over this rank's rows.
 struct GivenSurface {
   std::int64_t nx = 0, ny = 0;
   GapValues gap;
@@ -46,24 +48,60 @@ struct GivenSurface {
 class StepSurface {
  public:
   StepSurface() = default;
-  // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it.
-  StepSurface(const GivenSurface& given, const rc_team& team);
+  // Throws Error(ARGUMENT) on values that are not finite outside the mask. The team must outlive it. ranks: null, or those that
+  // share the surface by rows, which must outlive it, too: points are those of this rank's rows, numbers and extents those of the
+  // whole surface, and all ranks call the same functions.
+  StepSurface(const GivenSurface& given, const rc_team& team, const Ranks* ranks = nullptr);
   StepSurface(StepSurface&&) = default;
   StepSurface& operator=(StepSurface&&) = default;
   void clear() { *this = StepSurface(); }
 
-  bool empty() const { return gap_.empty(); }
+  bool empty() const { return !team_; }
   std::int64_t nx() const { return nx_; }
+  const Ranks* ranks() const { return ranks_; }
+  std::int64_t first_row() const { return ranks_ ? ranks_->first_row() : 0; }
+  std::int64_t points() const { return static_cast<std::int64_t>(gap_.size()); }  // of this process
+  Chunks chunks() const { return Chunks::of(ranks_, nx_); }
+  // The sum of what add(part, entry) adds for entries 0 .. n-1, one after the other. entry(k): its point, ascending with k.
+  template <class Part, class Entry, class Add> Part sum_over(std::size_t n, const Entry& entry, const Add& add) const {
+    if (!ranks_) {
+      Part part;
+      for (std::size_t k = 0; k < n; ++k) add(part, entry(k));
+      return part;
+    }
+    std::vector<Part> parts(static_cast<std::size_t>(chunks().count(points())));
+    for (std::size_t k = 0; k < n; ++k) add(parts[entry(k) / static_cast<std::size_t>(chunks().values)], entry(k));
+    Part total;
+    for (const Part& part : ranks_->of_all(parts)) total = total + part;
+    return total;
+  }
+  // The same for a list of points, and for all.
+  template <class Part, class Add> Part sum_over(std::span<const std::size_t> entries, const Add& add) const {
+    return sum_over<Part>(entries.size(), [&](std::size_t k) { return entries[k]; }, add);
+  }
+  template <class Part, class Add> Part sum_over_all(const Add& add) const {
+    return sum_over<Part>(gap_.size(), [](std::size_t k) { return k; }, add);
+  }
+  // Of all ranks, where the order does not matter.
+  template <class Part> Part united(const Part& mine) const {
+    if (!ranks_) return mine;
+    Part total;
+    for (const Part& part : ranks_->of_each(mine)) total = total + part;
+    return total;
+  }
   const rc_team& team() const { return *team_; }
   bool equals(const StepSurface&, const rc_team& team) const;  // NaN under the mask counts as equal
   const GapValues& gap() const { return gap_; }
   // The same in 8 bytes a point: a copy, made when first asked for, where the gap has 4.
   const double* gap_in_double() const;
+  // With ranks: the gap that a solver reads, which is far above all others where the mask is 0. Call fill_masked() first.
+  const GapValues& gap_for_solver() const { return filled_.empty() ? gap_ : filled_; }
+  void fill_masked(double side);
   std::span<const std::uint8_t> masks() const { return mask_; }
   const std::uint8_t* mask() const { return mask_.empty() ? nullptr : mask_.data(); }
   bool included(std::size_t i) const { return mask_.empty() || mask_[i] != 0; }
   std::int64_t included_points() const { return included_points_; }
-  bool whole() const { return mask_.empty() || included_points_ == static_cast<std::int64_t>(gap_.size()); }
+  bool whole() const { return included_points_ == all_points_; }
   double lowest() const { return lowest_; }  // smallest gap of the included points
   double highest() const { return highest_; }
   double mean() const { return lowest_ + mean_height(); }  // of the included points
@@ -97,7 +135,8 @@ class StepSurface {
   std::vector<Extent> extents_below(double limit) const;
 
   const rc_team* team_ = nullptr;
-  std::int64_t nx_ = 0, ny_ = 0;
+  const Ranks* ranks_ = nullptr;
+  std::int64_t nx_ = 0, ny_ = 0, all_points_ = 0;
   std::unique_ptr<double[]> own_gap_;
   std::unique_ptr<float[]> own_single_gap_;
   std::vector<std::uint8_t> own_mask_;
@@ -108,6 +147,9 @@ class StepSurface {
   double lowest_ = 0, highest_ = 0;
   mutable std::optional<double> mean_height_;  // computed when first asked for
   mutable std::vector<double> gap_in_double_;  // likewise
+  std::vector<double> filled_double_;
+  std::vector<float> filled_single_;
+  GapValues filled_;
 };
 
 // Points of the bounding box of a trial set on a grid nx wide and ny high.

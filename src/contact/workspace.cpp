@@ -35,11 +35,12 @@ rc_options loosened(const rc_options& given) {
 
 }  // namespace
 
-Workspace::Workspace(const rc_system& given, const rc_options& given_options, const rc_team* team)
+Workspace::Workspace(const rc_system& given, const rc_options& given_options, const rc_team* team, const Ranks* ranks)
     : system(checked_system(given, given_options, true)),
       host(*given_options.context, system.influence.get(), key_of(system, *this)),
       options(given_options),
-      team_(team) {
+      team_(team),
+      ranks_(ranks) {
   set_options(given_options);
   if (!team_) {
     own_team_ = std::make_unique<ThreadTeam>(options.integer(RC_OPT_THREADS));
@@ -72,7 +73,7 @@ Operator& Workspace::bound_operator(const rc_backend& backend, const TrialSet& t
   const auto begun = Clock::now();
   auto it = operators_.find(backend.name);
   if (it == operators_.end()) {
-    auto made = std::make_unique<Operator>(backend, host, system.unit, system.kernel, options, *team_, system.operator_scale);
+    auto made = std::make_unique<Operator>(backend, host, system.unit, system.kernel, options, *team_, system.operator_scale, ranks_);
     it = operators_.emplace(backend.name, std::move(made)).first;
   }
   it->second->bind(trial);

@@ -59,14 +59,18 @@ struct ProofFacts {
 // It cannot be moved: operators keep the addresses of its options and team.
 class Workspace {
  public:
-  // team: null, or a team to use instead of its own.
-  Workspace(const rc_system& system, const rc_options& options, const rc_team* team);
+  // team: null, or a team to use instead of its own. ranks: null, or those that share the grid by rows, which must outlive it: all
+  // arrays over points are then of this rank's rows.
+  Workspace(const rc_system& system, const rc_options& options, const rc_team* team, const Ranks* ranks = nullptr);
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
   // Checks the names of components before a step needs them. Throws Error(OPTION, NO_SOLVER, NO_BACKEND, INCOMPATIBLE).
   void set_options(const rc_options& given);
   const rc_team& team() const { return *team_; }
+  const Ranks* ranks() const { return ranks_; }
+  std::int64_t own_rows() const { return ranks_ ? ranks_->rows() : system.given.ny; }
+  std::int64_t own_points() const { return system.given.nx * own_rows(); }  // of this process
   rc_grid grid() const;  // of a half-space; without its gap
 
   // This backend's operator, bound to that trial set. It is made at the first call.
@@ -98,6 +102,7 @@ class Workspace {
 
   std::unique_ptr<ThreadTeam> own_team_;
   const rc_team* team_;
+  const Ranks* ranks_;
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   Table table_;
 };

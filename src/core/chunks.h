@@ -10,27 +10,43 @@
 #include <roughcontact/plugin.hpp>
 #include <vector>
 
+#include "core/ranks.h"
+
 namespace rc {
 
 inline constexpr std::int64_t chunk_values = 8192;
 inline constexpr std::int64_t least_shared_values = 4 * chunk_values;  // fewer are left to one thread
 
-// act(begin, count) for all chunks.
-template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act) {
-  roughcontact::for_each(team, (n + chunk_values - 1) / chunk_values, n >= least_shared_values,
-                         [&](std::int64_t item, std::int64_t) {
-                           const std::int64_t begin = item * chunk_values;
-                           act(begin, std::min(chunk_values, n - begin));
-                         });
+// How values are cut into chunks, and whose they are.
+struct Chunks {
+  std::int64_t values = chunk_values;
+  const Ranks* ranks = nullptr;  // not null: the values are of this rank's rows, and a chunk is a piece of rows
+
+  // Of a grid with nx points in a row.
+  static Chunks of(const Ranks* ranks, std::int64_t nx) { return ranks ? Chunks{ranks->piece_rows() * nx, ranks} : Chunks{}; }
+  std::int64_t count(std::int64_t n) const { return (n + values - 1) / values; }
+};
+
+// act(begin, count) for all chunks of this process.
+template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const Act& act, const Chunks& chunks = {}) {
+  roughcontact::for_each(team, chunks.count(n), n >= least_shared_values, [&](std::int64_t item, std::int64_t) {
+    const std::int64_t begin = item * chunks.values;
+    act(begin, std::min(chunks.values, n - begin));
+  });
 }
 
-// Combines body(begin, count) of all chunks, in their order.
+// Combines body(begin, count) of all chunks, of all ranks where there are several, in their order.
 template <class Part, class Body, class Combine = std::plus<>>
-Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {}) {
-  std::vector<Part> parts(static_cast<std::size_t>((n + chunk_values - 1) / chunk_values));
-  each_chunk(n, team, [&](std::int64_t begin, std::int64_t count) {
-    parts[static_cast<std::size_t>(begin / chunk_values)] = body(begin, count);
-  });
+Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {},
+            const Chunks& chunks = {}) {
+  std::vector<Part> parts(static_cast<std::size_t>(chunks.count(n)));
+  each_chunk(
+      n, team,
+      [&](std::int64_t begin, std::int64_t count) {
+        parts[static_cast<std::size_t>(begin / chunks.values)] = body(begin, count);
+      },
+      chunks);
+  if (chunks.ranks) parts = chunks.ranks->of_all(parts);
   for (const Part& part : parts) total = combine(total, part);
   return total;
 }

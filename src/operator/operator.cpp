@@ -5,13 +5,14 @@
 namespace rc {
 
 Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
-                   const rc_options& options, const rc_team& team, double scale)
+                   const rc_options& options, const rc_team& team, double scale, const Ranks* ranks)
     : backend_(backend), system_(system), kernel_(kernel), scale_(scale) {
   const auto poll = [](const rc_operator_spec* spec) -> rc_status {
     const Operator& op = *static_cast<const Spec*>(spec)->op;
     return op.ask_ ? op.ask_() : RC_OK;
   };
-  spec_ = {{sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team, poll}, this};
+  if (ranks) shared_ = SharedRows(*ranks);
+  spec_ = {{sizeof(rc_operator_spec), &system_, kernel_.c_str(), &options, &team, poll, ranks ? &shared_ : nullptr}, this};
   clear_message();
   raise_if_failed(backend_.create(&host, &spec_, &self_), "creating the operator");
 }
@@ -22,7 +23,7 @@ Operator::~Operator() {
 
 void Operator::bind(const TrialSet& trial) {
   if (bound_ && trial == trial_) return;
-  if (trial.n < 1) fail(RC_ERR_INTERNAL, "the trial set is empty");  // backends would take it for the whole grid
+  if (trial.n < 1 && !shared_.of) fail(RC_ERR_INTERNAL, "the trial set is empty");  // backends would take it for the whole grid
   bound_ = false;
   TrialSet copy = trial;
   const rc_domain domain{sizeof(rc_domain), copy.n, copy.index.empty() ? nullptr : copy.index.data(), copy.zero_mode};
@@ -41,6 +42,7 @@ template <class Real> rc_status Operator::product(rc_status (*multiply)(void*, c
   if (ask_)
     if (const rc_status stop = ask_(); stop != RC_OK) return stop;
   ++applications_;
+  if (shared_.of) ++shared_.of->counts().products;
   const rc_status status = multiply(self_, x, y);
   if (scale_ != 1)
     for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= static_cast<Real>(scale_);
@@ -53,6 +55,7 @@ rc_status Operator::apply_float(const float* x, float* y) { return product(backe
 
 void Operator::field(std::span<const double> x, std::span<double> y) {
   ++applications_;
+  if (shared_.of) ++shared_.of->counts().products;
   clear_message();
   raise_if_failed(backend_.field(self_, x.data(), y.data()), "the product over all points");
   if (scale_ != 1)

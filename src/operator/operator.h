@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/ranks.h"
 #include "registry/context.h"
 
 namespace rc {
@@ -25,9 +26,10 @@ struct TrialSet {
 
 class Operator {
  public:
-  // `options`, `team` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
+  // `options`, `team`, `ranks` and the context's host must outlive it. The product is divided by `scale` [length per pressure].
+  // ranks: null, or those that share the grid by rows: vectors are then of every point of this rank's rows.
   Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
-           const rc_options& options, const rc_team& team, double scale);
+           const rc_options& options, const rc_team& team, double scale, const Ranks* ranks = nullptr);
   ~Operator();
   Operator(const Operator&) = delete;
   Operator& operator=(const Operator&) = delete;
@@ -88,6 +90,7 @@ class Operator {
     const Operator* op;
   };
   Spec spec_{};
+  SharedRows shared_;
   double scale_;
   std::function<rc_status()> ask_;
   void* self_ = nullptr;

@@ -17,7 +17,11 @@ rc_status solve(const rc_host* host, const rc_problem* problem, const rc_options
   std::conditional_t<in_place, std::span<double>, Vector> pressure;
   const rc_status status = roughcontact::guard(host, {"solvers", "use a coarser grid"}, [&] {
     pressure = {p, p + problem->n};
-    check(function(Problem(*host, *problem, *options), pressure, *d));
+    try {
+      check(function(Problem(*host, *problem, *options), pressure, *d));
+    } catch (const Error& error) {  // that ranks have agreed upon
+      throw roughcontact::Failure{error.code(), error.what()};
+    }
   });
   if (status > 0 || (status == 0 && !in_place))
     for (std::int64_t i = 0; i < problem->n; ++i)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/options.h"
+#include "core/ranks.h"
 #include "grid/gap_values.h"
 
 namespace rc {
@@ -25,6 +26,7 @@ class Problem {
       : host_(host), problem_(problem), options_(options) {}
 
   std::int64_t size() const { return problem_.n; }
+  const Ranks* ranks() const { return SharedRows::ranks_of(problem_.rows); }  // null: all is here
   bool load_control() const { return problem_.control == RC_CONTROL_LOAD; }
   const double* u() const { return problem_.u; }  // null: (approach - gap) / length_unit()
   double load() const { return problem_.load; }
@@ -33,7 +35,8 @@ class Problem {
   // The least scale of residuals: in full periodic contact the compenetration, the usual scale, may vanish under any load.
   double least_scale() const {
     const bool periodic = problem_.grid && problem_.grid->boundary == RC_BOUNDARY_PERIODIC;
-    return periodic && load_control() ? 0.25 * problem_.load / static_cast<double>(problem_.n) : 0.0;
+    const std::int64_t n = ranks() ? grid()->nx * grid()->ny : size();
+    return periodic && load_control() ? 0.25 * problem_.load / static_cast<double>(n) : 0.0;
   }
 
   // y = H x
@@ -58,7 +61,7 @@ class Problem {
   bool positive() const { return problem_.positive != 0; }   // no entry of H is negative
   const rc_grid* grid() const { return problem_.grid; }
   GapValues gap() const {
-    const auto points = static_cast<std::size_t>(grid()->nx * grid()->ny);
+    const auto points = static_cast<std::size_t>(ranks() ? size() : grid()->nx * grid()->ny);
     if (grid()->undeformed_gap_single) return std::span(grid()->undeformed_gap_single, points);
     return std::span(grid()->undeformed_gap, points);
   }

@@ -6,6 +6,7 @@
 #include "contact/grids/grid_pyramid.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
+#include "core/ranks.h"
 #include "core/error.h"
 
 namespace rc {
@@ -20,6 +21,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
   options.set(RC_OPT_STIFFNESS, std::int64_t{0});
   if (request.tol > 0) options.set(RC_OPT_TOL, request.tol);
 
+  if (work.ranks()) return solve_shared(request, work, system, options);
   Level& level = levels_[system.nx * system.ny];
   if (level.contact && level.summary.nx == system.nx)
     level.contact->set_options(options);
@@ -48,6 +50,64 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
   level.p.assign(request.p, request.p + system.nx * system.ny);
   level.current = true;
   return status;
+}
+
+namespace {
+
+constexpr std::int64_t most_gathered = std::int64_t{1} << 20;  // points of a grid that every rank solves alike
+
+rc_step step_of(const rc_coarse& request, std::int32_t warm, const double* gap, const std::uint8_t* mask) {
+  rc_step step = RC_STEP_INIT;
+  step.control = request.control;
+  step.target = request.control == RC_CONTROL_LOAD ? request.load : request.approach;
+  step.warm_start = warm;
+  step.undeformed_gap = gap;
+  step.mask = mask;
+  return step;
+}
+
+}  // namespace
+
+// A small grid is solved by every rank alike, all others by all of them together.
+rc_status SolverGrids::solve_shared(rc_coarse& request, const Workspace& work, const rc_system& system, rc_options options) {
+  const Ranks& all = *work.ranks();
+  Level& level = levels_[system.nx * system.ny];
+  if (!level.ranks) level.ranks = std::make_unique<Ranks>(all.halved());
+  const Ranks& ranks = *level.ranks;
+  const bool alike = system.nx * system.ny <= most_gathered || ranks.halvings() < 2;
+  if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one rank stops all, between iterations
+  on_all(&all, [&] {
+    if (level.contact)
+      level.contact->set_options(options);
+    else
+      level.contact = std::make_unique<GridContact>(system, options, &work.team(), alike ? nullptr : &ranks);
+  });
+  rc_result result{};
+  rc_status status = RC_OK;
+  if (!alike) {
+    result.p = request.p;
+    status = level.contact->solve(step_of(request, work.record.warm, request.undeformed_gap, request.mask), result);
+  } else {
+    const auto points = static_cast<std::size_t>(system.nx * system.ny);
+    std::vector<double> gap, p;
+    std::vector<std::uint8_t> mask;
+    const bool masked = all.any(request.mask != nullptr);
+    on_all(&all, [&] {
+      gap.resize(points);
+      p.resize(points);
+      mask.resize(masked ? points : 0);
+    });
+    ranks.gather_rows(request.undeformed_gap, system.nx, gap.data());
+    if (masked) ranks.gather_rows(request.mask, system.nx, mask.data());
+    on_all(&all, [&] {
+      result.p = p.data();
+      status = level.contact->solve(step_of(request, work.record.warm, gap.data(), masked ? mask.data() : nullptr), result);
+    });
+    std::copy_n(p.data() + ranks.first_row() * system.nx, ranks.rows() * system.nx, request.p);
+  }
+  request.approach = result.approach;
+  level.current = false;
+  return all.stop() != RC_OK ? all.stop() : status;
 }
 
 void SolverGrids::clear() { levels_.clear(); }

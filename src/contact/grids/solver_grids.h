@@ -12,6 +12,7 @@
 namespace rc {
 
 class GridContact;
+class Ranks;
 class Monitor;
 class Workspace;
 
@@ -31,7 +32,10 @@ class SolverGrids {
   void clear();
 
  private:
+  rc_status solve_shared(rc_coarse& request, const Workspace& work, const rc_system& system, rc_options options);
+
   struct Level {
+    std::unique_ptr<Ranks> ranks;  // of the contact, where ranks share it
     std::unique_ptr<GridContact> contact;
     rc_level summary{};
     std::vector<double> p;

@@ -296,7 +296,7 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
 
 std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
                                      std::optional<Estimate> estimate) {
-  if (step.p0 || !work.record.failed.empty()) return std::nullopt;
+  if (work.ranks() || step.p0 || !work.record.failed.empty()) return std::nullopt;
   const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control);
   if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.control))) return std::nullopt;
   if (estimate && !few(count_positive(estimate->pressures.p), work.system.points())) return std::nullopt;

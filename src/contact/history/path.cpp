@@ -75,7 +75,7 @@ rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& comple
 
   std::vector<double> p, gap;
   if (path.fn) {
-    p.resize(static_cast<std::size_t>(contact.work().system.points()));
+    p.resize(static_cast<std::size_t>(contact.work().own_points()));
     gap.resize(p.size());
   }
   std::string within_goal;  // what the last step said that was within its goal

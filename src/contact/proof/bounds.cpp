@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace rc {
 
@@ -74,7 +75,7 @@ class Proof {
 
  private:
   double n() const { return static_cast<double>(system_.points()); }
-  bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == system_.points(); }
+  bool all_listed() const { return static_cast<std::int64_t>(given_.size()) == surface_.points(); }
   static double rounding_of(double lowest, double compression) { return std::abs(lowest + compression - lowest - compression); }
   static double points_of(const Extent& support) { return static_cast<double>(support.n); }
 
@@ -103,15 +104,15 @@ class Proof {
     depth_ = depth / length_;
     largest_w_ = largest_w / length_;
 
-    double p_square = 0;
-    long double sum = 0;
-    for (const std::size_t i : found_.touching) {
-      if (given_[i] == 0) continue;
-      negative_ += std::max({0.0, -given(i), given(i) - cap()});
-      p_square += square(p(i));
-      sum += p(i);
-    }
-    sum_ = static_cast<double>(sum);
+    const Sizes sizes = sum_of_touching<Sizes>([&](Sizes& part, std::size_t i) {
+      if (given_[i] == 0) return;
+      part.negative += std::max({0.0, -given(i), given(i) - cap()});
+      part.p_square += square(p(i));
+      part.sum += p(i);
+    });
+    negative_ = sizes.negative;
+    const double p_square = sizes.p_square;
+    sum_ = static_cast<double>(sizes.sum);
     const double largest_u = none ? 0 : std::max(depth, surface_.range() - compression_) / length_;
     double size = largest_product / length_ + largest_u + std::sqrt(p_square) + negative_;
     if (system_.periodic()) size += system_.lambda_most * sum_ / n();  // load control shifts the datum of H by this much
@@ -121,22 +122,43 @@ class Proof {
   // x'w <= beta + delta'x: a point with w > 0 adds at most w p, so one with w >= 0 and p = 0 adds nothing; likewise one with
   // w < 0 at most -w (cap - p).
   void residual() {
-    for (const std::size_t i : found_.touching) {
-      if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) continue;
+    const Residuals found = sum_of_touching<Residuals>([&](Residuals& part, std::size_t i) {
+      if (!included(i) || !(given_[i] > 0 || distance_to_surface(i) < 0)) return;
       const double wi = w(i), pi = p(i), room = cap() - pi;
       if (!may_carry(i) || (wi > 0 && 2 * spectrum_.lowest * pi < wi)) {  // then w p < w^2 / (2 lowest)
-        beta_ += (std::max(0.0, wi) + doubt_) * pi;
-        stray_ += pi;
+        part.beta += (std::max(0.0, wi) + doubt_) * pi;
+        part.stray += pi;
       } else if (wi < 0 && 2 * spectrum_.lowest * room < -wi) {
-        beta_ += (doubt_ - wi) * room;
-        stray_ += room;
+        part.beta += (doubt_ - wi) * room;
+        part.stray += room;
       } else {
-        delta_sum_ += wi;
-        delta_square_ += square(wi);
+        part.delta_sum += wi;
+        part.delta_square += square(wi);
       }
-      work_ += std::abs(product_[i] / length_ * pi) + std::abs(u(i)) * pi;
-    }
+      part.work += std::abs(product_[i] / length_ * pi) + std::abs(u(i)) * pi;
+    });
+    beta_ = found.beta;
+    stray_ = found.stray;
+    delta_sum_ = found.delta_sum;
+    delta_square_ = found.delta_square;
+    work_ = found.work;
   }
+
+  // Sums over the points that touch, in their order; of ranks that share the grid, piece by piece.
+  template <class Part, class Add> Part sum_of_touching(const Add& add) const {
+    return surface_.sum_over<Part>(std::span<const std::size_t>(found_.touching), add);
+  }
+  struct Sizes {
+    double negative = 0, p_square = 0;
+    long double sum = 0;
+    Sizes operator+(const Sizes& b) const { return {negative + b.negative, p_square + b.p_square, sum + b.sum}; }
+  };
+  struct Residuals {
+    double beta = 0, stray = 0, delta_sum = 0, delta_square = 0, work = 0;
+    Residuals operator+(const Residuals& b) const {
+      return {beta + b.beta, stray + b.stray, delta_sum + b.delta_sum, delta_square + b.delta_square, work + b.work};
+    }
+  };
 
   // Points with a larger gap are open, since |(Hx)_i| <= |x|_H sqrt(H_ii).
   double open_beyond() const { return (distance_.norm * std::sqrt(spectrum_.diagonal) + doubt_) * length_; }
@@ -150,13 +172,13 @@ class Proof {
       support = candidates_;
       for (const std::size_t i : found_.touching)
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
-      return support;
+      return support;  // ranks list all points
     }
     if (!(reach < infinity))
       return extent_where(surface_, answer_, nullptr, [&](std::size_t i) { return given_[i] > 0 || may_carry(i); });
     for (const std::size_t i : near(reach))
       if (undecided(i, reach)) add(support, i);
-    return support;
+    return surface_.united(support);
   }
   // Points that were given a pressure, and those that may carry one and are no farther than `reach`. It never grows, so the list
   // made first serves later calls, too.
@@ -174,7 +196,7 @@ class Proof {
   }
   void add(Extent& support, std::size_t i) const {
     const auto point = static_cast<std::int64_t>(answer_.point(i));
-    support.add(point % system_.unit.nx, point / system_.unit.nx);
+    support.add(point % system_.unit.nx, surface_.first_row() + point / system_.unit.nx);
   }
   // Diagonal of the bounding box of the support's cells.
   double diagonal(const Extent& support) const {
@@ -198,24 +220,30 @@ class Proof {
     return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
   }
 
+  struct Whole {
+    long double u = 0;  // [length]
+    Whole operator+(const Whole& b) const { return {u + b.u}; }
+  };
+  struct Energies {
+    double e_square = 0, ep = 0, php = 0;
+    Energies operator+(const Energies& b) const { return {e_square + b.e_square, ep + b.ep, php + b.php}; }
+  };
   // Periodic, no mask, d off the mean plane (above it the pressures need a cap): with e = u + eps of mean 0 and H q = e,  eps
   // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
-    long double u_sum = 0;  // [length]
-    for (std::size_t i = 0; i < surface_.gap().size(); ++i) u_sum += compression_ - surface_.height(i);
-    const double mean_gap = static_cast<double>(-u_sum / static_cast<long double>(n())),
+    const Whole sums = surface_.sum_over_all<Whole>([&](Whole& part, std::size_t i) { part.u += compression_ - surface_.height(i); });
+    const double mean_gap = static_cast<double>(-sums.u / static_cast<long double>(n())),
                  off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_) / length_;
     if (!(eps > 0)) return {};
-    double e_square = 0, ep = 0, php = 0;
-    for (std::size_t i = 0; i < given_.size(); ++i) {
+    const auto [e_square, ep, php] = surface_.sum_over_all<Energies>([&](Energies& part, std::size_t i) {
       const double e = (compression_ - height(i) + mean_gap) / length_;
-      e_square += square(e);
-      if (!(given_[i] > 0)) continue;
-      ep += e * p(i);
-      php += product_[i] / length_ * p(i);
-    }
+      part.e_square += square(e);
+      if (!(given_[i] > 0)) return;
+      part.ep += e * p(i);
+      part.php += product_[i] / length_ * p(i);
+    });
     const double doubt = doubt_ * sum_ + epsilon * n() * (e_square / spectrum_.lowest + work_);
     return {std::sqrt(std::max(0.0, e_square / spectrum_.lowest - 2 * ep + php) + doubt) / eps, 1 / eps};
   }
@@ -251,11 +279,16 @@ class Proof {
     return result;
   }
 
+  struct Counts {
+    std::int64_t contacts = 0, capped = 0, undecided = 0;
+    Counts operator+(const Counts& b) const { return {contacts + b.contacts, capped + b.capped, undecided + b.undecided}; }
+  };
   void count(Bounds& result, ProvenSets* sets) {
     const double mean = system_.periodic() ? distance_.sum / n() : 0;
     const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
     const double reach = open_beyond();
-    std::int64_t contacts = 0, capped = 0, undecided = 0;
+    Counts mine;
+    auto& [contacts, capped, undecided] = mine;
     for (const std::size_t i : near(reach)) {
       if (!may_carry(i) || distance_to_surface(i) > reach) continue;
       const bool at_cap = distance_to_surface(i) < -reach;
@@ -265,6 +298,7 @@ class Proof {
       sets->possible.push_back(static_cast<std::int64_t>(answer_.point(i)));
       if (p(i) > margin && cap() - p(i) > margin) sets->contacts.push_back(sets->possible.back());
     }
+    mine = surface_.united(mine);
     if (!all_listed() && !(reach < answer_.beyond)) {
       undecided += candidates_.n;
       for (std::size_t i = 0; i < given_.size(); ++i) undecided -= may_carry(i);

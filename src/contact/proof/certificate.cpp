@@ -14,6 +14,20 @@ double relative(double violation, double scale) {
   return scale > 0 ? violation / scale : std::numeric_limits<double>::infinity();
 }
 
+// Of all ranks the pressures' ends, and the largest violations.
+struct Ends {
+  double largest = 0, least = 0;
+  Ends operator+(const Ends& b) const { return {std::max(largest, b.largest), std::min(least, b.least)}; }
+};
+
+struct Violations {
+  double overlap = 0, worst = 0;
+  bool finite = true;
+  Violations operator+(const Violations& b) const {
+    return {std::max(overlap, b.overlap), std::max(worst, b.worst), finite && b.finite};
+  }
+};
+
 }  // namespace
 
 bool Certificate::within(double tol) const { return primal <= tol && dual <= tol && complementarity <= tol && control <= tol; }
@@ -23,22 +37,24 @@ double load_imbalance(double load, double wanted) { return relative(std::abs(loa
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness) {
   const std::span<const double> p = answer.p();
-  double largest_p = 0, least_p = 0, overlap = 0, worst = 0;
   const double infinite = std::numeric_limits<double>::infinity();
-  bool finite = true;
+  Ends ends;
   for (const std::size_t k : found.touching) {
-    largest_p = std::max(largest_p, std::abs(p[k]));
-    least_p = std::min(least_p, p[k]);
+    ends.largest = std::max(ends.largest, std::abs(p[k]));
+    ends.least = std::min(ends.least, p[k]);
   }
+  const auto [largest_p, least_p] = surface.united(ends);
+  Violations mine;
   for (const std::size_t k : found.touching) {
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) continue;
     const double gap = answer.product[k] - (compression - surface.height(i));
-    finite = finite && std::isfinite(p[k]) && std::isfinite(gap);
+    mine.finite = mine.finite && std::isfinite(p[k]) && std::isfinite(gap);
     const double room = gap < 0 && hardness < infinite ? std::max(0.0, 1 - p[k] / hardness) : infinite;
-    if (gap < 0) overlap = std::max(overlap, std::min(room, relative(-gap, scale)));
-    if (p[k] > 0) worst = std::max(worst, std::min({p[k] / largest_p, room, relative(std::abs(gap), scale)}));
+    if (gap < 0) mine.overlap = std::max(mine.overlap, std::min(room, relative(-gap, scale)));
+    if (p[k] > 0) mine.worst = std::max(mine.worst, std::min({p[k] / largest_p, room, relative(std::abs(gap), scale)}));
   }
+  const auto [overlap, worst, finite] = surface.united(mine);
   if (!finite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, 0};

@@ -23,12 +23,13 @@ std::vector<Sample> samples_of(const StepSurface& surface, std::int64_t nx, std:
   samples.reserve(static_cast<std::size_t>(mx * my));
   for (std::int64_t j = 0; j < my; ++j)
     for (std::int64_t i = 0; i < mx; ++i) {
-      const std::int64_t x = (2 * i + 1) * nx / (2 * mx), y = (2 * j + 1) * ny / (2 * my);
+      const std::int64_t x = (2 * i + 1) * nx / (2 * mx), row = (2 * j + 1) * ny / (2 * my), y = row - surface.first_row();
       const auto point = static_cast<std::size_t>(y * nx + x);
+      if (y < 0 || y >= surface.points() / nx) continue;  // another rank's
       if (surface.included(point))
-        samples.push_back({static_cast<double>(x), static_cast<double>(y), surface.height(point) / surface.range()});
+        samples.push_back({static_cast<double>(x), static_cast<double>(row), surface.height(point) / surface.range()});
     }
-  return samples;
+  return surface.ranks() ? surface.ranks()->of_any(samples) : samples;
 }
 
 std::string text(const char* format, double value) {

@@ -34,7 +34,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
     }
     return largest;
   };
-  const Largest largest = reduce<Largest>(n, surface.team(), body);
+  const Largest largest = surface.united(reduce<Largest>(n, surface.team(), body));
   return {touching.list(), largest.product, largest.gap};
 }
 

@@ -1,4 +1,5 @@
-// Passes over an answer's entries by all threads, for what is then told of few of them.
+// Passes over an answer's entries by all threads, for what is then told of few of them. Numbers and extents are of all ranks,
+// entries of this one.
 #pragma once
 
 #include <cstddef>
@@ -34,12 +35,12 @@ Extent extent_where(const StepSurface& surface, const Deflected& answer, Marks* 
         row = point / nx;
         row_end = (row + 1) * nx;
       }
-      extent.add(point - row * nx, row);
+      extent.add(point - row * nx, surface.first_row() + row);
       if (marks) marks->add(i);
     }
     return extent;
   };
-  return reduce<Extent>(static_cast<std::int64_t>(answer.size()), surface.team(), body);
+  return surface.united(reduce<Extent>(static_cast<std::int64_t>(answer.size()), surface.team(), body));
 }
 
 }  // namespace rc

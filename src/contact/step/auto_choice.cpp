@@ -148,6 +148,8 @@ struct Question {
     if (const std::string what = beyond(backend, system); !what.empty())
       return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot do ", what);
     if (facts.few && (backend.caps & RC_CAP_SCREEN) == 0) return leave(list, nullptr, backend, "does not screen other points");
+    if (facts.shared && (backend.caps & RC_CAP_ROWS) == 0)
+      return leave(list, nullptr, backend, "backend \"", backend.name, "\" cannot work on rows that ranks share");
     if (contains(failed, backend.name)) return leave(list, nullptr, backend, "has failed");
     rc_estimate cost{};
     rc_facts given{.struct_size = sizeof given,
@@ -169,6 +171,8 @@ struct Question {
 
   void add(const rc_solver& by, const rc_backend& backend, const rc_facts& given, bool scored,
            std::vector<Candidate>& list) const {
+    if (facts.shared && (by.needs & RC_TAKES_ROWS) == 0)
+      return leave(list, &by, backend, "solver \"", by.name, "\" cannot work on rows that ranks share");
     if (contains(failed, by.name)) return leave(list, &by, backend, "has failed");
     if (const std::string why = obstacle(by, backend, system, facts.control, fallbacks); !why.empty())
       return leave(list, &by, backend, why);

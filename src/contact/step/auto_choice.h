@@ -22,6 +22,7 @@ struct StepFacts {
   double tol = 0;
   bool partial = false;  // the solver is stopped after some steps, for the pressures that it has by then
   bool few = false;      // the backend must screen the points that it does not look at
+  bool shared = false;   // ranks share the grid by rows
 };
 
 struct Choice {

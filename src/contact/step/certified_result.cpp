@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "contact/output_array.h"
 #include "contact/proof/bounds.h"
@@ -102,27 +103,47 @@ void name_components(Workspace& work, const Answer& answer, rc_result& result) {
     work.record.remarks.push_back(join("bounds: kernel \"", system.kernel, "\" promises no lowest eigenvalue"));
 }
 
+namespace {
+
+struct Totals {
+  double sum = 0, energy = 0, overlap = 0, largest_p = 0, largest_product = 0;
+  std::int64_t contacts = 0, capped = 0;
+
+  Totals operator+(const Totals& b) const {
+    return {sum + b.sum,
+            energy + b.energy,
+            overlap + b.overlap,
+            std::max(largest_p, b.largest_p),
+            std::max(largest_product, b.largest_product),
+            contacts + b.contacts,
+            capped + b.capped};
+  }
+};
+
+}  // namespace
+
 rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result) {
   const System& system = work.system;
   const StepSurface& surface = work.surface;
   const std::span<const double> p = answer.p();
-  double sum = 0, energy = 0, overlap = 0, curved = 0, largest_p = 0, largest_product = 0;
-  std::int64_t contacts = 0, capped = 0;
+  double curved = 0;
   const Survey found = survey(surface, compression, answer);
-  for (const std::size_t k : found.touching) {
-    if (p[k] == 0 && std::isfinite(answer.product[k])) continue;
+  const auto add = [&](Totals& part, std::size_t k) {
+    if (p[k] == 0 && std::isfinite(answer.product[k])) return;
     const std::size_t i = answer.point(k);
-    if (!surface.included(i)) continue;
-    sum += p[k];
-    contacts += p[k] > 0;
+    if (!surface.included(i)) return;
+    part.sum += p[k];
+    part.contacts += p[k] > 0;
     if (p[k] >= system.hardness) {
-      ++capped;
-      overlap += std::max(0.0, compression - surface.height(i) - answer.product[k]);
+      ++part.capped;
+      part.overlap += std::max(0.0, compression - surface.height(i) - answer.product[k]);
     }
-    energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
-    largest_p = std::max(largest_p, std::abs(p[k]));
-    largest_product = std::max(largest_product, std::abs(answer.product[k]));
-  }
+    part.energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
+    part.largest_p = std::max(part.largest_p, std::abs(p[k]));
+    part.largest_product = std::max(part.largest_product, std::abs(answer.product[k]));
+  };
+  const auto [sum, energy, overlap, largest_p, largest_product, contacts, capped] =
+      surface.sum_over<Totals>(std::span<const std::size_t>(found.touching), add);
   if (!system.halfspace() && largest_p > 0) {
     // Scaled, so that the products do not underflow.
     if (largest_product > 0)
@@ -184,7 +205,7 @@ void count_work(const Workspace& work, const Monitor& monitor, rc_result& result
 }
 
 void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result) {
-  answer.pressures.write(pressures_of(result), work.system.points());
+  answer.pressures.write(pressures_of(result), work.own_points());
   const OutputArray gap = gap_of(result);
   if (!gap.wanted()) return;
   each_chunk(static_cast<std::int64_t>(answer.size()), work.team(), [&](std::int64_t begin, std::int64_t count) {
@@ -207,52 +228,59 @@ void take_units(const Answer& answer, const Workspace& work, std::vector<double>
 
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
   const System& system = work.system;
-  if (answer.checked && (!everywhere || answer.checked->on().n == system.points())) return std::move(*answer.checked);
+  if (answer.checked && (!everywhere || answer.checked->on().n == work.own_points())) return std::move(*answer.checked);
   Deflected result;
   if (!answer.op) {
-    result.pressures.on.n = system.points();
-    result.pressures.p.assign(static_cast<std::size_t>(system.points()), 0.0);
-    result.product.assign(result.size(), 0.0);
+    result.pressures.on.n = work.own_points();
+    on_all(work.ranks(), [&] {
+      result.pressures.p.assign(static_cast<std::size_t>(work.own_points()), 0.0);
+      result.product.assign(result.size(), 0.0);
+    });
     return result;
   }
   const std::string& certifier = work.options.text(RC_OPT_CERTIFY_BACKEND);
   Operator& op = certifier.empty() ? *answer.op
                                    : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
-  if (!everywhere && only_unknowns_matter(work, answer)) {
+  if (!everywhere && !work.ranks() && only_unknowns_matter(work, answer)) {
     result.product = large_vector<double>(answer.p.size());
     raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
     take_units(answer, work, result.product);
     result.pressures = answer.take_pressures(work.team());
     return result;
   }
-  result.product = large_vector<double>(static_cast<std::size_t>(system.points()));
+  on_all(work.ranks(), [&] { result.product = large_vector<double>(static_cast<std::size_t>(work.own_points())); });
   op.field(answer.p, result.product);
   take_units(answer, work, result.product);
-  result.pressures.on.n = system.points();
+  result.pressures.on.n = work.own_points();
   Pressures own = answer.take_pressures(work.team());
   if (own.on.index.empty()) {
     result.pressures.p = std::move(own.p);
   } else {
     result.pressures.p = large_vector<double>(result.product.size());
-    own.write(result.pressures.p.data(), system.points());
+    own.write(result.pressures.p.data(), work.own_points());
   }
   return result;
 }
 
 double fitting_compression(const Workspace& work, const Deflected& answer) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  double sum = 0, moment = 0, least = -infinite;
-  for (std::size_t k = 0; k < answer.size(); ++k) {
+  struct Part {
+    double sum = 0, moment = 0, least = -infinite;
+    Part operator+(const Part& b) const { return {sum + b.sum, moment + b.moment, std::max(least, b.least)}; }
+  };
+  const auto add = [&](Part& part, std::size_t k) {
     const double p = answer.p()[k];
-    if (p == 0) continue;
+    if (p == 0) return;
     const double fits = answer.product[k] + work.surface.height(answer.point(k));
     if (p >= work.system.hardness) {
-      least = std::max(least, fits);
-      continue;
+      part.least = std::max(part.least, fits);
+      return;
     }
-    sum += p;
-    moment += p * fits;
-  }
+    part.sum += p;
+    part.moment += p * fits;
+  };
+  const auto [sum, moment, least] =
+      work.surface.sum_over<Part>(answer.size(), [](std::size_t k) { return k; }, add);
   return sum > 0 ? moment / sum : least > -infinite ? least : 0;
 }
 
@@ -288,20 +316,23 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
 
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {
   const System& system = work.system;
-  std::vector<double> p(static_cast<std::size_t>(system.points()));
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = given_pressure(result, i);
+  std::vector<double> p;
   TrialSet trial;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (p[i] != 0) trial.index.push_back(static_cast<std::int64_t>(i));
-  trial.n = static_cast<std::int64_t>(trial.index.size());
-  if (trial.n == system.points()) trial.index.clear();
-
   Deflected given;
-  given.pressures.on.n = system.points();
-  given.product.assign(p.size(), 0.0);
   std::vector<double>& product = given.product;
+  on_all(work.ranks(), [&] {
+    p.resize(static_cast<std::size_t>(work.own_points()));
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = given_pressure(result, i);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p[i] != 0) trial.index.push_back(static_cast<std::int64_t>(i));
+    trial.n = static_cast<std::int64_t>(trial.index.size());
+    given.pressures.on.n = work.own_points();
+    product.assign(p.size(), 0.0);
+  });
+  const bool loaded = work.ranks() ? work.ranks()->any(trial.n > 0) : trial.n > 0;
+  if (trial.n == work.own_points() || work.ranks()) trial = {work.own_points(), {}};
   Answer answer;
-  if (trial.n > 0) {
+  if (loaded) {
     answer = prepared(trial, RC_CONTROL_DISPLACEMENT, 1, work);
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     for (std::int64_t i = 0; i < trial.n; ++i) answer.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);

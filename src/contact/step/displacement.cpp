@@ -15,7 +15,9 @@ Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& ste
   Answer answer = prepared(trial, step.control, depth, work);
   trial = widened(std::move(trial), answer.choice, work);
   answer.op = &work.bound_operator(*answer.choice.backend, trial);
-  answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr);
+  on_all(work.ranks(), [&] {
+    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr);
+  });
   if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(step, trial);
   answer.compression = answer.limit = depth;
   const std::vector<double> u = compenetrations(answer, step.target, work);

@@ -115,7 +115,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   for (int round = 0;; ++round) {
     double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet trial = system.halfspace() ? trial_below(limit, work) : surface.all();
-    while (static_cast<double>(trial.n) * system.hardness < spare * load && trial.n < surface.included_points()) {
+    while (!work.ranks() && static_cast<double>(trial.n) * system.hardness < spare * load && trial.n < surface.included_points()) {
       height *= 2;
       limit = lowest + height;
       trial = trial_below(limit, work);
@@ -131,7 +131,9 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       trial.zero_mode = system.lambda_most;
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr);
+    on_all(work.ranks(), [&] {
+      answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr);
+    });
     if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
     const double wanted = load / answer.pressure_unit;
     const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());
@@ -147,7 +149,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, work, monitor);
     }
-    if (direct && answer.status == RC_STOP_STALLED &&
+    if (direct && !work.ranks() && answer.status == RC_STOP_STALLED &&
         (work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
       // A solver whose own load control goes in circles may still do displacement control.
       handed_over = true;
@@ -158,7 +160,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     const double per_load = trial.zero_mode / static_cast<double>(system.points());
     answer.datum_shift = per_load * sum * height;
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
-    const bool covered = trial.n == surface.included_points() || answer.compression <= answer.limit;
+    const bool covered = work.ranks() || trial.n == surface.included_points() || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
     if (covered || !finite || answer.status != RC_OK || round == most_rounds) return answer;
     height = growth * answer.compression;

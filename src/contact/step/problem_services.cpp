@@ -21,6 +21,7 @@ struct BoundProblem : rc_problem {
   }
 
   SolverRun& run;
+  SharedRows shared;
   TrialSet trial;
   rc_grid where{};
   std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
@@ -87,7 +88,16 @@ rc_status norm(const rc_problem* problem, double* out) {
 
 rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
   const SolverRun& run = run_of(problem);
-  if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.applications()); status != RC_OK) return status;
+  if (const Ranks* const ranks = run.work.ranks()) {
+    // One rank's clock stops all of them, at the same iteration. That of the most iterations is the same on all.
+    ++ranks->counts().iterations;
+    const rc_status mine = run.monitor.poll(iteration, kkt, run.op.applications());
+    if (mine != RC_STOP_MAX_ITER) ranks->ask_stop(mine);
+    if (ranks->stop() != RC_OK) return ranks->stop();
+    if (mine == RC_STOP_MAX_ITER) return mine;
+  } else if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.applications()); status != RC_OK) {
+    return status;
+  }
   return iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : RC_OK;
 }
 
@@ -122,8 +132,9 @@ rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, doubl
   const rc_options& options = problem.run.work.options;
   const StepSurface& surface = problem.run.work.surface;
   const bool in_single = (solver.needs & RC_READS_SINGLE_GAP) != 0;
-  if (problem.where.nx > 0) problem.where.undeformed_gap = in_single ? surface.gap().in_double() : surface.gap_in_double();
-  problem.where.undeformed_gap_single = in_single ? surface.gap().in_single() : nullptr;
+  const GapValues& gap = surface.gap_for_solver();
+  if (problem.where.nx > 0) problem.where.undeformed_gap = in_single ? gap.in_double() : surface.gap_in_double();
+  problem.where.undeformed_gap_single = in_single ? gap.in_single() : nullptr;
   op_for(problem);
   return solver.solve(&problem.run.work.host, &problem, &options, p, d);
 }
@@ -193,14 +204,19 @@ void connect(BoundProblem& problem) {
   const std::uint64_t caps = run.op.capabilities();
   problem.struct_size = sizeof(rc_problem);
   problem.apply = apply;
-  problem.subset = run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
+  const Ranks* const ranks = run.work.ranks();
+  if (ranks) {
+    problem.shared = SharedRows(*ranks);
+    problem.rows = &problem.shared;
+  }
+  problem.subset = ranks ? nullptr : run.fallbacks || (caps & RC_CAP_SUBSET) ? subset : nullptr;
   problem.poll = poll;
   problem.lambda_min = run.work.system.lambda_min;
   problem.positive = run.work.system.positive;
   problem.factors = (caps & RC_CAP_SUBSET) != 0;
-  problem.shifted = run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
-  problem.norm = (caps & RC_CAP_NORM) ? norm : nullptr;
-  problem.inner = inner;
+  problem.shifted = ranks ? nullptr : run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
+  problem.norm = !ranks && (caps & RC_CAP_NORM) ? norm : nullptr;
+  problem.inner = ranks ? nullptr : inner;
   problem.apply_float = (caps & RC_CAP_FLOAT) ? apply_float : nullptr;
   problem.team = &run.work.team();
   problem.length = run.length_unit;
@@ -275,7 +291,8 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.where.approach = approach;
   problem.most_iterations = most_iterations;
   connect(problem);
-  const Operator::Watch watch(op, [this] { return monitor.ask(); });
+  const Ranks* const ranks = work.ranks();
+  const Operator::Watch watch(op, [this, ranks] { return ranks ? ranks->stop() : monitor.ask(); });
   monitor.next_call();
   clear_message();
   if (!warmed_up_) {

@@ -14,7 +14,7 @@ namespace {
 
 // Whether "auto" may pass over this component; if so, notes that it did.
 bool pass_over(Workspace& work, const char* name, const char* option, const std::string& reason) {
-  if (work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
+  if (work.ranks() || work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
   work.record.failed.emplace_back(name);
   try {
     choose(work.options, work.system, {}, work.record.failed);

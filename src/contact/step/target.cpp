@@ -30,9 +30,10 @@ void check_target(const rc_step& step, const Workspace& work, const StepSurface&
       !(std::isfinite(surface.highest() - surface.lowest()) && (by_load || std::isfinite(step.target - surface.lowest()))))
     fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", step.target,
          " are too far apart for double precision");
-  if (step.p0)
-    for (std::int64_t i = 0; i < work.system.points(); ++i)
+  on_all(work.ranks(), [&] {
+    for (std::int64_t i = 0; step.p0 && i < work.own_points(); ++i)
       if (!std::isfinite(step.p0[i])) fail(RC_ERR_ARGUMENT, "rc_step.p0[", i, "] = ", step.p0[i], " is not finite");
+  });
 }
 
 bool nothing_touches(const rc_step& step, const Workspace& work) {

@@ -7,12 +7,13 @@
 namespace rc {
 
 TrialSet trial_below(double limit, const Workspace& work) {
+  if (work.ranks()) return {work.own_points(), {}};
   return work.system.positive ? work.surface.below(limit) : work.surface.all();
 }
 
 TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work) {
   constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost more with every point
-  if (!(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !work.surface.whole()) return trial;
+  if (work.ranks() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !work.surface.whole()) return trial;
   const rc_system& system = work.system.given;
   const std::int64_t box = box_points(trial, system.nx, system.ny);
   return trial.n < box && 2 * trial.n >= box ? box_of(trial, system.nx, system.ny) : trial;
@@ -20,11 +21,13 @@ TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work) {
 
 Choice choose_for(const TrialSet& trial, std::int32_t control, Workspace& work) {
   const rc_system& system = work.system.given;
+  const bool shared = work.ranks() != nullptr;
   const StepFacts facts{.control = control,
-                        .candidates = trial.n,
-                        .box = box_points(trial, system.nx, system.ny),
+                        .candidates = shared ? work.system.points() : trial.n,
+                        .box = shared ? work.system.points() : box_points(trial, system.nx, system.ny),
                         .tol = work.options.real(RC_OPT_TOL),
-                        .partial = work.record.look > 0};
+                        .partial = work.record.look > 0,
+                        .shared = shared};
   return work.record.choice = choose(work.options, work.system, facts, work.record.failed);
 }
 

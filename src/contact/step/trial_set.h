@@ -8,7 +8,8 @@
 
 namespace rc {
 
-// Points that may carry pressure if only points with gap < limit can be in contact; all, if H has negative entries.
+// Points that may carry pressure if only points with gap < limit can be in contact; all, if H has negative entries. With ranks:
+// every point of this rank's rows.
 TrialSet trial_below(double limit, const Workspace& work);
 // The whole bounding box, where the solver wants it, products on it cost the same and it is at most twice as large.
 TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work);

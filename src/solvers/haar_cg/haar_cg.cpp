@@ -1,9 +1,12 @@
 // The solver haar-cg: projected conjugate gradients on the free set, preconditioned by two multilevel trees. README.md has the
-// method, iteration.h its control flow. This file runs it on the threads of this process.
+// method, iteration.h its control flow. This file runs it on the threads of this process, and of others with which it shares the grid.
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <numeric>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "grid/downsample.h"
 #include "solvers/haar_cg/iteration.h"
@@ -48,14 +51,19 @@ void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressu
 void start_nested(const Problem& problem, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
   if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
-  const CoarseGrid coarse = downsample(grid.nx, grid.ny, problem.gap(), problem.mask(), Filter::mean);
-  Vector pressure(static_cast<std::size_t>(coarse.nx * coarse.ny));
+  const Ranks* const ranks = problem.ranks();
+  CoarseGrid coarse;
+  Vector pressure;
+  on_all(ranks, [&] {
+    coarse = downsample(grid.nx, ranks ? ranks->rows() : grid.ny, problem.gap(), problem.mask(), Filter::mean);
+    pressure.resize(static_cast<std::size_t>(coarse.nx * coarse.ny));
+  });
   const double length = problem.length_unit();
 
   rc_coarse request{};
   request.struct_size = sizeof request;
   request.nx = coarse.nx;
-  request.ny = coarse.ny;
+  request.ny = (grid.ny + 1) / 2;
   request.factor = 2;
   request.undeformed_gap = coarse.gap.data();
   request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
@@ -64,7 +72,7 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
   request.load = problem.load() * problem.pressure_unit() * grid.hx * grid.hy;
   request.solver = "haar-cg";
   request.p = pressure.data();
-  request.keep = coarse.nx * coarse.ny <= remembered;
+  request.keep = !ranks && coarse.nx * coarse.ny <= remembered;
   request.tol = std::max(coarse_tol, problem.tol());
   if (problem.coarse(request) < 0) return;
 
@@ -79,19 +87,32 @@ void start_nested(const Problem& problem, std::span<double> p, double& d) {
 // Pressures that carry the load. Nearly full contact begins with the same pressure everywhere; where only few points lie within
 // the length unit, which then is an estimate of the approach, pressures grow with the overlap at that approach.
 void start_cold(const Problem& problem, std::span<double> p) {
-  const auto n = static_cast<std::int64_t>(p.size());
-  double sum = 0, most = 0;
-  std::int64_t within = 0;
-  for (std::int64_t i = 0; i < n; ++i) {
-    double& value = p[static_cast<std::size_t>(i)];
-    value = std::max(0.0, 1 + problem.compenetration(i));
-    sum += value;
-    most = std::max(most, value);
-    within += value > 0 ? 1 : 0;
-  }
-  const bool everywhere =
-      static_cast<double>(within) > many * static_cast<double>(n) || most * problem.load() >= problem.cap() * sum;
-  for (double& value : p) value = everywhere ? problem.load() / static_cast<double>(n) : value * (problem.load() / sum);
+  struct Part {
+    double sum = 0, most = 0;
+    std::int64_t within = 0, n = 0;
+    Part operator+(const Part& b) const { return {sum + b.sum, std::max(most, b.most), within + b.within, n + b.n}; }
+  };
+  const Ranks* const ranks = problem.ranks();
+  const auto carries = [&, mask = problem.mask()](std::size_t i) { return !ranks || mask.empty() || mask[i] != 0; };
+  const auto body = [&](std::int64_t begin, std::int64_t count) {
+    Part part;
+    for (std::int64_t i = begin; i < begin + count; ++i) {
+      double& value = p[static_cast<std::size_t>(i)];
+      value = std::max(0.0, 1 + problem.compenetration(i));
+      part.sum += value;
+      part.most = std::max(part.most, value);
+      part.within += value > 0 ? 1 : 0;
+      part.n += carries(static_cast<std::size_t>(i)) ? 1 : 0;
+    }
+    return part;
+  };
+  const Chunks whole{std::max<std::int64_t>(problem.size(), 1)};
+  const Part all =
+      reduce<Part>(problem.size(), problem.team(), body, {}, {}, ranks ? Chunks::of(ranks, problem.grid()->nx) : whole);
+  const auto n = static_cast<double>(all.n);
+  const bool everywhere = static_cast<double>(all.within) > many * n || all.most * problem.load() >= problem.cap() * all.sum;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = !everywhere ? p[i] * (problem.load() / all.sum) : carries(i) ? problem.load() / n : 0;
 }
 
 // Whether products in single precision save anything: not where few points overlap, which a step or two solve to all digits.
@@ -100,6 +121,10 @@ bool worth_mixing(const Problem& problem) {
   if (problem.load_control()) return true;
   std::int64_t overlaps = 0;
   for (std::int64_t i = 0; i < problem.size() && overlaps <= few_overlaps; ++i) overlaps += problem.compenetration(i) > 0 ? 1 : 0;
+  if (const Ranks* const ranks = problem.ranks()) {
+    const std::vector<std::int64_t> all = ranks->of_each(overlaps);
+    overlaps = std::accumulate(all.begin(), all.end(), std::int64_t{0});
+  }
   return overlaps > few_overlaps;
 }
 
@@ -115,8 +140,12 @@ template <class Real> rc_status iterate(const Problem& problem, std::span<double
                       .elongated = inputs.elongated,
                       .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
                       .poll = [&](std::int64_t steps, double residual) { problem.poll(steps, residual); }};
-  ThreadMachine<Real> machine(problem, p, HaarTreePair(std::move(inputs.cells), inputs.table));
-  const HaarOutcome outcome = HaarIteration(machine, task).run(d);
+  const Ranks* const ranks = problem.ranks();
+  std::unique_ptr<ThreadMachine<Real>> machine;
+  on_all(ranks, [&] {
+    machine = std::make_unique<ThreadMachine<Real>>(problem, p, HaarTreePair(std::move(inputs.cells), inputs.table, 1, ranks), ranks);
+  });
+  const HaarOutcome outcome = HaarIteration(*machine, task).run(d);
   if (outcome.ending == HaarEnding::not_finite) problem.fail("haar-cg: the operator returned values that are not finite");
   if (problem.load_control()) d = outcome.approach;
   return outcome.ending == HaarEnding::solved ? RC_OK : RC_STOP_STALLED;
@@ -127,8 +156,10 @@ template <class Real> rc_status iterate(const Problem& problem, std::span<double
 const Options haar_cg_options = listed(specs);
 
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
-  const auto cold = [&] { return !any_positive(problem.size(), p.data(), problem.team()); };
-  if (cold() && !start_regular(problem, p) && problem.option_int("haar-cg.nested") != 0) start_nested(problem, p, d);
+  const auto cold = [&] { return !any_positive(problem, p); };
+  // A regular surface shows in the values of the whole grid.
+  if (cold() && (problem.ranks() || !start_regular(problem, p)) && problem.option_int("haar-cg.nested") != 0)
+    start_nested(problem, p, d);
   if (problem.load_control() && cold()) start_cold(problem, p);
   const rc_status status = worth_mixing(problem) ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;

@@ -68,7 +68,7 @@ void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std:
   level.parents = static_cast<std::int64_t>(x.size());
 }
 
-HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest)
+HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest, const Ranks* ranks)
     : full_(cells.full()), loops_(best_haar_rows()) {
   std::vector<double> k = table.k;
   std::int64_t mx = cells.mx, my = cells.my, kx = table.mx, ky = table.my;
@@ -114,8 +114,44 @@ HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted,
     levels_.push_back(std::move(level));
   }
   levels_.push_back({1, 1});
+  if (ranks) share(*ranks);
   size_ = lay_out();
+  for (const std::int64_t rows : whole_rows_) whole_values_.push_back(rows * levels_[first_whole_].pitch);
   tabulate(static_cast<float>(table.k[0]), finest);
+}
+
+// A rank's rows begin at a multiple of 2^halvings, so their number is even on so many levels but for the last rank's.
+void HaarTree::share(const Ranks& ranks) {
+  std::int64_t first = ranks.first_row(), rows = ranks.rows();
+  int merges = 0;
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    if (level.merge_y && merges == ranks.halvings()) break;
+    merges += level.merge_y;
+    level.my = rows;
+    level.before = level.shift_y != 0 && rows > 0 && first > 0;
+    if (level.merge_y) {
+      rows = rows == 0 ? 0 : ranks.has_last_row() ? (rows + level.shift_y + 1) / 2 : rows / 2;
+      first /= 2;
+    }
+    level.rows = rows;
+    level.parents = rows * level.columns;
+    first_whole_ = l + 1;
+  }
+  levels_[first_whole_ - 1].offset = first;
+  for (std::int64_t rank = 0; rank < ranks.size(); ++rank) {
+    const std::int64_t begin = ranks.first()[static_cast<std::size_t>(rank)], end = begin + ranks.rows_of(rank);
+    const bool last = end > begin && end == ranks.all_rows();
+    whole_rows_.push_back(last ? levels_[first_whole_].my - (begin >> merges) : (end - begin) >> merges);
+  }
+}
+
+// What each rank clears of its own rows comes with them.
+void HaarTree::clear_around_whole_rows() {
+  const Level& whole = levels_[first_whole_];
+  float* const values = cells(first_whole_);
+  std::fill_n(values, whole.lead_y * whole.pitch, 0.0F);
+  std::fill(values + (whole.lead_y + whole.my) * whole.pitch, values + whole.height * whole.pitch, 0.0F);
 }
 
 void HaarTree::take(const Cells& cells, const std::vector<std::int32_t>& unknowns) {
@@ -145,7 +181,7 @@ HaarTree::Size HaarTree::lay_out() {
     level.lead_y = full_ ? level.shift_y : 0;
     if (l > 0) {
       level.pitch = std::max(level.lead_x + written, full_ ? 16 * level.groups : 0);
-      level.height = !full_ ? 1 : level.merge_y ? 2 * level.rows : level.my;
+      level.height = !full_ ? 1 : std::max(level.merge_y ? 2 * level.rows : level.my, level.my + level.lead_y);
       level.values = size.values;
       size.values += static_cast<std::size_t>(level.pitch * level.height);
       level.blocks = size.blocks;

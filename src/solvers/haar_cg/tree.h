@@ -1,16 +1,20 @@
 // One multilevel tree over the unknowns: tests/unit/plain_tree.h explains it. It computes in single precision.
+//
+// Ranks that share the grid by rows each have their rows of the first levels, and all rows of the others. Where blocks begin one
+// cell earlier, the previous rank's last row of cells is needed: it lies before the first of this rank's rows.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/ranks.h"
 #include "solvers/haar_cg/threads/tree_loops.h"
 #include "solvers/haar_cg/tree_inputs.h"
 
 namespace rc {
 
-// The vectors that the finest level reads and writes.
+// The vectors that the finest level reads and writes. Where the finest level has a row of the previous rank, they begin with it.
 template <class Real> struct HaarFinestValues {
   const std::uint8_t* active;  // [unknowns] the free set
   const Real* g;               // [unknowns]; null: 1 everywhere
@@ -27,7 +31,8 @@ class HaarTree {
  public:
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
   // `finest`: factor of the differences inside the finest blocks.
-  HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest);
+  // `ranks`: null, or those that share the cells by rows; then every cell exists.
+  HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest, const Ranks* ranks = nullptr);
 
   // Where not every cell exists: rebuilds the tree over some of the unknowns only, in ascending order. Call place() first.
   void take(const Cells& cells, const std::vector<std::int32_t>& unknowns);
@@ -46,6 +51,23 @@ class HaarTree {
   bool full() const { return full_; }
   std::int64_t columns() const { return levels_.front().mx; }  // of cells
   static std::int64_t rows_per_part(std::int64_t columns);     // of cells
+
+  // Of levels that ranks share: the first that they do not, on which each has made its rows of values. 0: they share none.
+  std::size_t first_whole() const { return first_whole_; }
+  // Of that level: values before the first row, and of each rank's rows.
+  float* whole_rows() { return cells(first_whole_) + levels_[first_whole_].lead_y * levels_[first_whole_].pitch; }
+  const std::vector<std::int64_t>& whole_values() const { return whole_values_; }
+  void clear_around_whole_rows();
+  // Whether blocks of this level begin one row of cells earlier.
+  bool shifted_rows(std::size_t level) const { return levels_[level].shift_y != 0; }
+  // Above the finest level: values of the row before the first, and of the last row.
+  std::int64_t row_values(std::size_t level) const { return levels_[level].pitch; }
+  float* row_before(std::size_t level) { return cells(level); }
+  float* last_row(std::size_t level) {
+    const Level& l = levels_[level];
+    return cells(level) + (l.my - 1 + l.lead_y) * l.pitch;
+  }
+  std::int64_t rows_before() const { return levels_.front().before; }  // of the finest level: 0 or 1
 
   // Solves the blocks of each level, from the finest up, then the whole. surplus: by how much every entry of the table exceeds
   // that of the operator; it is taken off at the top.
@@ -72,6 +94,8 @@ class HaarTree {
     std::int64_t columns = 0, rows = 0;     // of blocks
     std::int64_t groups = 0;                // of eight blocks in a row
     std::int64_t lead_x = 0, lead_y = 0;    // empty cells before the first, so that the first block is whole
+    std::int64_t before = 0;                // 1: the row of cells before the first is there, the previous rank's
+    std::int64_t offset = 0;                // of its rows of blocks among the next level's rows of cells
     std::int64_t pitch = 0, height = 0;     // columns and rows of values of the cells
     std::size_t values = 0, blocks = 0;     // where those of this level begin; not on the finest level
     std::vector<std::int32_t> child{};      // [4*parents] where not every cell exists; -1: none
@@ -95,6 +119,7 @@ class HaarTree {
     template <class Value> void scatter_row(const Value* from, const std::int64_t* place, Value* to) const;
   };
 
+  void share(const Ranks& ranks);
   void link(Level& level, std::vector<std::int32_t>& x, std::vector<std::int32_t>& y) const;
   Size lay_out();
   void tabulate(float self, float finest);
@@ -102,7 +127,7 @@ class HaarTree {
   float* cells(std::size_t level) { return value_ + levels_[level].values; }
   float* above(std::size_t level, std::int64_t row) {
     const Level& next = levels_[level + 1];
-    return cells(level + 1) + (row + next.lead_y) * next.pitch + next.lead_x;
+    return cells(level + 1) + (levels_[level].offset + row + next.lead_y) * next.pitch + next.lead_x;
   }
   HaarBlocks* blocks_of(std::size_t level, std::int64_t row) {
     return block_ + levels_[level].blocks + static_cast<std::size_t>(row * levels_[level].groups);
@@ -116,6 +141,8 @@ class HaarTree {
                   const HaarFinestValues<Real>& values);
 
   bool full_;
+  std::size_t first_whole_ = 0;
+  std::vector<std::int64_t> whole_rows_, whole_values_;  // of each rank, on that level
   std::vector<Level> levels_;  // the last is the whole, one cell
   HaarPatterns finest_{};
   HaarRows loops_;

@@ -82,13 +82,13 @@ HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int6
     const std::int64_t x = 16 * group - l.shift_x, y = 2 * row - l.shift_y;
     at.begin = std::max<std::int64_t>(0, -x);
     at.end = std::min<std::int64_t>(16, l.mx - x);
-    at.first[0] = y >= 0 ? y * l.mx + x + at.begin : -1;
-    at.second[0] = y + 1 < l.my ? (y + 1) * l.mx + x + at.begin : -1;
+    at.first[0] = y >= -l.before ? (y + l.before) * l.mx + x + at.begin : -1;
+    at.second[0] = y + 1 < l.my ? (y + 1 + l.before) * l.mx + x + at.begin : -1;
     return at;
   }
   std::fill_n(at.first, 16, std::int64_t{-1});
   std::fill_n(at.second, 16, std::int64_t{-1});
-  const std::int64_t pitch = level == 0 ? l.mx : l.pitch, lead_x = level == 0 ? 0 : l.lead_x, lead_y = level == 0 ? 0 : l.lead_y;
+  const std::int64_t pitch = level == 0 ? l.mx : l.pitch, lead_x = level == 0 ? 0 : l.lead_x, lead_y = level == 0 ? l.before : l.lead_y;
   for (std::int64_t i = 0; i < std::min<std::int64_t>(8, l.columns - 8 * group); ++i) {
     const std::int64_t block = 8 * group + i;
     for (std::int64_t c = 0; c < 4; ++c) {
@@ -100,7 +100,7 @@ HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int6
       }
       if ((c % 2 != 0 && !l.merge_x) || (c / 2 != 0 && !l.merge_y)) continue;
       const std::int64_t x = l.merge_x ? 2 * block - l.shift_x + c % 2 : block, y = l.merge_y ? 2 * row - l.shift_y + c / 2 : row;
-      if (x >= 0 && x < l.mx && y >= 0 && y < l.my) place = (y + lead_y) * pitch + x + lead_x;
+      if (x >= 0 && x < l.mx && y >= -l.before && y < l.my) place = (y + lead_y) * pitch + x + lead_x;
     }
   }
   return at;
@@ -110,7 +110,7 @@ HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int6
 template <class Run, class Single> void HaarTree::each_group(std::int64_t row, const Run& run, const Single& single) const {
   const Level& l = levels_.front();
   std::int64_t first = 0, end = 0;
-  if (regular(l) && 2 * row - l.shift_y >= 0 && 2 * row - l.shift_y + 1 < l.my) {
+  if (regular(l) && 2 * row - l.shift_y >= -l.before && 2 * row - l.shift_y + 1 < l.my) {
     first = l.shift_x;
     end = std::max(first, (l.mx + l.shift_x) / 16);
     if (end > first) run(first, end);
@@ -124,9 +124,10 @@ void HaarTree::clear_margins(std::size_t level, std::int64_t row) {
   if (!full_) return;
   const Level &l = levels_[level], &next = levels_[level + 1];
   float* const values = cells(level + 1);
-  float* const line = values + (row + next.lead_y) * next.pitch;
+  float* const line = values + (l.offset + row + next.lead_y) * next.pitch;
   std::fill_n(line, next.lead_x, 0.0F);
   std::fill(line + next.lead_x + 8 * l.groups, line + next.pitch, 0.0F);
+  if (level + 1 == first_whole_) return;
   if (row == 0) std::fill_n(values, next.lead_y * next.pitch, 0.0F);
   if (row == l.rows - 1) std::fill(line + next.pitch, values + next.height * next.pitch, 0.0F);
 }
@@ -143,7 +144,7 @@ void HaarTree::solve_finest(std::int64_t part, const std::uint8_t* active) {
       finest.solve(1, finest_, first, second, to + 8 * group);
     };
     const auto run = [&](std::int64_t from, std::int64_t end) {
-      const std::uint8_t* const in = active + (2 * row - l.shift_y) * l.mx + 16 * from - l.shift_x;
+      const std::uint8_t* const in = active + (2 * row - l.shift_y + l.before) * l.mx + 16 * from - l.shift_x;
       finest.solve(end - from, finest_, in, in + l.mx, to + 8 * from);
     };
     if (full_) return each_group(row, run, single), clear_margins(0, row);
@@ -187,7 +188,7 @@ template <class Real> void HaarTree::up_finest(std::int64_t part, const HaarFine
       finest.up(1, finest_, in_first, in_second, first, second, to + 8 * group);
     };
     const auto run = [&](std::int64_t from, std::int64_t end) {
-      const std::int64_t at = (2 * row - l.shift_y) * l.mx + 16 * from - l.shift_x;
+      const std::int64_t at = (2 * row - l.shift_y + l.before) * l.mx + 16 * from - l.shift_x;
       const std::uint8_t* const in = values.active + at;
       finest.up(end - from, finest_, in, in + l.mx, values.row(at), values.row(at + l.mx), to + 8 * from);
     };
@@ -258,10 +259,12 @@ template <class Real> void HaarTree::down_rows(std::int64_t begin, std::int64_t 
   const HaarFinest<Real> finest = best_haar_finest<Real>();
   const Level& l = levels_.front();
   const auto block = [&](std::int64_t y) { return l.merge_y ? (y + l.shift_y) / 2 : y; };
-  for (std::int64_t row = block(begin); row <= block(end - 1); ++row) {
-    const auto single = [&](std::int64_t group) { down_group(row, group, begin * l.mx, end * l.mx, values); };
+  for (std::int64_t row = block(begin); row <= std::min(block(end - 1), l.rows - 1); ++row) {
+    const auto single = [&](std::int64_t group) {
+      down_group(row, group, (begin + l.before) * l.mx, (end + l.before) * l.mx, values);
+    };
     const auto run = [&](std::int64_t group, std::int64_t stop) {
-      const std::int64_t y = 2 * row - l.shift_y, at = y * l.mx + 16 * group - l.shift_x;
+      const std::int64_t y = 2 * row - l.shift_y, at = (y + l.before) * l.mx + 16 * group - l.shift_x;
       const auto wanted = [&](std::int64_t of) { return of >= begin && of < end ? values.z + at + (of - y) * l.mx : nullptr; };
       const std::uint8_t* const in = values.active + at;
       finest.down(stop - group, finest_, in, in + l.mx, values.row(at), values.row(at + l.mx), above(0, row) + 8 * group,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <roughcontact/plugin.hpp>
 #include <utility>
 #include <vector>
@@ -18,19 +19,29 @@ constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where not eve
 
 }  // namespace
 
-HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest)
-    : tree_{HaarTree(cells, table, false, finest), HaarTree(cells, table, true, finest)},
+HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest, const Ranks* ranks)
+    : tree_{HaarTree(cells, table, false, finest, ranks), HaarTree(cells, table, true, finest, ranks)},
+      ranks_(ranks),
       cells_(std::move(cells)),
-      unknowns_(cells_.full() ? cells_.mx * cells_.my : static_cast<std::int64_t>(cells_.x.size())) {}
+      unknowns_(ranks            ? cells_.mx * ranks->rows()
+                : cells_.full() ? cells_.mx * cells_.my
+                                : static_cast<std::int64_t>(cells_.x.size())) {
+  if (!ranks) return;
+  std::int64_t values = 0;
+  for (const HaarTree& tree : tree_)
+    for (const std::int64_t count : tree.whole_values()) values += count;
+  joined_.resize(static_cast<std::size_t>(values));
+}
 
 void HaarTreePair::place(std::byte* memory) {
   tree_[0].place(memory);
   tree_[1].place(memory + tree_[0].bytes());
 }
 
-// The first level above the finest that is too small to be shared: from it on one thread does each tree.
+// The first level above the finest that is too small to be shared: from it on one thread does each tree. Not below the first that
+// no ranks share.
 std::size_t HaarTreePair::shared_levels() const {
-  std::size_t level = 1;
+  std::size_t level = std::max<std::size_t>(1, shared_by_ranks());
   while (level < std::min(tree_[0].levels(), tree_[1].levels()) && worth_sharing(level)) ++level;
   return level;
 }
@@ -69,12 +80,67 @@ void HaarTreePair::take(const std::uint8_t* active, const rc_team& team) {
                          [&](std::int64_t i, std::int64_t) { tree_[i].take(cells_, unknowns); });
 }
 
-void HaarTreePair::set_up(const std::uint8_t* active, float surplus, const rc_team& team) {
+template <class Value> void HaarTreePair::lend_row(Value* vector) const {
+  if (!ranks_ || !tree_[1].shifted_rows(0)) return;
+  const std::int64_t columns = tree_[1].columns();
+  ranks_->down(vector + unknowns_ - columns, vector - columns, columns);
+}
+
+// Adds what the next rank has found for this rank's last row.
+template <class Real> void HaarTreePair::take_back_row(Real* z) const {
+  const std::int64_t columns = tree_[1].columns();
+  std::vector<Real> share(static_cast<std::size_t>(columns), Real{0});
+  ranks_->up(z - columns, share.data(), columns);
+  for (std::int64_t x = 0; x < columns && unknowns_ > 0; ++x) z[unknowns_ - columns + x] += share[static_cast<std::size_t>(x)];
+}
+
+void HaarTreePair::lend_rows(std::size_t level) {
+  HaarTree& tree = tree_[1];
+  if (level < shared_by_ranks() && tree.shifted_rows(level))
+    ranks_->down(tree.last_row(level), tree.row_before(level), tree.row_values(level));
+}
+
+void HaarTreePair::return_rows(std::size_t level) {
+  HaarTree& tree = tree_[1];
+  if (level < shared_by_ranks() && tree.shifted_rows(level))
+    ranks_->up(tree.row_before(level), tree.last_row(level), tree.row_values(level));
+}
+
+void HaarTreePair::join_whole_level(bool clear) {
+  std::vector<std::int64_t> bytes;
+  std::vector<float> mine;
+  for (std::size_t rank = 0; rank < tree_[0].whole_values().size(); ++rank)
+    bytes.push_back((tree_[0].whole_values()[rank] + tree_[1].whole_values()[rank]) * static_cast<std::int64_t>(sizeof(float)));
+  const auto here = static_cast<std::size_t>(ranks_->rank());
+  for (HaarTree& tree : tree_) {
+    const auto before = std::accumulate(tree.whole_values().begin(), tree.whole_values().begin() + ranks_->rank(), std::int64_t{0});
+    mine.insert(mine.end(), tree.whole_rows() + before, tree.whole_rows() + before + tree.whole_values()[here]);
+  }
+  ranks_->gather(mine.data(), bytes, joined_.data());
+  const float* from = joined_.data();
+  std::int64_t at[2] = {0, 0};
+  for (std::size_t rank = 0; rank < bytes.size(); ++rank)
+    for (int i = 0; i < 2; ++i) {
+      const std::int64_t count = tree_[i].whole_values()[rank];
+      std::copy_n(from, count, tree_[i].whole_rows() + at[i]);
+      at[i] += count;
+      from += count;
+    }
+  if (!clear) return;
+  for (HaarTree& tree : tree_) tree.clear_around_whole_rows();
+}
+
+void HaarTreePair::set_up(std::uint8_t* active, float surplus, const rc_team& team) {
   if (!tree_[0].full()) take(active, team);
-  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active); });
+  lend_row(active);
+  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active - tree.rows_before() * tree.columns()); });
   const std::size_t small = shared_levels();
-  for (std::size_t level = 1; level < small; ++level)
+  for (std::size_t level = 1; level < small; ++level) {
+    if (level == shared_by_ranks()) join_whole_level(true);
+    lend_rows(level);
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.solve(level, part); });
+  }
+  if (small == shared_by_ranks()) join_whole_level(true);
   roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
     for (std::size_t level = small; level < tree.levels(); ++level)
@@ -84,15 +150,22 @@ void HaarTreePair::set_up(const std::uint8_t* active, float surplus, const rc_te
 }
 
 template <class Real>
-double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out,
+double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out,
                            const rc_team& team) {
   if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
   const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
-  HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
-  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.up_finest(part, values); });
+  const HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
+  const std::int64_t above = before(1);  // values before the first of this rank's
+  const HaarFinestValues<Real> second{active - above, g ? g - above : nullptr, ones.data(), z - above, Real{0.5}, true};
+  if (g) lend_row(g);
+  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.up_finest(part, &tree == tree_ ? values : second); });
   const std::size_t small = shared_levels();
-  for (std::size_t level = 1; level < small; ++level)
+  for (std::size_t level = 1; level < small; ++level) {
+    if (level == shared_by_ranks()) join_whole_level(false);
+    lend_rows(level);
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.up(level, part); });
+  }
+  if (small == shared_by_ranks()) join_whole_level(false);
   roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
     for (std::size_t level = small; level < tree.levels(); ++level)
@@ -108,16 +181,16 @@ double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, c
     for (std::size_t level = tree.levels(); level-- > small;)
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.down(level, part);
   });
-  for (std::size_t level = small; level-- > 1;)
+  for (std::size_t level = small; level-- > 1;) {
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.down(level, part); });
+    return_rows(level);
+  }
 
   const bool parallel = worth_sharing(0);
-  HaarFinestValues<Real> second = values;
-  second.add = true;
   const auto inner = best_haar_loops<Real>().inner;
   std::int64_t piece = chunk;  // unknowns of a partial sum
   if (tree_[0].full()) {
-    piece = HaarTree::rows_per_part(tree_[0].columns()) * tree_[0].columns();
+    piece = (ranks_ ? ranks_->piece_rows() : HaarTree::rows_per_part(tree_[0].columns())) * tree_[0].columns();
   } else {
     roughcontact::for_each(team, tree_[0].parts(0), parallel,
                            [&](std::int64_t part, std::int64_t) { tree_[0].down_finest(part, values); });
@@ -127,20 +200,32 @@ double HaarTreePair::apply(const Real* g, const std::uint8_t* active, Real* z, c
   }
   const std::int64_t pieces = (unknowns_ + piece - 1) / piece;
   std::vector<double> sums(q ? static_cast<std::size_t>(pieces) : 0, 0.0);
+  const auto add = [&](std::int64_t i) {
+    const std::int64_t begin = i * piece, end = std::min(begin + piece, unknowns_);
+    if (q) sums[static_cast<std::size_t>(i)] = inner(end - begin, z + begin, q + begin, active + begin);
+  };
+  const bool waits = ranks_ && tree_[1].shifted_rows(0);  // the last piece, for the next rank's share of its last row
+  if (waits) std::fill_n(z - tree_[0].columns(), tree_[0].columns(), Real{0});
   roughcontact::for_each(team, pieces, parallel, [&](std::int64_t i, std::int64_t) {
     const std::int64_t begin = i * piece, end = std::min(begin + piece, unknowns_);
     if (tree_[0].full()) {
       tree_[0].down_rows(begin / tree_[0].columns(), end / tree_[0].columns(), values);
-      tree_[1].down_rows(begin / tree_[0].columns(), end / tree_[0].columns(), second);
+      tree_[1].down_rows(begin / tree_[0].columns() - (i == 0 ? tree_[1].rows_before() : 0), end / tree_[0].columns(), second);
     }
-    if (q) sums[static_cast<std::size_t>(i)] = inner(end - begin, z + begin, q + begin, active + begin);
+    if (!waits || i < pieces - 1) add(i);
   });
+  if (waits) {
+    take_back_row(z);
+    if (pieces > 0) add(pieces - 1);
+  }
+  if (!q) return 0;
+  if (ranks_) sums = ranks_->of_all(sums);
   double total = 0;
   for (const double sum : sums) total += sum;
   return total;
 }
 
-template double HaarTreePair::apply(const float*, const std::uint8_t*, float*, const float*, double*, const rc_team&);
-template double HaarTreePair::apply(const double*, const std::uint8_t*, double*, const double*, double*, const rc_team&);
+template double HaarTreePair::apply(float*, const std::uint8_t*, float*, const float*, double*, const rc_team&);
+template double HaarTreePair::apply(double*, const std::uint8_t*, double*, const double*, double*, const rc_team&);
 
 }  // namespace rc

@@ -18,10 +18,7 @@ constexpr std::int64_t piece = 1024;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nearly = 1 - 1e-9;  // of the cap: pressures to start from that are higher are at the cap, but for rounding
 
-// Whether body(begin, count) is true of any chunk.
-template <class Body> bool any(std::int64_t n, const rc_team& team, const Body& body) {
-  return reduce<char>(n, team, body, 0, std::logical_or<>()) != 0;
-}
+constexpr std::size_t line = 64;  // bytes that rows of another rank begin at a multiple of
 
 HaarMeasure sum_of_two(const HaarMeasure& a, const HaarMeasure& b) {
   return {std::max(a.largest, b.largest), a.load + b.load, a.merit + b.merit, a.moment + b.moment, a.free_load + b.free_load,
@@ -31,26 +28,29 @@ HaarMeasure sum_of_two(const HaarMeasure& a, const HaarMeasure& b) {
 }  // namespace
 
 template <class Real>
-ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees)
+ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees, const Ranks* ranks)
     : problem_(problem),
       team_(problem.team()),
       trees_(std::move(trees)),
       n_(problem.size()),
+      chunks_(Chunks::of(ranks, problem.grid()->nx)),
+      chunk_runs_((chunks_.values + haar_run - 1) / haar_run),
+      margin_(ranks ? (static_cast<std::size_t>(problem.grid()->nx) * sizeof(Real) + line - 1) / line * line : 0),
       cap_(problem.cap()),
       p_(p.data()),
-      reached_(static_cast<std::size_t>((n_ + chunk_values - 1) / chunk_values)),
-      runs_(static_cast<std::size_t>(n_ / haar_run), HaarRun::busy) {
+      reached_(static_cast<std::size_t>(chunks_.count(n_))),
+      runs_(static_cast<std::size_t>(chunks_.count(n_) * chunk_runs_), HaarRun::busy) {
   const auto count = static_cast<std::size_t>(n_);
   const std::size_t shared = std::max({count * sizeof(double), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
   const std::size_t spares = (shared + sizeof(double) - 1) / sizeof(double) * sizeof(double);  // so that all is aligned
-  const std::size_t bytes = spares + count * (3 * sizeof(Real) + 1);
+  const std::size_t bytes = spares + count * (3 * sizeof(Real) + 1) + 3 * margin_;
   memory_.reset(new std::byte[bytes]);
   prefer_large(memory_.get(), bytes);
-  w_ = reinterpret_cast<Real*>(memory_.get() + spares);
+  w_ = reinterpret_cast<Real*>(memory_.get() + spares + 2 * margin_);
   t_ = w_ + count;
   q_ = t_ + count;
-  active_ = reinterpret_cast<std::uint8_t*>(q_ + count);
-  each_chunk(n_, team_, [&](std::int64_t i, std::int64_t length) {
+  active_ = reinterpret_cast<std::uint8_t*>(q_ + count) + margin_;
+  each([&](std::int64_t i, std::int64_t length) {
     std::fill_n(t_ + i, length, Real{0});
     std::fill_n(active_ + i, length, std::uint8_t{1});
   });
@@ -99,16 +99,16 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
         p[i] = p[i] >= nearly * cap_ ? cap_ : std::max(p[i], 0.0);
         most = std::max(most, p[i]);
       }
-      if (most >= cap_) reached_[static_cast<std::size_t>(first / chunk_values)] = 1;
+      if (most >= cap_) reached_at(first) = 1;
       start = both(start, {highest, most > 0});
     });
     return start;
   };
-  return reduce<HaarStart>(n_, team_, body, none, both);
+  return sum<HaarStart>(body, none, both);
 }
 
 template <class Real> const HaarLoops<Real>& ThreadMachine<Real>::loops_at(std::int64_t begin) const {
-  return reached_[static_cast<std::size_t>(begin / chunk_values)] ? capped_loops_ : loops_;
+  return reached_[static_cast<std::size_t>(begin / chunks_.values)] ? capped_loops_ : loops_;
 }
 
 template <class Real>
@@ -117,17 +117,18 @@ HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure HaarL
   const bool everywhere = loop == &HaarLoops<Real>::replace || loop == &HaarLoops<Real>::begin;
   const auto body = [&](std::int64_t begin, std::int64_t n) {
     const HaarLoops<Real>& loops = loops_at(begin);
+    const HaarRun* const runs = runs_at(begin);
     const auto read = [&, all = everywhere || &loops == &capped_loops_](std::int64_t i) {
-      return all || i + haar_run > n_ || runs_[static_cast<std::size_t>(i / haar_run)] == HaarRun::busy;
+      return all || i + haar_run > begin + n || runs[(i - begin) / haar_run] == HaarRun::busy;
     };
-    HaarMeasure sum;
+    HaarMeasure total;
     with_u(begin, n, read, [&](std::int64_t i, std::int64_t count, const double* u) {
-      sum = sum_of_two(sum, (loops.*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr, shift, u,
-                                          p_ + i, cap_, runs_.data() + i / haar_run));
+      total = sum_of_two(total, (loops.*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr, shift,
+                                              u, p_ + i, cap_, runs + (i - begin) / haar_run));
     });
-    return sum;
+    return total;
   };
-  return reduce<HaarMeasure>(n_, team_, body, {}, sum_of_two);
+  return sum<HaarMeasure>(body, {}, sum_of_two);
 }
 
 template <class Real> HaarMeasure ThreadMachine<Real>::add_and_measure(Vector change, double shift) {
@@ -139,7 +140,7 @@ template <class Real> HaarMeasure ThreadMachine<Real>::replace_and_measure(Wide 
 }
 
 template <class Real> void ThreadMachine<Real>::multiply(double factor, bool free) {
-  each_chunk(n_, team_, [&](std::int64_t from, std::int64_t n) {
+  each([&](std::int64_t from, std::int64_t n) {
     if (!free || cap_ == infinite) {
       for (std::int64_t i = from; i < from + n; ++i) p_[i] *= factor;
       return;
@@ -149,13 +150,13 @@ template <class Real> void ThreadMachine<Real>::multiply(double factor, bool fre
       p_[i] = p_[i] < cap_ ? std::min(p_[i] * factor, cap_) : cap_;
       most = std::max(most, p_[i]);
     }
-    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk_values)] = 1;
+    if (most >= cap_) reached_at(from) = 1;
   });
 }
 
 template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_cut) {
   Real* const change = z();
-  each_chunk(n_, team_, [&](std::int64_t from, std::int64_t n) {
+  each([&](std::int64_t from, std::int64_t n) {
     double most = 0;
     for (std::int64_t i = from; i < from + n; ++i) {
       const double next = p_[i] < cap_ ? std::min(factor * p_[i], cap_) : cap_;
@@ -163,33 +164,33 @@ template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_
       p_[i] = next;
       most = std::max(most, next);
     }
-    if (most >= cap_) reached_[static_cast<std::size_t>(from / chunk_values)] = 1;
+    if (most >= cap_) reached_at(from) = 1;
   });
 }
 
 template <class Real> double ThreadMachine<Real>::turn(double beta) {
-  return reduce<double>(n_, team_, [&](std::int64_t i, std::int64_t n) {
-    return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i, runs_.data() + i / haar_run);
+  return sum<double>([&](std::int64_t i, std::int64_t n) {
+    return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i, runs_at(i));
   });
 }
 
 template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut) {
-  return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
+  return any([&](std::int64_t i, std::int64_t n) {
     if (!cut) {
-      loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_.data() + i / haar_run);
+      loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_at(i));
       return false;
     }
     const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
     const HaarCut found =
-        loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_.data() + i / haar_run);
-    if (found.capped) reached_[static_cast<std::size_t>(i / chunk_values)] = 1;
+        loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
+    if (found.capped) reached_at(i) = 1;
     return found.any;
   });
 }
 
 template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
-  return any(n_, team_, [&](std::int64_t i, std::int64_t n) {
-    return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i, runs_.data() + i / haar_run);
+  return any([&](std::int64_t i, std::int64_t n) {
+    return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i, runs_at(i));
   });
 }
 
@@ -200,32 +201,34 @@ template <class Real> double ThreadMachine<Real>::nearest(bool unpressed) {
       if (unpressed ? p_[i] <= 0 : p_[i] >= cap_) least = std::min(least, std::abs(static_cast<double>(w_[i])));
     return least;
   };
-  return reduce<double>(n_, team_, body, infinite, [](double a, double b) { return std::min(a, b); });
+  return sum<double>(body, infinite, [](double a, double b) { return std::min(a, b); });
 }
 
 template <class Real> double ThreadMachine<Real>::inner(Vector a, Vector b) {
-  return reduce<double>(n_, team_, [&](std::int64_t i, std::int64_t n) { return loops_.inner(n, a + i, b + i, active_ + i); });
+  return sum<double>([&](std::int64_t i, std::int64_t n) { return loops_.inner(n, a + i, b + i, active_ + i); });
 }
 
 template <class Real> template <class Value> double ThreadMachine<Real>::total(Value* x) {
-  return reduce<double>(n_, team_, [&](std::int64_t begin, std::int64_t count) {
+  return sum<double>([&](std::int64_t begin, std::int64_t count) {
     return sum_of(static_cast<std::size_t>(count),
                   [&](std::size_t i) { return static_cast<double>(x[begin + static_cast<std::int64_t>(i)]); });
   });
 }
 
 template <class Real> template <class Value> void ThreadMachine<Real>::raise(Value* x, double by) {
-  each_chunk(n_, team_, [&](std::int64_t begin, std::int64_t count) {
+  each([&](std::int64_t begin, std::int64_t count) {
     for (std::int64_t i = begin; i < begin + count; ++i) x[i] += static_cast<Value>(by);
   });
 }
 
-bool any_positive(std::int64_t n, const double* x, const rc_team& team) {
-  return any(n, team, [&](std::int64_t begin, std::int64_t count) {
+bool any_positive(const Problem& problem, std::span<const double> x) {
+  const auto positive = [&](std::int64_t begin, std::int64_t count) {
     double most = 0;
-    for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, x[i]);
+    for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, x[static_cast<std::size_t>(i)]);
     return most > 0;
-  });
+  };
+  return reduce<char>(problem.size(), problem.team(), positive, 0, std::logical_or<>(),
+                      Chunks::of(problem.ranks(), problem.grid()->nx)) != 0;
 }
 
 template class ThreadMachine<float>;

@@ -1,11 +1,16 @@
 // The machine of the threads of one process: vectorised loops over arrays. Each pass between two products is one fused loop.
 // Threads share chunks of a fixed size, so that sums do not depend on the number of threads.
+//
+// With `ranks` it is the machine of many processes. Each has the unknowns of its rows, every point of them; chunks are pieces of
+// rows, so that sums do not depend on the number of ranks, either.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "core/chunks.h"
 #include "solvers/haar_cg/threads/pass_loops.h"
 #include "solvers/haar_cg/tree_pair.h"
 #include "solvers/solver.h"
@@ -18,18 +23,19 @@ template <class R> class ThreadMachine {
   using Vector = Real*;
   using Wide = double*;
 
-  // problem and the pressures p must outlive it.
-  ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees);
+  // problem, the pressures p and the ranks must outlive it. With ranks, size, gap and products of the problem are those of this
+  // rank's rows, and the trees are made for them.
+  ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees, const Ranks* ranks = nullptr);
   ThreadMachine(const ThreadMachine&) = delete;
   ThreadMachine& operator=(const ThreadMachine&) = delete;
 
   Vector w() { return w_; }
   Vector t() { return t_; }
   Vector q() { return q_; }
-  Vector z() { return reinterpret_cast<Real*>(memory_.get()); }
+  Vector z() { return reinterpret_cast<Real*>(memory_.get() + margin_); }
   Vector y() { return z() + n_; }
   Wide p() { return p_; }
-  Wide wide_spare() { return reinterpret_cast<double*>(memory_.get()); }
+  Wide wide_spare() { return reinterpret_cast<double*>(memory_.get() + margin_); }
 
   template <class Value> void product(Value* from, Value* to) { problem_.apply(static_cast<const Value*>(from), to); }
   template <class Value> void raise(Value* x, double by);
@@ -50,8 +56,16 @@ template <class R> class ThreadMachine {
   double nearest(bool unpressed);
 
  private:
-  // The loops for the chunk that begins here.
+  // The loops for the chunk that begins here, and its runs.
   const HaarLoops<Real>& loops_at(std::int64_t begin) const;
+  HaarRun* runs_at(std::int64_t begin) { return runs_.data() + begin / chunks_.values * chunk_runs_; }
+  std::uint8_t& reached_at(std::int64_t i) { return reached_[static_cast<std::size_t>(i / chunks_.values)]; }
+  template <class Act> void each(const Act& act) { each_chunk(n_, team_, act, chunks_); }
+  template <class Part, class Body, class Combine = std::plus<>>
+  Part sum(const Body& body, Part total = {}, const Combine& combine = {}) {
+    return reduce<Part>(n_, team_, body, total, combine, chunks_);
+  }
+  template <class Body> bool any(const Body& body) { return sum<char>(body, 0, std::logical_or<>()) != 0; }
   HaarMeasure measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change, const double* product,
                       double shift);
   template <class Wanted, class Visit>
@@ -62,10 +76,13 @@ template <class R> class ThreadMachine {
   HaarTreePair trees_;
   const HaarLoops<Real> loops_ = best_haar_loops<Real>(), capped_loops_ = best_haar_loops<Real>(true);
   const std::int64_t n_;
+  const Chunks chunks_;
+  const std::int64_t chunk_runs_;  // of a chunk
+  const std::size_t margin_;       // bytes of the previous rank's last row before w, z and the free set
   const double cap_;
   double* const p_;
   std::vector<std::uint8_t> reached_;  // for each chunk: some of its pressures are, or were, at the cap
-  std::vector<HaarRun> runs_;          // of the free set
+  std::vector<HaarRun> runs_;          // of the free set, [chunk][run]
   // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
   // the free set.
   std::unique_ptr<std::byte[]> memory_;
@@ -73,6 +90,7 @@ template <class R> class ThreadMachine {
   std::uint8_t* active_;
 };
 
-bool any_positive(std::int64_t n, const double* x, const rc_team& team);
+// Of all ranks, where the problem is shared.
+bool any_positive(const Problem& problem, std::span<const double> x);
 
 }  // namespace rc

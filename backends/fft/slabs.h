@@ -1,0 +1,96 @@
+// H of a half-space grid whose rows are shared by processes. Each transforms its rows, and the columns of its waves along x; in
+// between and after it the waves are transposed between the processes. Two rows that follow each other make one complex sequence,
+// and every process begins with an even row, so that no bit depends on who has which rows.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <roughcontact/plugin.hpp>
+#include <vector>
+
+#include "buffer.h"
+#include "failure.h"
+#include "fourier.h"
+#include "lengths.h"
+
+namespace rc_fft {
+
+// Which waves along x a process has, in strips of so many.
+inline constexpr std::int64_t strip = row_size<double>;
+
+struct Strips {
+  Strips(std::int64_t waves, std::int64_t processes) : count((waves + strip - 1) / strip), ranks(processes) {}
+  std::int64_t first(std::int64_t rank) const { return rank * count / ranks; }
+
+  std::int64_t count, ranks;
+};
+
+template <class Real> class SlabTransform {
+ public:
+  SlabTransform(const rc_operator_spec& spec, Lengths lengths, const Strips& strips);
+
+  Lengths lengths() const { return lengths_; }
+  const Fourier<Real>& along_y() const { return *axes_.y; }
+  // The eigenvalue / (2 x y lengths) of the wave along x of this rank among this process's, and along y of that rank.
+  Real& eigenvalue(std::int64_t rank_x, std::int64_t rank_y) {
+    return eigenvalues_.data<Real>()[(rank_x / width<Real> * axes_.y->waves() + rank_y) * width<Real> + rank_x % width<Real>];
+  }
+  // Between this process's rows.
+  void multiply(const Real* x, Real* y);
+
+ private:
+  static constexpr std::int64_t parts = strip / width<Real>;  // blocks in a strip
+  static constexpr std::int64_t tile = most_lines<Real> * row_size<Real>;
+  // The blocks of a process that one transposition carries.
+  struct Range {
+    std::int64_t first, count;
+  };
+  class ColumnSource;
+  class ColumnSink;
+
+  std::int64_t first_row(std::int64_t rank) const { return rows_.first[rank]; }
+  std::int64_t count_rows(std::int64_t rank) const { return first_row(rank + 1) - first_row(rank); }
+  Range blocks(std::int64_t rank, std::int64_t round) const;
+  Real* line(std::int64_t row, std::int64_t block) const;
+  Real* scratch(std::int64_t thread) const { return scratch_.data<Real>() + thread * scratch_size_; }
+  void rows_forward(const Real* x);
+  void rows_backward(Real* y);
+  void columns(std::int64_t round);
+  template <class Copy> void each_line(std::int64_t round, const Copy& copy) const;
+
+  const rc_rows& rows_;
+  const rc_team& team_;
+  Lengths lengths_;
+  Axes<Real> axes_;
+  Strips strips_;
+  std::int64_t nx_, ny_, own_rows_, all_blocks_;
+  std::int64_t rounds_, round_strips_;  // transpositions carry so many strips of each process
+  std::int64_t scratch_size_;           // of a thread [reals]
+  bool parallel_;
+  std::vector<std::int32_t> owner_;  // of each row
+  std::vector<std::int64_t> sent_, received_;  // bytes, by process
+  Buffer eigenvalues_;               // [own block][wave along y][wave of the block]
+  Buffer spectra_;                   // of this process's rows, [group of lines][block][line][row]
+  Buffer by_rows_, by_columns_;      // what a transposition carries
+  Buffer scratch_;
+};
+
+class Slabs {
+ public:
+  // All processes make one at the same time.
+  Slabs(const rc_host* host, const rc_operator_spec& spec);
+
+  std::int64_t points() const { return points_; }  // of the grid
+  void apply(const double* x, double* y) { double_->multiply(x, y); }
+  void apply(const float* x, float* y) { single_->multiply(x, y); }
+
+ private:
+  void load_free(const rc_host* host, const rc_operator_spec& spec, const Strips& strips);
+  void load_periodic(const rc_host* host, const rc_operator_spec& spec, const Strips& strips);
+
+  std::int64_t points_;
+  std::unique_ptr<SlabTransform<double>> double_;
+  std::unique_ptr<SlabTransform<float>> single_;
+};
+
+}  // namespace rc_fft

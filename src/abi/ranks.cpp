@@ -1,0 +1,127 @@
+// rc_ranks_*
+#include <optional>
+
+#include "abi/guard.h"
+#include "abi/handles.h"
+#include "abi/sized_struct.h"
+#include "core/ranks.h"
+#include "ranks/agreement.h"
+#include "ranks/shared_contact.h"
+
+struct rc_ranks_contact {
+  rc::SharedContact contact;
+};
+
+namespace {
+
+using namespace rc;
+
+rc_exchange checked(const rc_exchange* given) {
+  const rc_exchange exchange = read<rc_exchange>(given, "rc_exchange", RC_EXCHANGE_INIT);
+  if (exchange.refused) fail(RC_ERR_ARGUMENT, exchange.refused);
+  if (exchange.ranks < 1 || exchange.rank < 0 || exchange.rank >= exchange.ranks)
+    fail(RC_ERR_ARGUMENT, "rc_exchange.rank = ", exchange.rank, " of rc_exchange.ranks = ", exchange.ranks,
+         " must be 0 .. ranks - 1");
+  if (!exchange.gather || !exchange.transpose || !exchange.shift)
+    fail(RC_ERR_ARGUMENT, "rc_exchange.gather, transpose or shift is null");
+  return exchange;
+}
+
+rc_system with_rows(const rc_system* given) {
+  const rc_system system = read<rc_system>(given, "rc_system", RC_SYSTEM_INIT);
+  if (system.nx < 1 || system.ny < 1)
+    fail(RC_ERR_SHAPE, "rc_system.nx = ", system.nx, " and rc_system.ny = ", system.ny, " must be >= 1");
+  return system;
+}
+
+template <class Body> rc_status with_contact(const char* where, rc_ranks_contact* contact, const Body& body) {
+  return guard(where, [&] {
+    if (!contact) fail(RC_ERR_ARGUMENT, "contact is null");
+    return body(contact->contact);
+  });
+}
+
+template <class Body>
+rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step* step, rc_result* result, const Body& body) {
+  return with_contact(where, contact, [&](SharedContact& c) {
+    rc_step today = RC_STEP_INIT;
+    rc_result answer = RC_RESULT_INIT;
+    on_all(&c.ranks(), [&] {
+      today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
+      if (today.borrow != 0 && today.borrow != 1) fail(RC_ERR_ARGUMENT, "rc_step.borrow = ", today.borrow, " is neither 0 nor 1");
+      answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
+    });
+    const rc_status status = body(c, today, answer);
+    write(result, answer);
+    return status;
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system* system, int64_t* first, int64_t* count) {
+  return guard("rc_ranks_rows", [&] {
+    if (!first || !count) fail(RC_ERR_ARGUMENT, "first or count is null");
+    if (ranks < 1 || rank < 0 || rank >= ranks)
+      fail(RC_ERR_ARGUMENT, "rank = ", rank, " of ranks = ", ranks, " must be 0 .. ranks - 1");
+    const RowPieces pieces(with_rows(system).ny, ranks);
+    *first = pieces.first_row(rank);
+    *count = pieces.first_row(rank + 1) - *first;
+    return RC_OK;
+  });
+}
+
+rc_status rc_ranks_contact_create(const rc_exchange* exchange, const rc_system* system, const rc_options* options,
+                                  rc_ranks_contact** out) {
+  return guard("rc_ranks_contact_create", [&] {
+    if (out) *out = nullptr;
+    const Ranks meeting(checked(exchange), 1);
+    rc_system today = RC_SYSTEM_INIT;
+    std::optional<rc_options> chosen;
+    on_all(&meeting, [&] {
+      if (!out) fail(RC_ERR_ARGUMENT, "out is null");
+      today = with_rows(system);
+      chosen = options ? *options : rc_options{Context::standard(), {}};
+    });
+    check_agreement(meeting, facts_of(today, *chosen));
+    *out = new rc_ranks_contact{{meeting, today, *chosen}};
+    return RC_OK;
+  });
+}
+
+void rc_ranks_contact_destroy(rc_ranks_contact* contact) { delete contact; }
+
+rc_status rc_ranks_contact_solve(rc_ranks_contact* contact, const rc_step* step, rc_result* result) {
+  return with_step("rc_ranks_contact_solve", contact, step, result,
+                   [](SharedContact& c, const rc_step& s, rc_result& r) { return c.solve(s, r); });
+}
+
+rc_status rc_ranks_contact_solve_path(rc_ranks_contact* contact, rc_path* path) {
+  return with_contact("rc_ranks_contact_solve_path", contact, [&](SharedContact& c) {
+    rc_path today = RC_PATH_INIT;
+    on_all(&c.ranks(), [&] {
+      today = read<rc_path>(path, "rc_path", RC_PATH_INIT);
+      path->completed = 0;
+    });
+    return c.solve_path(today, path->completed);
+  });
+}
+
+rc_status rc_ranks_contact_certify(rc_ranks_contact* contact, const rc_step* step, rc_result* result) {
+  return with_step("rc_ranks_contact_certify", contact, step, result,
+                   [](SharedContact& c, const rc_step& s, rc_result& r) { return c.certify(s, r); });
+}
+
+rc_status rc_ranks_contact_counts(rc_ranks_contact* contact, rc_ranks_counts* out) {
+  return with_contact("rc_ranks_contact_counts", contact, [&](SharedContact& c) {
+    check_size(out, "rc_ranks_counts");
+    rc_ranks_counts counts = c.ranks().counts();
+    counts.struct_size = sizeof counts;
+    write(out, counts);
+    return RC_OK;
+  });
+}
+
+}  // extern "C"

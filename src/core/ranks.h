@@ -1,0 +1,176 @@
+// The ranks that share a grid by rows: which rows each has, and how they exchange what they have. A failure of one rank is
+// recorded where it happens; this rank goes on taking part, and all learn of it at the next checked exchange.
+#pragma once
+
+#include <roughcontact/plugin.h>
+#include <roughcontact/ranks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+
+namespace rc {
+
+// How rows are handed out: in pieces of 2^halvings rows, so that they can be halved so often. Sums are made piece by piece.
+struct RowPieces {
+  RowPieces(std::int64_t ny, std::int64_t ranks);
+
+  std::int64_t count() const { return (ny + rows - 1) / rows; }
+  std::int64_t first_row(std::int64_t rank) const;  // also of rank = ranks: ny
+
+  std::int64_t ny, ranks;
+  int halvings;
+  std::int64_t rows;  // of a piece
+};
+
+class Ranks {
+ public:
+  Ranks(const rc_exchange& exchange, std::int64_t ny);
+  // The same ranks on a grid of so many rows; on one of half as many rows, each with half of its own.
+  Ranks on(std::int64_t ny) const;
+  Ranks halved() const;
+  Ranks(Ranks&&) = default;
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  std::int64_t rank() const { return link_->exchange.rank; }
+  std::int64_t size() const { return link_->exchange.ranks; }
+  std::int64_t all_rows() const { return first_.back(); }
+  const std::vector<std::int64_t>& first() const { return first_; }  // rows, [size + 1]
+  std::int64_t first_row() const { return first_[static_cast<std::size_t>(rank())]; }
+  std::int64_t rows() const { return rows_of(rank()); }
+  std::int64_t rows_of(std::int64_t rank) const {
+    return first_[static_cast<std::size_t>(rank) + 1] - first_[static_cast<std::size_t>(rank)];
+  }
+  bool has_last_row() const { return rows() > 0 && first_row() + rows() == all_rows(); }
+  // Ranks with the rows before and after; -1: none.
+  std::int64_t previous() const { return rows() > 0 && rank() > 0 ? rank() - 1 : -1; }
+  std::int64_t next() const { return rows() > 0 && !has_last_row() ? rank() + 1 : -1; }
+  int halvings() const { return halvings_; }  // of a piece's rows, until one is left
+  std::int64_t piece_rows() const { return std::int64_t{1} << halvings_; }
+  std::int64_t pieces_of(std::int64_t rank) const { return (rows_of(rank) + piece_rows() - 1) / piece_rows(); }
+
+  // Records this rank's failure; the first one counts.
+  void failed(rc_status status, const char* message) const noexcept;
+  // Runs an action that may throw. Then this rank has failed.
+  template <class Action> void guarded(const Action& action) const noexcept {
+    try {
+      action();
+    } catch (const Error& error) {
+      failed(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+      failed(RC_ERR_MEMORY, "out of memory");
+    } catch (const std::exception& error) {
+      failed(RC_ERR_INTERNAL, error.what());
+    }
+  }
+
+  // A stop that one rank asks for reaches all of them with the next checked exchange.
+  void ask_stop(rc_status stop) const { link_->asked_stop = std::max(link_->asked_stop, stop); }
+  rc_status stop() const { return link_->stop; }
+  void forget_stop() const { link_->asked_stop = link_->stop = RC_OK; }
+
+  // Checked exchanges: throw the same Error on every rank if any has failed.
+  void agree() const { sum_parts(nullptr, 0, nullptr); }
+  // The last checked exchange of a call. Where that itself is said to have failed, no other rank can learn of it any more.
+  void part() const {
+    agree();
+    link_->failed = RC_OK;
+  }
+  // The parts of the pieces of all ranks, in their order. mine: [pieces of this rank]
+  template <class Part> std::vector<Part> of_all(const std::vector<Part>& mine) const {
+    static_assert(std::is_trivially_copyable_v<Part> && !std::is_same_v<Part, bool>);
+    std::vector<Part> all(static_cast<std::size_t>((all_rows() + piece_rows() - 1) / piece_rows()));
+    sum_parts(mine.data(), sizeof(Part), all.data());
+    return all;
+  }
+  // One value of each rank, in their order.
+  template <class Value> std::vector<Value> of_each(const Value& mine) const {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    std::vector<Value> all(static_cast<std::size_t>(size()));
+    checked(&mine, std::vector<std::int64_t>(all.size(), sizeof(Value)), all.data());
+    return all;
+  }
+
+  // Of each rank as many as it has, in their order.
+  template <class Value> std::vector<Value> of_any(const std::vector<Value>& mine) const {
+    std::vector<std::int64_t> bytes = of_each(static_cast<std::int64_t>(mine.size() * sizeof(Value)));
+    std::vector<Value> all(static_cast<std::size_t>(std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0})) / sizeof(Value));
+    checked(mine.data(), bytes, all.data());
+    return all;
+  }
+  bool any(bool mine) const {
+    const std::vector<char> all = of_each(static_cast<char>(mine));
+    return std::any_of(all.begin(), all.end(), [](char each) { return each != 0; });
+  }
+
+  // Unchecked ones: a failure is told at the next checked one.
+  void gather(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
+  void transpose(const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) const;
+  void shift(std::int64_t to, const void* from, std::int64_t sent, std::int64_t source, void* into, std::int64_t received) const;
+  // A row of values to the next rank; the previous rank's into `into`. And back.
+  template <class Value> void down(const Value* from, Value* into, std::int64_t count) const {
+    const auto bytes = count * static_cast<std::int64_t>(sizeof(Value));
+    shift(next(), from, next() >= 0 ? bytes : 0, previous(), into, previous() >= 0 ? bytes : 0);
+  }
+  template <class Value> void up(const Value* from, Value* into, std::int64_t count) const {
+    const auto bytes = count * static_cast<std::int64_t>(sizeof(Value));
+    shift(previous(), from, previous() >= 0 ? bytes : 0, next(), into, next() >= 0 ? bytes : 0);
+  }
+  // The rows of all ranks [all_rows * columns], from this rank's.
+  template <class Value> void gather_rows(const Value* mine, std::int64_t columns, Value* all) const {
+    std::vector<std::int64_t> bytes;
+    for (std::int64_t r = 0; r < size(); ++r) bytes.push_back(rows_of(r) * columns * static_cast<std::int64_t>(sizeof(Value)));
+    gather(mine, bytes, all);
+  }
+
+  rc_ranks_counts& counts() const { return link_->counts; }
+
+ private:
+  struct Link {
+    rc_exchange exchange;
+    rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
+    rc_status failed = RC_OK, asked_stop = RC_OK, stop = RC_OK;
+    char message[400] = "";
+  };
+
+  Ranks(std::shared_ptr<Link> link, std::vector<std::int64_t> first, int halvings)
+      : link_(std::move(link)), first_(std::move(first)), halvings_(halvings) {}
+  void sum_parts(const void* mine, std::size_t size, void* all) const;
+  void checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
+  [[noreturn]] void raise(const std::vector<rc_status>& statuses) const;
+  std::int64_t sent_to_others(const std::int64_t* sent) const;
+
+  std::shared_ptr<Link> link_;
+  std::vector<std::int64_t> first_;
+  int halvings_;
+};
+
+// An action that may throw, and fails on all ranks if it fails on one; ranks null: it just runs.
+template <class Action> void on_all(const Ranks* ranks, const Action& action) {
+  if (!ranks) return action();
+  ranks->guarded(action);
+  ranks->agree();
+}
+
+// The ranks as components see them; null: this process has the whole grid.
+struct SharedRows : rc_rows {
+  SharedRows() : rc_rows{}, of(nullptr) {}
+  explicit SharedRows(const Ranks& ranks);
+  static const Ranks* ranks_of(const rc_rows* rows) { return rows ? static_cast<const SharedRows*>(rows)->of : nullptr; }
+
+  const Ranks* of;
+};
+
+}  // namespace rc

@@ -1,0 +1,29 @@
+// What all ranks must give alike: a difference is told as "rank 2 and rank 0 disagree on nx: 64 and 128".
+#pragma once
+
+#include <roughcontact/ranks.h>
+
+#include <string>
+#include <vector>
+
+#include "core/ranks.h"
+#include "registry/options_handle.h"
+
+namespace rc {
+
+struct Fact {
+  std::string name, value;
+};
+
+// In digits that tell any two numbers apart.
+std::string exact(double value);
+
+std::vector<Fact> facts_of(const rc_system& system, const rc_options& options);
+// What is given, and what is asked for; not the values at points.
+std::vector<Fact> facts_of(const rc_step& step, const rc_result& result);
+std::vector<Fact> facts_of(const rc_path& path);
+
+// Throws Error(ARGUMENT) on every rank if the facts of one differ from those of rank 0. counts: this rank's do.
+void check_agreement(const Ranks& ranks, const std::vector<Fact>& facts, bool counts = true);
+
+}  // namespace rc

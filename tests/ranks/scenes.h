@@ -1,0 +1,86 @@
+/* Scenes that every rank can make for its own rows: rough surfaces as sums of waves, from the points' numbers alone. */
+#ifndef SCENES_H
+#define SCENES_H
+
+#include <math.h>
+#include <roughcontact/ranks.h>
+#include <string.h>
+
+enum masking { whole, holes, half };
+
+typedef struct scene {
+  const char *name;
+  int64_t nx, ny;
+  int32_t boundary, control;
+  double target;   /* approach above the lowest gap, or load */
+  double hardness; /* 0: none */
+  enum masking mask;
+  const char *products; /* haar-cg.products */
+  int single;           /* gap and pressures of 4 bytes */
+} scene;
+
+static const scene scenes[] = {
+    {"free, load", 96, 128, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.08, 0, whole, "mixed", 0},
+    {"free, approach, double", 100, 75, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.05, 0, whole, "double", 0},
+    {"periodic, load, odd", 81, 99, RC_BOUNDARY_PERIODIC, RC_CONTROL_LOAD, 0.1, 0, whole, "mixed", 0},
+    {"periodic, approach", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.04, 0, whole, "mixed", 0},
+    {"holes", 70, 130, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.05, 0, holes, "mixed", 0},
+    {"half the grid masked, single", 64, 96, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.05, 0, half, "mixed", 1},
+    {"hardness", 64, 80, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.06, 0.15, whole, "mixed", 0},
+    {"hardness, periodic, approach", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.03, 0.1, holes, "double", 0},
+    {"coarse grids", 300, 260, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.4, 0, whole, "mixed", 0},
+    {"nothing touches", 64, 64, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, -0.1, 0, whole, "mixed", 0},
+    {"few rows", 50, 5, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0},
+    {"one row", 40, 1, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.001, 0, whole, "mixed", 0},
+    {"narrow", 2, 60, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.002, 0, whole, "mixed", 0},
+};
+enum { scene_count = sizeof scenes / sizeof scenes[0] };
+
+static const double lowest = 0.3; /* gap at the highest peak, about */
+
+static double gap_at(const scene *s, int64_t x, int64_t y) {
+  double height = 0;
+  for (int k = 1; k <= 12; ++k) {
+    const double a = 2 * 3.14159265358979 * (k * (double)x / (double)s->nx + (13 - k) * (double)y / (double)s->ny);
+    height += cos(a + k * k) / (3 + k) + sin(2.7 * a - k) / (9 + 2 * k);
+  }
+  return lowest + 0.05 * (1 - height);
+}
+
+static int included(const scene *s, int64_t x, int64_t y) {
+  if (s->mask == holes) return (x / 7 + y / 5) % 3 != 0;
+  return s->mask != half || y >= s->ny / 2;
+}
+
+static rc_system system_of(const scene *s) {
+  rc_system system = RC_SYSTEM_INIT;
+  system.nx = s->nx;
+  system.ny = s->ny;
+  system.boundary = s->boundary;
+  system.hx = 1.0 / 64;
+  system.hy = 1.0 / 64;
+  system.modulus = 1;
+  system.hardness = s->hardness;
+  return system;
+}
+
+/* Rows first .. first + count - 1 of the gap and the mask; NaN where that is 0. */
+static void fill_rows(const scene *s, int64_t first, int64_t count, double *gap, uint8_t *mask) {
+  for (int64_t i = 0; i < s->nx * count; ++i) {
+    const int64_t x = i % s->nx, y = first + i / s->nx;
+    mask[i] = (uint8_t)included(s, x, y);
+    gap[i] = mask[i] ? gap_at(s, x, y) : NAN;
+  }
+}
+
+/* An approach is counted from the lowest gap of the whole surface. */
+static double target_of(const scene *s) {
+  double least = INFINITY;
+  if (s->control == RC_CONTROL_LOAD) return s->target;
+  for (int64_t y = 0; y < s->ny; ++y)
+    for (int64_t x = 0; x < s->nx; ++x)
+      if (included(s, x, y)) least = fmin(least, gap_at(s, x, y));
+  return least + s->target;
+}
+
+#endif
