@@ -36,6 +36,10 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
     'solvers/haar_cg/iteration.h': ('solvers/haar_cg/machine.h', 'solvers/haar_cg/task.h', 'solvers/haar_cg/known_loads.h',
                                     'solvers/haar_cg/sought_load.h', 'solvers/haar_cg/pace.h',
                                     'solvers/haar_cg/newton_slope.h', 'solvers/haar_cg/progress.h'),
+    'solvers/problem.h': ('roughcontact/', 'core/ranks.h', 'grid/gap_values.h'),
+    'solvers/haar_cg/starts.*': ('roughcontact/', 'core/chunks.h', 'grid/', 'solvers/problem.h', 'solvers/haar_cg/starts.h'),
+    'solvers/haar_cg/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree_inputs.h'),
+    'solvers/haar_cg/tree_shape.*': ('solvers/haar_cg/tree_inputs.h', 'solvers/haar_cg/tree_shape.h'),
     'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
                         'core/chunks.h', 'kernel/'),
     'contact/history/*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
@@ -52,9 +56,12 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
     'fuzz': CONTACT | {'roughcontact/surface.h', 'roughcontact/formats.h'},
     'examples': PUBLIC,
 }
-# What a folder outside src takes from it: headers alone, but for grid, platform and core/text.h.
+# What a folder outside src takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
+# The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
+HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration.h', 'solvers/haar_cg/starts.h', 'solvers/haar_cg/tree_inputs.h',
+        'solvers/haar_cg/tree_shape.h'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'}}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'} | HAAR}
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 

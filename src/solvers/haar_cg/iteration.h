@@ -388,7 +388,7 @@ template <Machine M> class HaarIteration {
   double exact_ = 1;         // residual of the last product in double precision
   int since_refresh_ = 0;    // bounds since then
 
-  double curvature_ = 0;   // (t, q) of the last step
+  double curvature_ = 0;    // (t, q) of the last step
   double first_slope_ = 0;  // (w, t) of the first step of the interval
   double first_gain_ = 0;   // twice the energy that it gained
   HaarPace pace_;

@@ -32,8 +32,8 @@ void sum_neighbours(std::int64_t nx, std::int64_t ny, const Vector& v, Vector& o
                                                   along_y * (at(x, y > 0 ? y - 1 : ny - 1) + at(x, y + 1 < ny ? y + 1 : 0));
 }
 
-// Whether these periodic values, whose mean is 0, are a sum of few waves: products with the operator above then span a space of as
-// few dimensions, which Lanczos' method finds.
+// Whether these periodic values, whose mean is 0, are a sum of few waves: products with the operator above then span a space of
+// as few dimensions, which Lanczos' method finds.
 bool few_waves(std::int64_t nx, std::int64_t ny, Vector v) {
   Vector before(v.size(), 0.0), next(v.size());
   double size = std::sqrt(dot(v, v)), link = 0;

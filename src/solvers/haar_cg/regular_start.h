@@ -1,5 +1,5 @@
-// Starts for surfaces so regular that plain steps solve them: a few waves that are pressed flat on a periodic surface, or two heights
-// of which the upper ones carry the load.
+// Starts for surfaces so regular that plain steps solve them: a few waves that are pressed flat on a periodic surface, or two
+// heights of which the upper ones carry the load.
 #pragma once
 
 #include <span>

@@ -11,6 +11,7 @@
 #include "core/ranks.h"
 #include "solvers/haar_cg/threads/tree_loops.h"
 #include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/tree_shape.h"
 
 namespace rc {
 
@@ -85,20 +86,15 @@ class HaarTree {
   template <class Real> void down_rows(std::int64_t begin, std::int64_t end, const HaarFinestValues<Real>& values);  // of cells
 
  private:
-  struct Level {
-    std::int64_t mx, my;                    // cells of this level
-    bool merge_x = false, merge_y = false;  // how they join to blocks, the next level's cells
-    std::int64_t shift_x = 0, shift_y = 0;  // 1: the blocks begin one cell earlier
-    HaarCouplings coupling{};               // of neighbours
-    std::int64_t parents = 0;               // number of blocks
-    std::int64_t columns = 0, rows = 0;     // of blocks
-    std::int64_t groups = 0;                // of eight blocks in a row
-    std::int64_t lead_x = 0, lead_y = 0;    // empty cells before the first, so that the first block is whole
-    std::int64_t before = 0;                // 1: the row of cells before the first is there, the previous rank's
-    std::int64_t offset = 0;                // of its rows of blocks among the next level's rows of cells
-    std::int64_t pitch = 0, height = 0;     // columns and rows of values of the cells
-    std::size_t values = 0, blocks = 0;     // where those of this level begin; not on the finest level
-    std::vector<std::int32_t> child{};      // [4*parents] where not every cell exists; -1: none
+  struct Level : HaarTreeLevel {
+    std::int64_t parents = 0;             // number of blocks
+    std::int64_t groups = 0;              // of eight blocks in a row
+    std::int64_t lead_x = 0, lead_y = 0;  // empty cells before the first, so that the first block is whole
+    std::int64_t before = 0;              // 1: the row of cells before the first is there, the previous rank's
+    std::int64_t offset = 0;              // of its rows of blocks among the next level's rows of cells
+    std::int64_t pitch = 0, height = 0;   // columns and rows of values of the cells
+    std::size_t values = 0, blocks = 0;   // where those of this level begin; not on the finest level
+    std::vector<std::int32_t> child{};    // [4*parents] where not every cell exists; -1: none
   };
   struct Size {
     std::size_t values = 0, blocks = 0;
@@ -143,7 +139,7 @@ class HaarTree {
   bool full_;
   std::size_t first_whole_ = 0;
   std::vector<std::int64_t> whole_rows_, whole_values_;  // of each rank, on that level
-  std::vector<Level> levels_;  // the last is the whole, one cell
+  std::vector<Level> levels_;                            // the last is the whole, one cell
   HaarPatterns finest_{};
   HaarRows loops_;
   Size size_;  // of the tree over all unknowns

@@ -88,7 +88,8 @@ HaarTree::Places HaarTree::places(std::size_t level, std::int64_t row, std::int6
   }
   std::fill_n(at.first, 16, std::int64_t{-1});
   std::fill_n(at.second, 16, std::int64_t{-1});
-  const std::int64_t pitch = level == 0 ? l.mx : l.pitch, lead_x = level == 0 ? 0 : l.lead_x, lead_y = level == 0 ? l.before : l.lead_y;
+  const std::int64_t pitch = level == 0 ? l.mx : l.pitch, lead_x = level == 0 ? 0 : l.lead_x,
+                     lead_y = level == 0 ? l.before : l.lead_y;
   for (std::int64_t i = 0; i < std::min<std::int64_t>(8, l.columns - 8 * group); ++i) {
     const std::int64_t block = 8 * group + i;
     for (std::int64_t c = 0; c < 4; ++c) {

@@ -23,7 +23,7 @@ HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest
     : tree_{HaarTree(cells, table, false, finest, ranks), HaarTree(cells, table, true, finest, ranks)},
       ranks_(ranks),
       cells_(std::move(cells)),
-      unknowns_(ranks            ? cells_.mx * ranks->rows()
+      unknowns_(ranks           ? cells_.mx * ranks->rows()
                 : cells_.full() ? cells_.mx * cells_.my
                                 : static_cast<std::int64_t>(cells_.x.size())) {
   if (!ranks) return;
@@ -113,7 +113,8 @@ void HaarTreePair::join_whole_level(bool clear) {
     bytes.push_back((tree_[0].whole_values()[rank] + tree_[1].whole_values()[rank]) * static_cast<std::int64_t>(sizeof(float)));
   const auto here = static_cast<std::size_t>(ranks_->rank());
   for (HaarTree& tree : tree_) {
-    const auto before = std::accumulate(tree.whole_values().begin(), tree.whole_values().begin() + ranks_->rank(), std::int64_t{0});
+    const auto before =
+        std::accumulate(tree.whole_values().begin(), tree.whole_values().begin() + ranks_->rank(), std::int64_t{0});
     mine.insert(mine.end(), tree.whole_rows() + before, tree.whole_rows() + before + tree.whole_values()[here]);
   }
   ranks_->gather(mine.data(), bytes, joined_.data());
@@ -133,7 +134,8 @@ void HaarTreePair::join_whole_level(bool clear) {
 void HaarTreePair::set_up(std::uint8_t* active, float surplus, const rc_team& team) {
   if (!tree_[0].full()) take(active, team);
   lend_row(active);
-  on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active - tree.rows_before() * tree.columns()); });
+  on_finest(team,
+            [&](HaarTree& tree, std::int64_t part) { tree.solve_finest(part, active - tree.rows_before() * tree.columns()); });
   const std::size_t small = shared_levels();
   for (std::size_t level = 1; level < small; ++level) {
     if (level == shared_by_ranks()) join_whole_level(true);
@@ -150,8 +152,7 @@ void HaarTreePair::set_up(std::uint8_t* active, float surplus, const rc_team& te
 }
 
 template <class Real>
-double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out,
-                           const rc_team& team) {
+double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out, const rc_team& team) {
   if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
   const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
   const HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};

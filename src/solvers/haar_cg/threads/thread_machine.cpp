@@ -221,16 +221,6 @@ template <class Real> template <class Value> void ThreadMachine<Real>::raise(Val
   });
 }
 
-bool any_positive(const Problem& problem, std::span<const double> x) {
-  const auto positive = [&](std::int64_t begin, std::int64_t count) {
-    double most = 0;
-    for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, x[static_cast<std::size_t>(i)]);
-    return most > 0;
-  };
-  return reduce<char>(problem.size(), problem.team(), positive, 0, std::logical_or<>(),
-                      Chunks::of(problem.ranks(), problem.grid()->nx)) != 0;
-}
-
 template class ThreadMachine<float>;
 template class ThreadMachine<double>;
 template double ThreadMachine<float>::total(float*);

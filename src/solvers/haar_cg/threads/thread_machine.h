@@ -90,7 +90,4 @@ template <class R> class ThreadMachine {
   std::uint8_t* active_;
 };
 
-// Of all ranks, where the problem is shared.
-bool any_positive(const Problem& problem, std::span<const double> x);
-
 }  // namespace rc

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "solvers/haar_cg/tree_shape.h"
+
 namespace rc {
 
 constexpr float haar_unit_share = 16384;  // of HaarBlocks::w
@@ -18,11 +20,6 @@ struct HaarBlocks {
 struct HaarPatterns {
   float w[4][16], m[6][16];
   float above[16];  // self coupling of the parent
-};
-
-// Couplings of neighbours along x, along y, and across corners.
-struct HaarCouplings {
-  float x, y, xy;
 };
 
 // Loops over `count` groups of eight blocks. A group's children lie in two rows of 16: 0 1 0 1 .. and 2 3 2 3 ..

@@ -1,0 +1,117 @@
+#include "solvers/haar_cg/starts.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/chunks.h"
+#include "grid/downsample.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::int64_t coarsest_side = 64;
+constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
+constexpr double many = 0.25;                   // of the points: within the length unit where a load starts everywhere
+constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
+
+// Every point takes the pressure of the coarse cell in which it lies.
+void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressure, std::span<double> p) {
+  const rc_grid& grid = *problem.grid();
+  const double unit = problem.pressure_unit();
+  const auto n = static_cast<std::int64_t>(p.size());
+  each_chunk(n, problem.team(), [&](std::int64_t begin, std::int64_t count) {
+    for (std::int64_t i = begin; i < begin + count; ++i) {
+      const std::int64_t point = problem.point(i), x = point % grid.nx, y = point / grid.nx;
+      p[static_cast<std::size_t>(i)] = pressure[static_cast<std::size_t>(y / 2 * coarse_nx + x / 2)] / unit;
+    }
+  });
+}
+
+// A start from the solution on a grid of half the resolution, which starts from a still coarser grid. p and d stay as they are
+// where the grid is too small, or its coarse problem cannot be solved.
+void start_nested(const Problem& problem, const char* solver, std::span<double> p, double& d) {
+  const rc_grid& grid = *problem.grid();
+  if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
+  const Ranks* const ranks = problem.ranks();
+  CoarseGrid coarse;
+  Vector pressure;
+  on_all(ranks, [&] {
+    coarse = downsample(grid.nx, ranks ? ranks->rows() : grid.ny, problem.gap(), problem.mask(), Filter::mean);
+    pressure.resize(static_cast<std::size_t>(coarse.nx * coarse.ny));
+  });
+  const double length = problem.length_unit();
+
+  rc_coarse request{};
+  request.struct_size = sizeof request;
+  request.nx = coarse.nx;
+  request.ny = (grid.ny + 1) / 2;
+  request.factor = 2;
+  request.undeformed_gap = coarse.gap.data();
+  request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
+  request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  request.approach = grid.approach;
+  request.load = problem.load() * problem.pressure_unit() * grid.hx * grid.hy;
+  request.solver = solver;
+  request.p = pressure.data();
+  request.keep = !ranks && coarse.nx * coarse.ny <= remembered;
+  request.tol = std::max(coarse_tol, problem.tol());
+  if (problem.coarse(request) < 0) return;
+
+  spread(problem, coarse.nx, pressure, p);
+  if (!problem.load_control()) return;
+  // The datum from u = (datum - gap) / length.
+  const double datum =
+      problem.u() ? problem.gap()[static_cast<std::size_t>(problem.point(0))] + problem.u()[0] * length : grid.approach;
+  d = std::max(0.0, (request.approach - datum) / length);
+}
+
+// Pressures that carry the load. Nearly full contact begins with the same pressure everywhere; where only few points lie within
+// the length unit, which then is an estimate of the approach, pressures grow with the overlap at that approach.
+void start_cold(const Problem& problem, std::span<double> p) {
+  struct Part {
+    double sum = 0, most = 0;
+    std::int64_t within = 0, n = 0;
+    Part operator+(const Part& b) const { return {sum + b.sum, std::max(most, b.most), within + b.within, n + b.n}; }
+  };
+  const Ranks* const ranks = problem.ranks();
+  const auto carries = [&, mask = problem.mask()](std::size_t i) { return !ranks || mask.empty() || mask[i] != 0; };
+  const auto body = [&](std::int64_t begin, std::int64_t count) {
+    Part part;
+    for (std::int64_t i = begin; i < begin + count; ++i) {
+      double& value = p[static_cast<std::size_t>(i)];
+      value = std::max(0.0, 1 + problem.compenetration(i));
+      part.sum += value;
+      part.most = std::max(part.most, value);
+      part.within += value > 0 ? 1 : 0;
+      part.n += carries(static_cast<std::size_t>(i)) ? 1 : 0;
+    }
+    return part;
+  };
+  const Chunks whole{std::max<std::int64_t>(problem.size(), 1)};
+  const Part all =
+      reduce<Part>(problem.size(), problem.team(), body, {}, {}, ranks ? Chunks::of(ranks, problem.grid()->nx) : whole);
+  const auto n = static_cast<double>(all.n);
+  const bool everywhere = static_cast<double>(all.within) > many * n || all.most * problem.load() >= problem.cap() * all.sum;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = !everywhere ? p[i] * (problem.load() / all.sum) : carries(i) ? problem.load() / n : 0;
+}
+
+}  // namespace
+
+bool any_positive(const Problem& problem, std::span<const double> p) {
+  const auto positive = [&](std::int64_t begin, std::int64_t count) {
+    double most = 0;
+    for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, p[static_cast<std::size_t>(i)]);
+    return most > 0;
+  };
+  return reduce<char>(problem.size(), problem.team(), positive, 0, std::logical_or<>(),
+                      Chunks::of(problem.ranks(), problem.grid()->nx)) != 0;
+}
+
+void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d) {
+  if (solver && !any_positive(problem, p)) start_nested(problem, solver, p, d);
+  if (problem.load_control() && !any_positive(problem, p)) start_cold(problem, p);
+}
+
+}  // namespace rc

@@ -1,0 +1,28 @@
+// How the cells of a box join to blocks on every level of a tree, and the couplings of neighbours there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solvers/haar_cg/tree_inputs.h"
+
+namespace rc {
+
+// Couplings of neighbours along x, along y, and across corners.
+struct HaarCouplings {
+  float x, y, xy;
+};
+
+struct HaarTreeLevel {
+  std::int64_t mx, my;                    // cells of this level
+  bool merge_x = false, merge_y = false;  // how they join to blocks, the next level's cells
+  std::int64_t shift_x = 0, shift_y = 0;  // 1: the blocks begin one cell earlier
+  HaarCouplings coupling{};               // of neighbours
+  std::int64_t columns = 0, rows = 0;     // of blocks
+};
+
+// From the finest level up to the one whose block is the whole. `shifted`: the blocks of every second level begin one cell
+// earlier, so that two trees cut the surface at different places.
+std::vector<HaarTreeLevel> haar_tree_levels(std::int64_t mx, std::int64_t my, const CouplingTable& table, bool shifted);
+
+}  // namespace rc
