@@ -288,6 +288,10 @@ struct rc_problem {
      the others; the grid's nx and ny are of all rows, its arrays of these, and so are those of coarse(). Only solvers with
      RC_TAKES_ROWS get it. Since ABI minor 9 */
   const rc_rows *rows;
+  /** A solver that multiplies by itself, by an H that it makes from coefficients(), says here how many products it made since
+   *  it last said so: rc_result counts them. Since plugin ABI minor 9. */
+  void (*multiplied)(const rc_problem *, int64_t products);
+  double zero_mode; /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out. Since minor 9 */
 };
 
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */

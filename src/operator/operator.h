@@ -76,6 +76,7 @@ class Operator {
   std::int64_t points() const { return system_.nx * system_.ny; }
 
   std::int64_t applications() const { return applications_; }
+  void count(std::int64_t products) { applications_ += products; }  // made elsewhere
   const char* name() const { return backend_.name; }
 
  private:

@@ -196,7 +196,8 @@ const Component<Vtable>& Context::get(const std::deque<Component<Vtable>>& compo
   if (const auto* component = find(components, name)) return *component;
   if (is_component_name(name) && load(std::string(name)))
     if (const auto* component = find(components, name)) return *component;
-  load_all();
+  load_all();  // its plugin may have another name
+  if (const auto* component = find(components, name)) return *component;
   std::vector<std::string> known;
   for (const auto& component : components) known.push_back(component.vtable.name);
   std::sort(known.begin(), known.end());

@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 8);
+VALUE(RC_PLUGIN_ABI_MINOR, 9);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -154,7 +154,7 @@ AT(rc_coarse, keep, 76);
 AT(rc_coarse, load, 80);
 AT(rc_coarse, tol, 88);
 
-SIZE(rc_problem, 184);
+SIZE(rc_problem, 200);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -180,6 +180,8 @@ AT(rc_problem, team, 152);
 AT(rc_problem, length, 160);
 AT(rc_problem, pressure, 168);
 AT(rc_problem, cap, 176);
+AT(rc_problem, multiplied, 184);
+AT(rc_problem, zero_mode, 192);
 
 SIZE(rc_solver, 80);
 AT(rc_solver, struct_size, 0);

@@ -119,6 +119,8 @@ rc_status coefficients(const rc_problem* problem, std::int64_t mx, std::int64_t 
   return contained([&] { return run_of(problem).work.coefficients(mx, my, out); });
 }
 
+void multiplied(const rc_problem* problem, std::int64_t products) { run_of(problem).op.count(products); }
+
 void note(const rc_problem* problem, const char* text) {
   contained([&] {
     run_of(problem).note(text);
@@ -223,6 +225,8 @@ void connect(BoundProblem& problem) {
   problem.pressure = run.pressure_unit;
   problem.cap = run.cap;
   problem.note = note;
+  problem.multiplied = multiplied;
+  problem.zero_mode = problem.trial.zero_mode;
   if (run.grid.nx > 0) {
     problem.where.index = problem.trial.index.empty() ? nullptr : problem.trial.index.data();
     problem.grid = &problem.where;
