@@ -62,6 +62,7 @@ HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration.h', 'solvers/haar_cg/sta
         'solvers/haar_cg/tree_shape.h'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
 BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'} | HAAR}
+WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 
 
@@ -83,10 +84,14 @@ def allowed(root, file, include, quoted):
     beside = root / file.parent / include
     if beside.exists() and beside.resolve().is_relative_to((root / top / folder).resolve()):
         return True  # a file of its own
+    if top == 'backends' and quoted and (root / top / folder / include).exists():
+        return True
     if BORROWED.get(top, set()) & {include, include.split('/')[0]}:
         return True
     if top == 'backends' and quoted and include.startswith('common/'):
         return (root / 'backends' / include).exists()
+    if (folder, include) in WITHIN:
+        return True
     if top == 'backends':  # a dependency, never another folder of this tree
         return not quoted and not include.startswith(('rc', '..')) and not (root / 'src' / include).exists()
     return not include.startswith('..') and not (root / 'src' / include).exists()

@@ -1,11 +1,13 @@
-# rc_add_backend(<name> [COMMON] [COMPONENT component] SOURCES ... [LIBRARIES ...] [INCLUDES ...] [LINK ...])
+# rc_add_backend(<name> [COMMON] [FOR_TESTS] [COMPONENT component] SOURCES ... [LIBRARIES ...] [INCLUDES ...] [LINK ...])
 # SOURCES: backend.cpp, which has the entry, and others.
+# FOR_TESTS: a plugin that is installed only where its component is asked for, and built into RC_TEST_PLUGINS.
 # COMMON: the backend uses backends/common. COMPONENT: its install component, backend-<name> by default. LINK: libraries that must
 # be linked wherever the backend is (not those that are headers only).
 # The sources are linked into the library if <name> is in RC_BUILTIN_BACKENDS (object library rcb_<name>, used by src/). Otherwise
 # they become a plugin rcb_<name>.so beside the library, in roughcontact/abi-<n>, both in the build tree and after installation.
+set(RC_TEST_PLUGINS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/test-plugins)
 function(rc_add_backend name)
-  cmake_parse_arguments(ARG "COMMON" "COMPONENT" "SOURCES;LIBRARIES;INCLUDES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMMON;FOR_TESTS" "COMPONENT" "SOURCES;LIBRARIES;INCLUDES;LINK" ${ARGN})
   if(NOT ARG_COMPONENT)
     set(ARG_COMPONENT backend-${name})
   endif()
@@ -20,13 +22,18 @@ function(rc_add_backend name)
     add_library(rcb_${name}_objects OBJECT ${ARG_SOURCES})
     target_include_directories(rcb_${name}_objects PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${ARG_INCLUDES}
       ${CMAKE_CURRENT_SOURCE_DIR})
-    target_compile_options(rcb_${name}_objects PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+    target_compile_options(rcb_${name}_objects PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
     target_link_libraries(rcb_${name}_objects PRIVATE rc_compile PUBLIC ${ARG_LIBRARIES} ${ARG_LINK})
     add_library(rcb_${name} MODULE backend.cpp $<TARGET_OBJECTS:rcb_${name}_objects> $<TARGET_OBJECTS:rc_platform_memory>)
-    set_target_properties(rcb_${name} PROPERTIES PREFIX ""
-      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/roughcontact/abi-${RC_PLUGIN_ABI})
+    set(folder ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/roughcontact/abi-${RC_PLUGIN_ABI})
+    set(unasked "")
+    if(ARG_FOR_TESTS)
+      set(folder ${RC_TEST_PLUGINS})
+      set(unasked EXCLUDE_FROM_ALL)
+    endif()
+    set_target_properties(rcb_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${folder})
     install(TARGETS rcb_${name} LIBRARY DESTINATION ${RC_LIBRARY_DIR}/roughcontact/abi-${RC_PLUGIN_ABI}
-      COMPONENT ${ARG_COMPONENT})
+      COMPONENT ${ARG_COMPONENT} ${unasked})
   endif()
   if(ARG_COMMON)
     if(NOT TARGET rc_backend_common)
@@ -39,7 +46,7 @@ function(rc_add_backend name)
     endif()
   endif()
   target_include_directories(rcb_${name} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${ARG_INCLUDES})
-  target_compile_options(rcb_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  target_compile_options(rcb_${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
   target_link_libraries(rcb_${name} PRIVATE rc_compile ${ARG_LIBRARIES} ${ARG_LINK})
 endfunction()
 

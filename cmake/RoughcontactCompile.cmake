@@ -1,12 +1,12 @@
 # One interface target with the warnings and sanitizers that all of our own code is compiled with.
 add_library(rc_compile INTERFACE)
 target_compile_definitions(rc_compile INTERFACE _FILE_OFFSET_BITS=64)  # files above 2 GiB on 32-bit systems, too
-target_compile_options(rc_compile INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+target_compile_options(rc_compile INTERFACE $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow>
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>  # by a neighbour file's constant
   $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wno-missing-field-initializers>  # members that a designated initialiser leaves out are null
   $<$<AND:$<BOOL:${WIN32}>,$<COMPILE_LANGUAGE:C,CXX>>:-Wno-format>  # MinGW checks them as those of Microsoft's older functions, which it does not call
-  $<$<BOOL:${RC_WERROR}>:-Werror>)
+  $<$<AND:$<BOOL:${RC_WERROR}>,$<COMPILE_LANGUAGE:C,CXX>>:-Werror>)
 if(RC_SANITIZE)
   target_compile_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(rc_compile INTERFACE -fsanitize=${RC_SANITIZE})

@@ -1,6 +1,6 @@
 // Random scenes of many kinds: every step ends certified, and an independent check agrees.
-//   test_random_scenes [--scenes A:B] [--jobs J] [--seed S] [--above N]
-// Steps with more than N products are listed.
+//   test_random_scenes [--scenes A:B] [--jobs J] [--seed S] [--above N] [--pair SOLVER*BACKEND]
+// Steps with more than N products are listed. --pair: every scene by this one.
 #include <algorithm>
 #include <atomic>
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string_view>
 #include <thread>
 
@@ -25,6 +26,7 @@ struct Slice {
   std::uint64_t first = 0, end = 3000, seed = 1;
   int jobs = 1;
   std::int64_t above = std::numeric_limits<std::int64_t>::max();
+  std::optional<pairs::Pair> pair{};
 };
 
 std::string residuals(const pairs::Answer& answer) {
@@ -121,7 +123,8 @@ void all_end_certified(const Slice& slice) {
   std::atomic<std::uint64_t> next = slice.first;
   const auto work = [&] {
     for (std::uint64_t number; (number = next++) < slice.end;) {
-      const Scene scene = random_scene(slice.seed, number);
+      Scene scene = random_scene(slice.seed, number);
+      if (slice.pair) scene.pair = *slice.pair;
       try {
         run(scene, record);
       } catch (const std::exception& failure) {
@@ -137,6 +140,13 @@ void all_end_certified(const Slice& slice) {
   pairs::check_equal(record.failures(), 0, "scenes that failed of " + std::to_string(slice.end - slice.first));
 }
 
+bool parse(std::string_view from, std::optional<pairs::Pair>& to) {
+  const std::size_t star = from.find('*');
+  if (star == std::string_view::npos) return false;
+  to = pairs::Pair{std::string(from.substr(0, star)), std::string(from.substr(star + 1))};
+  return true;
+}
+
 template <class Number> bool parse(std::string_view from, Number& to) {
   const auto [end, error] = std::from_chars(from.data(), from.data() + from.size(), to);
   return error == std::errc() && end == from.data() + from.size();
@@ -150,6 +160,7 @@ bool parse(int argc, char** argv, Slice& slice) {
                       : key == "--jobs"  ? parse(value, slice.jobs)
                       : key == "--seed"  ? parse(value, slice.seed)
                       : key == "--above" ? parse(value, slice.above)
+                      : key == "--pair"  ? parse(value, slice.pair)
                                          : false;
     if (!good) return false;
   }
@@ -164,7 +175,7 @@ int main(int argc, char** argv) {
   scenes::Slice slice;
   if (pairs::quick()) slice.end = 300;
   if (!scenes::parse(argc, argv, slice)) {
-    std::fprintf(stderr, "usage: %s [--scenes A:B] [--jobs J] [--seed S] [--above N]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [--scenes A:B] [--jobs J] [--seed S] [--above N] [--pair SOLVER*BACKEND]\n", argv[0]);
     return 2;
   }
   return pairs::run_group("scenes_random", {{"all_end_certified", [&] { scenes::all_end_certified(slice); }}}, 1, argv);

@@ -1,0 +1,177 @@
+// The passes of haar-cg as functions of a cell's index; solvers/haar_cg/machine.h says what each computes. All vectors are over a
+// box of cells. A cell that is no unknown carries no pressure and is left out of sums.
+#pragma once
+
+#include "kernels/sums.h"
+
+namespace rc_cuda {
+
+// Of a cell.
+constexpr std::uint8_t in_free_set = 1, is_unknown = 2;
+
+struct Begin {
+  const double* u;
+  double* p;
+  std::uint8_t* state;
+  double cap, nearly;  // pressures from nearly on are at the cap, but for rounding
+  RC_ANYWHERE Started operator()(Index i) const {
+    if (!(state[i] & is_unknown)) {
+      p[i] = 0;
+      return {};
+    }
+    state[i] = in_free_set | is_unknown;
+    p[i] = p[i] >= nearly ? cap : p[i] > 0 ? p[i] : 0;
+    return {u[i], p[i] > 0};
+  }
+};
+
+struct Multiply {
+  double *p, by, cap;
+  bool free;  // only pressures below the cap, and up to it
+  RC_ANYWHERE void operator()(Index i) const {
+    const double next = p[i] * by;
+    p[i] = !free ? next : p[i] < cap ? (next < cap ? next : cap) : cap;
+  }
+};
+
+struct Clamp {
+  double *p, cap;
+  RC_ANYWHERE void operator()(Index i) const { p[i] = p[i] > 0 ? (p[i] < cap ? p[i] : cap) : 0; }
+};
+
+template <class R> struct Scale {
+  double *p, by, cap;
+  R* z;
+  bool after_cut;
+  RC_ANYWHERE void operator()(Index i) const {
+    const double scaled = by * p[i], next = p[i] < cap ? (scaled < cap ? scaled : cap) : cap;
+    z[i] = (after_cut ? z[i] : R{0}) + static_cast<R>(next - p[i]);
+    p[i] = next;
+  }
+};
+
+template <class T> struct Raise {
+  T* x;
+  T by;
+  RC_ANYWHERE void operator()(Index i) const { x[i] += by; }
+};
+
+template <class T> struct Total {
+  const T* x;
+  const std::uint8_t* state;
+  RC_ANYWHERE Sum operator()(Index i) const { return {state[i] & is_unknown ? static_cast<double>(x[i]) : 0.0}; }
+};
+
+template <class R> struct Inner {
+  const R *a, *b;
+  const std::uint8_t* state;  // a is 0 off the free set, where b may be anything
+  RC_ANYWHERE Sum operator()(Index i) const {
+    return {state[i] & in_free_set ? static_cast<double>(a[i]) * static_cast<double>(b[i]) : 0.0};
+  }
+};
+
+template <class R> struct Turn {
+  const R *z, *w;
+  R* t;
+  const std::uint8_t* state;
+  R beta;
+  RC_ANYWHERE Sum operator()(Index i) const {
+    if (!(state[i] & in_free_set)) {
+      t[i] = 0;
+      return {};
+    }
+    t[i] = beta == 0 ? z[i] : z[i] + beta * t[i];
+    return {static_cast<double>(w[i]) * static_cast<double>(t[i])};
+  }
+};
+
+template <class R> struct Advance {
+  const R *t, *q;
+  double* p;
+  R* w;
+  double length;
+  RC_ANYWHERE void operator()(Index i) const {
+    p[i] -= length * static_cast<double>(t[i]);
+    w[i] -= static_cast<R>(length) * q[i];
+  }
+};
+
+template <class R> struct Cut {
+  Advance<R> advance;
+  R* z;
+  double cap;
+  RC_ANYWHERE Any operator()(Index i) const {
+    advance(i);
+    const double next = advance.p[i], kept = next > 0 ? (next < cap ? next : cap) : 0;
+    advance.p[i] = kept;
+    z[i] = static_cast<R>(kept - next);
+    return {z[i] != 0};
+  }
+};
+
+// The new w: w + change - shift or, fresh, product - u - shift.
+template <class R> struct Update {
+  R* w;
+  const R* change;
+  const double* product;
+  const double *u, *p;
+  const std::uint8_t* state;
+  double shift, cap;
+  bool fresh;
+  RC_ANYWHERE Measured operator()(Index i) const {
+    if (!(state[i] & is_unknown)) return {};
+    if (fresh)
+      w[i] = static_cast<R>((product ? product[i] : 0.0) - u[i] - shift);
+    else
+      w[i] += (change ? change[i] : R{0}) - static_cast<R>(shift);
+    const double value = static_cast<double>(w[i]), pressure = p[i];
+    const bool capped = pressure >= cap;
+    Measured m;
+    m.largest = capped || (pressure > 0 && value > 0) ? value : -value;
+    m.load = pressure;
+    m.merit = 0.5 * pressure * (value - u[i]);
+    m.moment = pressure * value;
+    m.free_load = capped ? 0 : pressure;
+    m.free_moment = capped ? 0 : m.moment;
+    return m;
+  }
+};
+
+template <class R> struct Choose {
+  const double* p;
+  const R* w;
+  std::uint8_t* state;
+  R limit;
+  double cap;
+  RC_ANYWHERE Any operator()(Index i) const {
+    const std::uint8_t before = state[i];
+    if (!(before & is_unknown)) return {};
+    const bool in = p[i] >= cap ? w[i] > limit : p[i] > 0 || w[i] < -limit;
+    const std::uint8_t after = in ? in_free_set | is_unknown : is_unknown;
+    if (after != before) state[i] = after;
+    return {after != before};
+  }
+};
+
+template <class R> struct Nearest {
+  const double* p;
+  const R* w;
+  const std::uint8_t* state;
+  double cap;
+  bool unpressed;
+  RC_ANYWHERE Least operator()(Index i) const {
+    if (!(state[i] & is_unknown) || !(unpressed ? p[i] <= 0 : p[i] >= cap)) return {};
+    const double value = static_cast<double>(w[i]);
+    return {value < 0 ? -value : value};
+  }
+};
+
+// u from the gap of a grid that is the box.
+template <class T> struct Compenetration {
+  const T* gap;
+  double* u;
+  double approach, length;
+  RC_ANYWHERE void operator()(Index i) const { u[i] = (approach - static_cast<double>(gap[i])) / length; }
+};
+
+}  // namespace rc_cuda

@@ -1,0 +1,147 @@
+#include "runtime/cuda_device.h"
+
+#include <string>
+
+namespace rc_cuda {
+
+namespace {
+
+const char* text_of(cufftResult result) {
+  switch (result) {
+    case CUFFT_ALLOC_FAILED:
+      return "cuFFT has no memory";
+    case CUFFT_INVALID_DEVICE:
+      return "cuFFT finds the device invalid";
+    case CUFFT_EXEC_FAILED:
+      return "cuFFT could not run on the device";
+    case CUFFT_SETUP_FAILED:
+      return "cuFFT could not be set up";
+    case CUFFT_INVALID_SIZE:
+      return "cuFFT does not take this size";
+    case CUFFT_INTERNAL_ERROR:
+      return "an internal error of cuFFT";
+    default:
+      return "an error of cuFFT";
+  }
+}
+
+void checked(cufftResult result, const char* call) {
+  if (result != CUFFT_SUCCESS)
+    driver_failed(call, (std::string(text_of(result)) + " (" + std::to_string(result) + ")").c_str(),
+                  result == CUFFT_ALLOC_FAILED);
+}
+
+}  // namespace
+
+Device::Device(const rc_host* host, Index index) : host_(host), index_(index) {
+  int devices = 0;
+  checked(cudaGetDeviceCount(&devices), "cudaGetDeviceCount");
+  if (index >= devices)
+    fail(RC_ERR_OPTION, component.name, ".index = ", index, ": the driver has ", devices, " device(s), numbered from 0");
+  enter();
+  try {
+    checked(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "cudaStreamCreateWithFlags");
+    checked(cudaMalloc(&result_, most_part), "cudaMalloc");
+    void* arrived = nullptr;
+    checked(cudaMalloc(&arrived, sizeof *arrived_), "cudaMalloc");
+    arrived_ = static_cast<unsigned*>(arrived);
+    clear(arrived_, sizeof *arrived_);
+    checked(cudaMallocHost(&seen_, most_part), "cudaMallocHost");
+  } catch (...) {
+    give_back();
+    throw;
+  }
+}
+
+Device::~Device() {
+  cudaSetDevice(static_cast<int>(index_));
+  give_back();
+}
+
+// What fails here is lost already.
+void Device::give_back() noexcept {
+  cudaFree(parts_);
+  cudaFree(result_);
+  cudaFree(arrived_);
+  cudaFreeHost(seen_);
+  if (stream_) cudaStreamDestroy(stream_);
+  cudaGetLastError();  // the next call begins anew
+}
+
+std::size_t Device::free_bytes() {
+  std::size_t free = 0, all = 0;
+  checked(cudaMemGetInfo(&free, &all), "cudaMemGetInfo");
+  return free;
+}
+
+void* Device::allocate(std::size_t bytes) {
+  void* memory = nullptr;
+  const cudaError_t error = cudaMalloc(&memory, bytes);
+  if (error == cudaErrorMemoryAllocation) cudaGetLastError();  // the device goes on
+  checked(error, "cudaMalloc");
+  return memory;
+}
+
+void Device::make_parts(std::size_t bytes) {
+  if (bytes <= parts_bytes_) return;
+  cudaFree(parts_);
+  parts_ = nullptr;
+  parts_bytes_ = 0;
+  parts_ = allocate(bytes);
+  parts_bytes_ = bytes;
+}
+
+void Device::copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {
+  checked(cudaMemcpyAsync(to, from, bytes, kind, stream_), "cudaMemcpyAsync");
+  wait();
+}
+
+// The 64-bit planner: the numbers of a torus pass 2^31.
+template <class Real> Lines<Real>::Lines(Device& device, const Shape& shape) : shape_(shape) {
+  constexpr bool single = std::is_same_v<Real, float>;
+  long long length = shape.length, pitch = shape.pitch;
+  const long long half = shape.length / 2 + 1;
+  checked(cufftCreate(&plan_), "cufftCreate");
+  try {
+    checked(cufftSetAutoAllocation(plan_, 0), "cufftSetAutoAllocation");
+    if (shape.pitch > 0) {
+      checked(cufftMakePlanMany64(plan_, 1, &length, &length, pitch, 1, &length, pitch, 1, single ? CUFFT_C2C : CUFFT_Z2Z,
+                                  shape.count, &work_bytes_),
+              "cufftMakePlanMany64");
+    } else {
+      long long reals = 2 * half, complex = half;
+      const cufftType type = shape.inverse ? (single ? CUFFT_C2R : CUFFT_Z2D) : (single ? CUFFT_R2C : CUFFT_D2Z);
+      long long* const in = shape.inverse ? &complex : &reals;
+      long long* const out = shape.inverse ? &reals : &complex;
+      checked(cufftMakePlanMany64(plan_, 1, &length, in, 1, *in, out, 1, *out, type, shape.count, &work_bytes_),
+              "cufftMakePlanMany64");
+    }
+    checked(cufftSetStream(plan_, device.stream()), "cufftSetStream");
+  } catch (...) {
+    cufftDestroy(plan_);
+    throw;
+  }
+}
+
+template <class Real> void Lines<Real>::run(Device&, Real* data, void* work) const {
+  checked(cufftSetWorkArea(plan_, work), "cufftSetWorkArea");
+  const int sign = shape_.inverse ? CUFFT_INVERSE : CUFFT_FORWARD;
+  if constexpr (std::is_same_v<Real, float>) {
+    auto* const complex = reinterpret_cast<cufftComplex*>(data);
+    checked(shape_.pitch > 0 ? cufftExecC2C(plan_, complex, complex, sign)
+            : shape_.inverse ? cufftExecC2R(plan_, complex, data)
+                             : cufftExecR2C(plan_, data, complex),
+            "cufftExec");
+  } else {
+    auto* const complex = reinterpret_cast<cufftDoubleComplex*>(data);
+    checked(shape_.pitch > 0 ? cufftExecZ2Z(plan_, complex, complex, sign)
+            : shape_.inverse ? cufftExecZ2D(plan_, complex, data)
+                             : cufftExecD2Z(plan_, data, complex),
+            "cufftExec");
+  }
+}
+
+template class Lines<float>;
+template class Lines<double>;
+
+}  // namespace rc_cuda

@@ -1,0 +1,151 @@
+// A CUDA device: launches, its memory, and cuFFT.
+#pragma once
+
+#include <cuda_runtime.h>
+#include <cufft.h>
+
+#include <cstddef>
+#include <roughcontact/plugin.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "failure.h"
+#include "runtime/index.h"
+
+namespace rc_cuda {
+
+inline void checked(cudaError_t error, const char* call) {
+  if (error != cudaSuccess) driver_failed(call, cudaGetErrorString(error), error == cudaErrorMemoryAllocation);
+}
+
+template <class F> __global__ void __launch_bounds__(lanes) each_kernel(const __grid_constant__ F f, Index n) {
+  const Index i = static_cast<Index>(blockIdx.x) * lanes + threadIdx.x;
+  if (i < n) f(i);
+}
+
+template <class Part> __device__ void add_halves(Part* lane) {
+  __syncthreads();
+  for (int half = lanes / 2; half > 0; half /= 2) {
+    if (threadIdx.x < half) lane[threadIdx.x].add(lane[threadIdx.x + half]);
+    __syncthreads();
+  }
+}
+
+// A piece to a block. The block that comes last adds the pieces, in their order.
+template <class Part, class F>
+__global__ void __launch_bounds__(lanes)
+    reduce_kernel(const __grid_constant__ F f, Index n, Part* parts, unsigned* arrived, Part* result) {
+  alignas(16) __shared__ unsigned char room[lanes * sizeof(Part)];
+  __shared__ bool last;
+  Part* const lane = reinterpret_cast<Part*>(room);
+  const Index begin = static_cast<Index>(blockIdx.x) * piece + threadIdx.x;
+  Part mine;
+#pragma unroll 4
+  for (int k = 0; k < per_lane; ++k)
+    if (const Index i = begin + k * lanes; i < n) mine.add(f(i));
+  lane[threadIdx.x] = mine;
+  add_halves(lane);
+  if (threadIdx.x == 0) {
+    parts[blockIdx.x] = lane[0];
+    __threadfence();
+    last = atomicInc(arrived, gridDim.x - 1) == gridDim.x - 1;  // an integer, which returns to 0 by itself
+  }
+  __syncthreads();
+  if (!last) return;
+  __threadfence();
+  mine = Part{};
+  for (unsigned k = threadIdx.x; k < gridDim.x; k += lanes) mine.add(parts[k]);
+  lane[threadIdx.x] = mine;
+  add_halves(lane);
+  if (threadIdx.x == 0) *result = lane[0];
+}
+
+constexpr unsigned together_lanes = 512;
+
+template <class Work> __global__ void __launch_bounds__(together_lanes) together_kernel(const __grid_constant__ Work work) {
+  const int phases = work.phases();
+  for (int phase = 0; phase < phases; ++phase) {
+    const Index count = work.count(phase);
+    for (Index i = threadIdx.x; i < count; i += together_lanes) work(phase, i);
+    __syncthreads();
+  }
+}
+
+class Device {
+ public:
+  Device(const rc_host* host, Index index);
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  ~Device();
+
+  const rc_host* host() const { return host_; }
+  Index index() const { return index_; }
+  cudaStream_t stream() const { return stream_; }
+  void enter() { checked(cudaSetDevice(static_cast<int>(index_)), "cudaSetDevice"); }
+  std::size_t free_bytes();
+  void* allocate(std::size_t bytes);
+  void release(void* memory) noexcept { cudaFree(memory); }
+  void upload(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyHostToDevice); }
+  void download(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyDeviceToHost); }
+  void clear(void* memory, std::size_t bytes) { checked(cudaMemsetAsync(memory, 0, bytes, stream_), "cudaMemsetAsync"); }
+  void wait() { checked(cudaStreamSynchronize(stream_), "cudaStreamSynchronize"); }
+
+  template <class F> void each(Index n, const F& f) { launch(each_kernel<F>, (n + lanes - 1) / lanes, lanes, f, n); }
+  template <class Part, class F> Part reduce(Index n, const F& f) {
+    static_assert(sizeof(Part) <= most_part);
+    const Index pieces = (n + piece - 1) / piece;
+    make_parts(static_cast<std::size_t>(pieces) * sizeof(Part));
+    launch(reduce_kernel<Part, F>, pieces, lanes, f, n, static_cast<Part*>(parts_), arrived_, static_cast<Part*>(result_));
+    checked(cudaMemcpyAsync(seen_, result_, sizeof(Part), cudaMemcpyDeviceToHost, stream_), "cudaMemcpyAsync");
+    wait();
+    return *static_cast<const Part*>(seen_);
+  }
+  template <class Work> void together(const Work& work) { launch(together_kernel<Work>, 1, together_lanes, work); }
+
+ private:
+  static constexpr std::size_t most_part = 64;
+
+  void make_parts(std::size_t bytes);
+  void copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind);
+  void give_back() noexcept;
+  template <class... Wanted, class... Given>
+  void launch(void (*kernel)(Wanted...), Index blocks, unsigned threads, const Given&... given) {
+    cudaLaunchConfig_t config{};
+    config.gridDim = dim3(static_cast<unsigned>(blocks));
+    config.blockDim = dim3(threads);
+    config.stream = stream_;
+    checked(cudaLaunchKernelEx(&config, kernel, static_cast<const std::decay_t<Wanted>&>(given)...), "cudaLaunchKernelEx");
+  }
+
+  const rc_host* host_;
+  Index index_;
+  cudaStream_t stream_ = nullptr;
+  unsigned* arrived_ = nullptr;
+  void *parts_ = nullptr, *result_ = nullptr;
+  void* seen_ = nullptr;  // on the host, where copies need no staging
+  std::size_t parts_bytes_ = 0;
+};
+
+// As in host_device.h.
+template <class Real> class Lines {
+ public:
+  struct Shape {
+    Index length, count;
+    Index pitch;
+    bool inverse;
+  };
+
+  Lines(Device& device, const Shape& shape);
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+  ~Lines() { cufftDestroy(plan_); }
+  std::size_t work_bytes() const { return work_bytes_; }
+  void run(Device& device, Real* data, void* work) const;
+
+ private:
+  Shape shape_;
+  cufftHandle plan_ = 0;
+  std::size_t work_bytes_ = 0;
+};
+
+}  // namespace rc_cuda

@@ -1,0 +1,93 @@
+// The host in the place of a device: loops, and FFTW in the place of cuFFT. Sums have the same order as on a device.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <roughcontact/plugin.hpp>
+#include <vector>
+
+#include "common/fftw.h"
+#include "failure.h"
+#include "runtime/index.h"
+
+namespace rc_cuda {
+
+class Device {
+ public:
+  Device(const rc_host* host, Index index);
+
+  const rc_host* host() const { return host_; }
+  Index index() const { return index_; }
+  void enter() { call("enter"); }
+  std::size_t free_bytes();
+  void* allocate(std::size_t bytes);
+  void release(void* memory) noexcept;
+  void upload(void* to, const void* from, std::size_t bytes) {
+    call("upload");
+    std::memcpy(to, from, bytes);
+  }
+  void download(void* to, const void* from, std::size_t bytes) {
+    call("download");
+    std::memcpy(to, from, bytes);
+  }
+  void clear(void* memory, std::size_t bytes) {
+    call("clear");
+    std::memset(memory, 0, bytes);
+  }
+  void wait() { call("wait"); }
+
+  template <class F> void each(Index n, const F& f) {
+    call("each");
+    for (Index i = 0; i < n; ++i) f(i);
+  }
+  template <class Part, class F> Part reduce(Index n, const F& f) {
+    call("reduce");
+    std::vector<Part> parts(static_cast<std::size_t>((n + piece - 1) / piece));
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      parts[k] = by_lanes<Part>(static_cast<Index>(k) * piece, std::min(n, static_cast<Index>(k + 1) * piece), f);
+    return by_lanes<Part>(0, static_cast<Index>(parts.size()), [&](Index k) { return parts[static_cast<std::size_t>(k)]; });
+  }
+  template <class Work> void together(const Work& work) {
+    call("together");
+    for (int phase = 0; phase < work.phases(); ++phase)
+      for (Index i = 0; i < work.count(phase); ++i) work(phase, i);
+  }
+  void call(const char* what);  // fails where a test asks for it
+
+ private:
+  template <class Part, class F> static Part by_lanes(Index begin, Index end, const F& f) {
+    Part lane[lanes];
+    for (Index i = begin; i < end; i += lanes)
+      for (Index k = 0; k < std::min<Index>(lanes, end - i); ++k) lane[k].add(f(i + k));
+    for (int half = lanes / 2; half > 0; half /= 2)
+      for (int k = 0; k < half; ++k) lane[k].add(lane[k + half]);
+    return lane[0];
+  }
+
+  const rc_host* host_;
+  Index index_;
+};
+
+// `rows` lines of `length` reals in rows of 2 (length/2 + 1), transformed in place to length/2 + 1 complex numbers and back; or
+// the columns of complex rows. As cuFFT has them.
+template <class Real> class Lines {
+ public:
+  struct Shape {
+    Index length, count;
+    Index pitch;  // of complex rows; 0: the lines are rows of reals
+    bool inverse;
+  };
+
+  Lines(Device& device, const Shape& shape);
+  std::size_t work_bytes() const { return 0; }
+  // data: the first line, aligned as memory of the device is, or one that is whole rows further on.
+  void run(Device& device, Real* data, void* work) const;
+
+ private:
+  Shape shape_;
+  rc_common::OwnedPlan<Real> plan_;  // of one line
+};
+
+}  // namespace rc_cuda

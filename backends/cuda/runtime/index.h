@@ -1,0 +1,29 @@
+// What code for the device and for the host has in common.
+#pragma once
+
+#include <cstdint>
+
+#ifdef __CUDACC__
+#define RC_ANYWHERE __host__ __device__
+#else
+#define RC_ANYWHERE
+#endif
+
+namespace rc_cuda {
+
+using Index = std::int64_t;
+
+// Sums are made of pieces of this many values, each by so many lanes, which are added in halves; then the pieces likewise. So
+// they do not depend on the order in which pieces come.
+constexpr int lanes = 256, per_lane = 16, piece = lanes * per_lane;
+
+// n / by and the rest, for n < 2^32: a device divides such numbers much faster.
+struct Place {
+  Index column, row;
+};
+RC_ANYWHERE inline Place place_of(Index i, Index columns) {
+  const auto n = static_cast<std::uint32_t>(i), by = static_cast<std::uint32_t>(columns);
+  return {static_cast<Index>(n % by), static_cast<Index>(n / by)};
+}
+
+}  // namespace rc_cuda

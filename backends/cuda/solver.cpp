@@ -1,0 +1,180 @@
+#include "solver.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "machine.h"
+#include "names.h"
+#include "session.h"
+#include "solvers/haar_cg/starts.h"
+#include "solvers/haar_cg/tree_inputs.h"
+
+namespace rc_cuda {
+
+namespace {
+
+// The unknowns in their bounding box: the cells of the machine.
+class Cells {
+ public:
+  Cells(const rc::Problem& problem) : problem_(problem) {
+    const rc_grid& grid = *problem.grid();
+    const rc_domain domain{sizeof domain, problem.size(), grid.index, 0};
+    box_ = rc_common::bounding_box(domain, grid.nx, grid.ny);
+    if (box_.points() == problem.size()) return;
+    place_.reserve(static_cast<std::size_t>(problem.size()));
+    rc_common::for_each_point(
+        domain, grid.nx, [&](Index, Index column, Index row) { place_.push_back((row - box_.y) * box_.nx + column - box_.x); });
+  }
+
+  Window window() const { return {box_.nx, box_.ny}; }
+  Index count() const { return box_.points(); }
+
+  void upload_state(Device& device, std::uint8_t* to) const {
+    std::vector<std::uint8_t> state(static_cast<std::size_t>(count()), place_.empty() ? is_unknown : 0);
+    for (const Index at : place_) state[static_cast<std::size_t>(at)] = is_unknown;
+    device.upload(to, state.data(), state.size());
+  }
+
+  // spare: memory of the device for as many doubles.
+  void upload_compenetration(Device& device, double* to, double* spare) const {
+    const rc_grid& grid = *problem_.grid();
+    if (!problem_.u() && count() == grid.nx * grid.ny && place_.empty()) {
+      const double length = problem_.length_unit();
+      problem_.gap().visit([&](const auto* gap) {
+        using Value = std::remove_const_t<std::remove_pointer_t<decltype(gap)>>;
+        auto* const there = reinterpret_cast<Value*>(spare);
+        device.upload(there, gap, static_cast<std::size_t>(count()) * sizeof(Value));
+        device.each(count(), Compenetration<Value>{there, to, grid.approach, length});
+      });
+      return;
+    }
+    if (problem_.u() && place_.empty())
+      return device.upload(to, problem_.u(), static_cast<std::size_t>(count()) * sizeof(double));
+    std::vector<double> u(static_cast<std::size_t>(count()));
+    for (Index i = 0; i < problem_.size(); ++i) u[static_cast<std::size_t>(at(i))] = problem_.compenetration(i);
+    device.upload(to, u.data(), u.size() * sizeof(double));
+  }
+
+  void upload_pressures(Device& device, const double* p, double* to) const {
+    if (place_.empty()) return device.upload(to, p, static_cast<std::size_t>(count()) * sizeof(double));
+    std::vector<double> all(static_cast<std::size_t>(count()));
+    for (Index i = 0; i < problem_.size(); ++i) all[static_cast<std::size_t>(at(i))] = p[i];
+    device.upload(to, all.data(), all.size() * sizeof(double));
+  }
+
+  // Between their ends, beyond which they are where a stop came between a step and its cut.
+  void download_pressures(Device& device, double* from, double cap, double* p) const {
+    device.each(count(), Clamp{from, cap});
+    if (place_.empty()) return device.download(p, from, static_cast<std::size_t>(count()) * sizeof(double));
+    std::vector<double> all(static_cast<std::size_t>(count()));
+    device.download(all.data(), from, all.size() * sizeof(double));
+    for (Index i = 0; i < problem_.size(); ++i) p[i] = all[static_cast<std::size_t>(at(i))];
+  }
+
+ private:
+  Index at(Index i) const { return place_.empty() ? i : place_[static_cast<std::size_t>(i)]; }
+
+  const rc::Problem& problem_;
+  rc_common::Box box_;
+  std::vector<Index> place_;  // of each unknown in the box; empty: in order
+};
+
+// Products that the machine made and the core does not know of.
+template <class R> class Count {
+ public:
+  Count(const rc_problem& problem, const DeviceMachine<R>& machine) : problem_(problem), machine_(machine) {}
+  ~Count() { tell(); }
+  Count(const Count&) = delete;
+  Count& operator=(const Count&) = delete;
+  void tell() {
+    problem_.multiplied(&problem_, machine_.products() - told_);
+    told_ = machine_.products();
+  }
+
+ private:
+  const rc_problem& problem_;
+  const DeviceMachine<R>& machine_;
+  Index told_ = 0;
+};
+
+template <class R>
+rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options* options, const rc::Problem& problem, double* p,
+                  double& d) {
+  const rc_grid& grid = *problem.grid();
+  const Settings settings(host, options);
+  const auto coefficients = [&](Index mx, Index my, double* out) {
+    roughcontact::check(given.coefficients(&given, mx, my, out));
+  };
+  const rc::TreeInputs inputs = rc::tree_inputs(grid, problem.size(), [&](Index mx, Index my, std::vector<double>& out) {
+    out.resize(static_cast<std::size_t>(mx * my));
+    coefficients(mx, my, out.data());
+  });
+  const Cells cells(problem);
+  const Window box = cells.window();
+  Trees trees(inputs.cells.mx, inputs.cells.my, inputs.table);
+
+  Borrowed engine(host, settings);
+  Device& device = engine->device();
+  const Torus torus = grid.boundary == RC_BOUNDARY_PERIODIC ? periodic_torus(grid.nx, grid.ny) : free_torus(box.nx, box.ny);
+  const std::shared_ptr<const Spectrum> spectrum = spectrum_for(host, settings, *engine, torus, grid.nx, grid.ny, coefficients);
+  using M = DeviceMachine<R>;
+  engine->plan<R>(torus, box, box);
+  engine->plan<double>(torus, box, box);
+  engine->make_room({torus.bytes<double>(), M::bytes(cells.count(), trees)}, spectrum->bytes(), settings.limit,
+                    "a solve over " + std::to_string(box.nx) + "x" + std::to_string(box.ny) + " points");
+  const typename M::Memory memory = M::place(engine->vectors(), cells.count(), trees);
+  trees.place(device, memory.trees);
+  cells.upload_state(device, memory.state);
+  cells.upload_compenetration(device, memory.u, memory.spare);
+  cells.upload_pressures(device, p, memory.p);
+
+  M machine(*engine, *spectrum, {box, problem.cap(), given.zero_mode}, memory, trees);
+  Count<R> count(given, machine);
+  const rc::HaarTask task{.by_load = problem.load_control(),
+                          .load = problem.load(),
+                          .cap = problem.cap(),
+                          .tol = problem.tol(),
+                          .least_scale = problem.least_scale(),
+                          .periodic_mean = inputs.mean,
+                          .elongated = inputs.elongated,
+                          .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
+                          .poll = [&](std::int64_t steps, double residual) {
+                            count.tell();
+                            problem.poll(steps, residual);
+                          }};
+  rc_status status = RC_OK;
+  try {
+    const rc::HaarOutcome outcome = rc::HaarIteration(machine, task).run(d);
+    if (outcome.ending == rc::HaarEnding::not_finite) fail(RC_ERR_NUMERIC, "the operator returned values that are not finite");
+    if (problem.load_control()) d = outcome.approach;
+    if (outcome.ending != rc::HaarEnding::solved) status = RC_STOP_STALLED;
+  } catch (const roughcontact::Failure& stop) {
+    if (stop.code < 0) throw;
+    status = stop.code;
+  }
+  cells.download_pressures(device, memory.p, problem.cap(), p);
+  engine.give_back();
+  return status;
+}
+
+}  // namespace
+
+rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* options, double* p, double* d) noexcept {
+  return roughcontact::guard(host, component, [&] {
+    const rc::Problem problem(*host, *given, *options);
+    const std::span<double> pressures(p, static_cast<std::size_t>(given->n));
+    rc::start_haar_cg(problem, problem.option_int("haar-cg.nested") != 0 ? names::solver : nullptr, pressures, *d);
+    const bool mixed = problem.option_text("haar-cg.products") == "mixed";
+    rc_status status =
+        mixed ? iterate<float>(host, *given, options, problem, p, *d) : iterate<double>(host, *given, options, problem, p, *d);
+    if (status == RC_STOP_STALLED && !problem.load_control() && problem.has_subset()) {
+      problem.note(std::string(names::solver) + ": stalled; nnls finished");
+      status = problem.by_nnls(p);
+    }
+    roughcontact::check(status);
+  });
+}
+
+}  // namespace rc_cuda

@@ -1,0 +1,121 @@
+#include "trees.h"
+
+#include <algorithm>
+
+namespace rc_cuda {
+
+namespace {
+
+constexpr Index largest_summit = 64 * 64;  // blocks of its lowest level
+constexpr float least_top = 0.1F;          // of the surplus: least coupling of the whole with itself
+constexpr std::size_t alignment = 256;
+
+// Lays out one array after the other; without memory it counts their bytes.
+class Layout {
+ public:
+  explicit Layout(unsigned char* memory) : memory_(memory) {}
+  template <class T> T* next(std::size_t count) {
+    T* const at = memory_ ? reinterpret_cast<T*>(memory_ + used_) : nullptr;
+    used_ += (count * sizeof(T) + alignment - 1) / alignment * alignment;
+    return at;
+  }
+  std::size_t used() const { return used_; }
+
+ private:
+  unsigned char* memory_;
+  std::size_t used_ = 0;
+};
+
+void lay_out(Layout& layout, std::vector<Level>& levels) {
+  float* child = nullptr;
+  bool finest = true;
+  for (Level& level : levels) {
+    const auto blocks = static_cast<std::size_t>(level.blocks());
+    level.child = child;
+    child = level.parent = layout.next<float>(blocks);
+    if (!finest) {
+      level.shares = layout.next<Shares>(blocks);
+      level.details = layout.next<Details>(blocks);
+    }
+    finest = false;
+  }
+}
+
+}  // namespace
+
+Trees::Trees(Index mx, Index my, const rc::CouplingTable& table) {
+  Layout layout(nullptr);
+  for (int tree = 0; tree < 2; ++tree) {
+    for (const rc::HaarTreeLevel& from : rc::haar_tree_levels(mx, my, table, tree == 1))
+      levels_[tree].push_back({from.mx, from.my, from.merge_x, from.merge_y, static_cast<int>(from.shift_x),
+                               static_cast<int>(from.shift_y), from.columns, from.rows, from.coupling.x, from.coupling.y,
+                               from.coupling.xy});
+    lay_out(layout, levels_[tree]);
+    layout.next<Level>(levels(tree));
+  }
+  layout.next<Patterns>(1);
+  layout.next<float>(2);
+  layout.next<double>(1);
+  bytes_ = layout.used();
+  const auto blocks = [&](int tree) { return levels_[tree][summit_].blocks(); };
+  while (summit_ < std::min(levels(0), levels(1)) && std::max(blocks(0), blocks(1)) > largest_summit) ++summit_;
+  table_ = patterns(static_cast<float>(table.k[0]));
+}
+
+Patterns Trees::patterns(float self) const {
+  Patterns table{};
+  for (unsigned pattern = 0; pattern < 16; ++pattern) {
+    float a[4];
+    for (unsigned i = 0; i < 4; ++i) a[i] = pattern >> i & 1U ? self : 0;
+    Solved c;
+    Shares shares;
+    Details details;
+    table.above[pattern] = solved(levels_[0].front(), a, c);
+    pack(c, shares, details);
+    table.of[pattern] = unpacked(shares, details);
+  }
+  return table;
+}
+
+void Trees::place(Device& device, unsigned char* memory) {
+  Layout layout(memory);
+  for (int tree = 0; tree < 2; ++tree) {
+    lay_out(layout, levels_[tree]);
+    on_device_[tree] = layout.next<Level>(levels(tree));
+    device.upload(on_device_[tree], levels_[tree].data(), levels(tree) * sizeof(Level));
+  }
+  table_on_device_ = layout.next<Patterns>(1);
+  device.upload(table_on_device_, &table_, sizeof table_);
+  top_ = layout.next<float>(2);
+  level_of_w_ = layout.next<double>(1);
+}
+
+Summit Trees::summit() const {
+  return {{on_device_[0], on_device_[1]},
+          static_cast<int>(summit_),
+          {static_cast<int>(levels(0)), static_cast<int>(levels(1))},
+          top_,
+          level_of_w_};
+}
+
+void Trees::set_up(Device& device, const std::uint8_t* state, double surplus) {
+  on_level(device, 0, SolveFinest{state, table_on_device_});
+  for (std::size_t level = 1; level < summit_; ++level) on_level(device, level, Solve{});
+  device.together(SolveSummit{summit(), static_cast<float>(surplus), least_top});
+}
+
+template <class R>
+Preconditioned Trees::apply(Device& device, const R* g, const std::uint8_t* state, R* z, const R* q, bool keeps_sum) {
+  on_level(device, 0, UpFinest<R>{state, table_on_device_, g});
+  for (std::size_t level = 1; level < summit_; ++level) on_level(device, level, Up{});
+  device.together(ApplySummit{summit(), keeps_sum});
+  for (std::size_t level = summit_; level-- > 1;) on_level(device, level, Down{});
+  const Level& finest = levels_[0].front();
+  const DownFinest<R> last{{finest, levels_[1].front()}, state, table_on_device_, level_of_w_, g, q, z};
+  return device.reduce<Preconditioned>(finest.mx * finest.my, last);
+}
+
+template Preconditioned Trees::apply(Device&, const float*, const std::uint8_t*, float*, const float*, bool);
+template Preconditioned Trees::apply(Device&, const double*, const std::uint8_t*, double*, const double*, bool);
+
+}  // namespace rc_cuda
