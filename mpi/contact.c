@@ -6,27 +6,27 @@
 
 struct rc_mpi_contact {
   struct rc_mpi_link link;
-  rc_ranks_contact *contact;
+  rc_ranks_contact* contact;
 };
 
 /* Has the core set the message, and returns its status. */
-static rc_status refused(const char *why) {
+static rc_status refused(const char* why) {
   rc_exchange none = RC_EXCHANGE_INIT;
-  rc_ranks_contact *contact = NULL;
+  rc_ranks_contact* contact = NULL;
   none.refused = why;
   return rc_ranks_contact_create(&none, NULL, NULL, &contact);
 }
 
-rc_status rc_mpi_rows(MPI_Comm comm, const rc_system *system, int64_t *first, int64_t *count) {
+rc_status rc_mpi_rows(MPI_Comm comm, const rc_system* system, int64_t* first, int64_t* count) {
   int rank = 0, ranks = 1;
-  const char *const why = rc_mpi_refuse(comm);
+  const char* const why = rc_mpi_refuse(comm);
   if (why) return refused(why);
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
   return rc_ranks_rows(rank, ranks, system, first, count);
 }
 
-static void release(rc_mpi_contact *contact) {
+static void release(rc_mpi_contact* contact) {
   int over = 0;
   rc_ranks_contact_destroy(contact->contact);
   MPI_Finalized(&over);
@@ -36,9 +36,9 @@ static void release(rc_mpi_contact *contact) {
   free(contact);
 }
 
-rc_status rc_mpi_contact_create(MPI_Comm comm, const rc_system *system, const rc_options *options, rc_mpi_contact **out) {
-  const char *const why = rc_mpi_refuse(comm);
-  rc_mpi_contact *made = NULL;
+rc_status rc_mpi_contact_create(MPI_Comm comm, const rc_system* system, const rc_options* options, rc_mpi_contact** out) {
+  const char* const why = rc_mpi_refuse(comm);
+  rc_mpi_contact* made = NULL;
   rc_exchange exchange;
   rc_status status;
   int ranks = 1, enough = 0, enough_everywhere = 0;
@@ -74,22 +74,22 @@ rc_status rc_mpi_contact_create(MPI_Comm comm, const rc_system *system, const rc
   return RC_OK;
 }
 
-void rc_mpi_contact_destroy(rc_mpi_contact *contact) {
+void rc_mpi_contact_destroy(rc_mpi_contact* contact) {
   if (contact) release(contact);
 }
 
-rc_status rc_mpi_contact_solve(rc_mpi_contact *contact, const rc_step *step, rc_result *result) {
+rc_status rc_mpi_contact_solve(rc_mpi_contact* contact, const rc_step* step, rc_result* result) {
   return rc_ranks_contact_solve(contact ? contact->contact : NULL, step, result);
 }
 
-rc_status rc_mpi_contact_solve_path(rc_mpi_contact *contact, rc_path *path) {
+rc_status rc_mpi_contact_solve_path(rc_mpi_contact* contact, rc_path* path) {
   return rc_ranks_contact_solve_path(contact ? contact->contact : NULL, path);
 }
 
-rc_status rc_mpi_contact_certify(rc_mpi_contact *contact, const rc_step *step, rc_result *result) {
+rc_status rc_mpi_contact_certify(rc_mpi_contact* contact, const rc_step* step, rc_result* result) {
   return rc_ranks_contact_certify(contact ? contact->contact : NULL, step, result);
 }
 
-rc_status rc_mpi_contact_counts(rc_mpi_contact *contact, rc_ranks_counts *out) {
+rc_status rc_mpi_contact_counts(rc_mpi_contact* contact, rc_ranks_counts* out) {
   return rc_ranks_contact_counts(contact ? contact->contact : NULL, out);
 }

@@ -6,7 +6,7 @@
 
 enum { most = 1 << 30 }; /* bytes of one message: MPI counts in int */
 
-static const char *said(struct rc_mpi_link *link, const char *what, int code) {
+static const char* said(struct rc_mpi_link* link, const char* what, int code) {
   char text[MPI_MAX_ERROR_STRING] = "";
   int length = 0;
   if (code == MPI_SUCCESS) return NULL;
@@ -15,7 +15,7 @@ static const char *said(struct rc_mpi_link *link, const char *what, int code) {
   return link->text;
 }
 
-const char *rc_mpi_refuse(MPI_Comm comm) {
+const char* rc_mpi_refuse(MPI_Comm comm) {
   int flag = 0;
   if (MPI_Initialized(&flag) != MPI_SUCCESS || !flag) return "MPI is not initialised; call MPI_Init first";
   if (MPI_Finalized(&flag) != MPI_SUCCESS || flag) return "MPI is finalised already";
@@ -26,7 +26,7 @@ const char *rc_mpi_refuse(MPI_Comm comm) {
 }
 
 /* Whether so many bytes for each rank can be told in int, and where they begin. */
-static int fits(int ranks, const int64_t *bytes, int *count, int *place) {
+static int fits(int ranks, const int64_t* bytes, int* count, int* place) {
   int64_t all = 0;
   for (int r = 0; r < ranks; ++r) {
     if (all > INT_MAX || bytes[r] > INT_MAX) return 0;
@@ -37,10 +37,10 @@ static int fits(int ranks, const int64_t *bytes, int *count, int *place) {
   return 1;
 }
 
-static const char *gather(void *user, const void *mine, const int64_t *bytes, void *all) {
-  struct rc_mpi_link *link = user;
+static const char* gather(void* user, const void* mine, const int64_t* bytes, void* all) {
+  struct rc_mpi_link* link = user;
   int *count = link->counts, *place = count + link->ranks;
-  char *to = all;
+  char* to = all;
   if (fits(link->ranks, bytes, count, place))
     return said(link, "MPI_Allgatherv",
                 MPI_Allgatherv(mine, count[link->rank], MPI_BYTE, all, count, place, MPI_BYTE, link->comm));
@@ -57,13 +57,13 @@ static const char *gather(void *user, const void *mine, const int64_t *bytes, vo
 
 /* Messages between pairs, as MPI_Alltoallv would send them: its counts in int are too small for large grids, and ranks would have
    to agree on where they are. Each is cut into pieces of `most` bytes, whose number is known to both ranks. */
-static const char *transpose(void *user, const void *from, const int64_t *sent, void *into, const int64_t *received) {
-  struct rc_mpi_link *link = user;
-  const char *failed = NULL;
+static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
+  struct rc_mpi_link* link = user;
+  const char* failed = NULL;
   int more = 1;
   for (int64_t at = 0; more; at += most) {
-    const char *give = from;
-    char *take = into;
+    const char* give = from;
+    char* take = into;
     int open = 0, code = MPI_SUCCESS;
     more = 0;
     for (int r = 0; r < link->ranks; take += received[r], give += sent[r], ++r) {
@@ -84,11 +84,11 @@ static const char *transpose(void *user, const void *from, const int64_t *sent, 
   return failed;
 }
 
-static const char *shift(void *user, int64_t to, const void *from, int64_t sent, int64_t source, void *into, int64_t received) {
-  struct rc_mpi_link *link = user;
+static const char* shift(void* user, int64_t to, const void* from, int64_t sent, int64_t source, void* into, int64_t received) {
+  struct rc_mpi_link* link = user;
   const int next = to < 0 ? MPI_PROC_NULL : (int)to, previous = source < 0 ? MPI_PROC_NULL : (int)source;
-  const char *give = from;
-  char *take = into;
+  const char* give = from;
+  char* take = into;
   do {
     const int out = (int)(sent < most ? sent : most), in = (int)(received < most ? received : most);
     const int code = MPI_Sendrecv(give, out, MPI_BYTE, next, 2, take, in, MPI_BYTE, previous, 2, link->comm, MPI_STATUS_IGNORE);
@@ -101,7 +101,7 @@ static const char *shift(void *user, int64_t to, const void *from, int64_t sent,
   return NULL;
 }
 
-rc_exchange rc_mpi_exchange(struct rc_mpi_link *link) {
+rc_exchange rc_mpi_exchange(struct rc_mpi_link* link) {
   rc_exchange exchange = RC_EXCHANGE_INIT;
   exchange.rank = link->rank;
   exchange.ranks = link->ranks;

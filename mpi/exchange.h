@@ -8,14 +8,14 @@
 struct rc_mpi_link {
   MPI_Comm comm;
   int rank, ranks;
-  int *counts;       /* [2 * ranks] of a collective call: counts and places */
-  MPI_Request *open; /* [2 * ranks] */
+  int* counts;       /* [2 * ranks] of a collective call: counts and places */
+  MPI_Request* open; /* [2 * ranks] */
   char text[MPI_MAX_ERROR_STRING + 64];
 };
 
 /* NULL, or why this communicator cannot be used. */
-const char *rc_mpi_refuse(MPI_Comm comm);
+const char* rc_mpi_refuse(MPI_Comm comm);
 /* The functions over this link. */
-rc_exchange rc_mpi_exchange(struct rc_mpi_link *link);
+rc_exchange rc_mpi_exchange(struct rc_mpi_link* link);
 
 #endif

@@ -23,8 +23,7 @@ template <class Real> class SlabTransform<Real>::ColumnSource : public Source<Re
 
   Real* row(std::int64_t i) const {
     const std::int64_t rank = of_.owner_[static_cast<std::size_t>(i)], first = of_.first_row(rank);
-    return of_.by_columns_.template data<Real>() +
-           (blocks_ * first + block_ * of_.count_rows(rank) + i - first) * row_size<Real>;
+    return of_.by_columns_.template data<Real>() + (blocks_ * first + block_ * of_.count_rows(rank) + i - first) * row_size<Real>;
   }
   void read(int, std::int64_t first, std::int64_t count, const Real** rows) override {
     for (std::int64_t i = first; i < first + count; ++i) rows[i - first] = i < this->end() ? row(i) : zero_row<Real>;
@@ -86,7 +85,8 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
   scratch_.reserve<Real>(team_.threads, scratch_size_, lengths);
 }
 
-template <class Real> typename SlabTransform<Real>::Range SlabTransform<Real>::blocks(std::int64_t rank, std::int64_t round) const {
+template <class Real>
+typename SlabTransform<Real>::Range SlabTransform<Real>::blocks(std::int64_t rank, std::int64_t round) const {
   const std::int64_t end = strips_.first(rank + 1), first = std::min(strips_.first(rank) + round * round_strips_, end);
   const std::int64_t last = std::min(first + round_strips_, end);
   const std::int64_t begin = std::min(first * parts, all_blocks_);
@@ -132,7 +132,8 @@ template <class Real> void SlabTransform<Real>::rows_backward(Real* y) {
     // All lines are asked for: a line that is not wanted has no neighbour in its sequence, whose waves are then 0.
     Real* const from = spectra_.data<Real>() + group * all_blocks_ * tile;
     for (std::int64_t i = std::min(count, own_rows_ - group * count); i < count; ++i)
-      for (std::int64_t block = 0; block < all_blocks_; ++block) std::fill_n(line(group * count + i, block), row_size<Real>, Real{0});
+      for (std::int64_t block = 0; block < all_blocks_; ++block)
+        std::fill_n(line(group * count + i, block), row_size<Real>, Real{0});
     along.passes().from_spectra(from, count, along.rows(), along.waves(), scratch(thread));
     LineSink<Real> sink(along.passes(), wanted, nx_);
     along.backward(scratch(thread), sink);
@@ -188,8 +189,7 @@ namespace {
 // The eigenvalues of one of a process's strips of waves along x, for one wave along y.
 template <class Real> void load(SlabTransform<Real>& to, std::int64_t own_strip, std::int64_t rank_y, const double* values) {
   const double factor = 0.5 / points(to.lengths());
-  for (std::int64_t c = 0; c < strip; ++c)
-    to.eigenvalue(own_strip * strip + c, rank_y) = static_cast<Real>(factor * values[c]);
+  for (std::int64_t c = 0; c < strip; ++c) to.eigenvalue(own_strip * strip + c, rank_y) = static_cast<Real>(factor * values[c]);
 }
 
 // Rows of coefficients, each somewhere: row i is row length - i as well.
@@ -215,9 +215,9 @@ class EvenRows : public Source<double> {
 Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.system->nx * spec.system->ny) {
   const rc_system& system = *spec.system;
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
-  const Lengths lengths = periodic ? Lengths{system.nx, system.ny}
-                                   : Lengths{fast_length(exact_length(0, system.nx, system.nx)),
-                                             fast_length(exact_length(0, system.ny, system.ny))};
+  const Lengths lengths =
+      periodic ? Lengths{system.nx, system.ny}
+               : Lengths{fast_length(exact_length(0, system.nx, system.nx)), fast_length(exact_length(0, system.ny, system.ny))};
   const Strips strips(lengths.x / 2 + 1, spec.rows->ranks);
   const rc_status made = roughcontact::guard(host, component, [&] {
     double_ = std::make_unique<SlabTransform<double>>(spec, lengths, strips);
@@ -284,7 +284,8 @@ void Slabs::load_free(const rc_host* host, const rc_operator_spec& spec, const S
     // Asks again on this thread for the message: those of other threads are not seen here.
     std::vector<double> row(static_cast<std::size_t>(row_length));
     if (const auto at = std::find(failed.begin(), failed.end(), 1); at != failed.end())
-      roughcontact::check(host->window(host, spec.system, spec.kernel, 0, begin + (at - failed.begin()) * most, row_length, 1, row.data()));
+      roughcontact::check(
+          host->window(host, spec.system, spec.kernel, 0, begin + (at - failed.begin()) * most, row_length, 1, row.data()));
     for (std::int64_t rank = 0; rank < rows.ranks; ++rank) {
       give.push_back((strips.first(rank + 1) - strips.first(rank)) * own * strip_bytes);
       take.push_back((first_row(rank + 1) - first_row(rank)) * own_strips * strip_bytes);

@@ -67,11 +67,11 @@ template <class Real> class SlabTransform {
   std::int64_t rounds_, round_strips_;  // transpositions carry so many strips of each process
   std::int64_t scratch_size_;           // of a thread [reals]
   bool parallel_;
-  std::vector<std::int32_t> owner_;  // of each row
+  std::vector<std::int32_t> owner_;            // of each row
   std::vector<std::int64_t> sent_, received_;  // bytes, by process
-  Buffer eigenvalues_;               // [own block][wave along y][wave of the block]
-  Buffer spectra_;                   // of this process's rows, [group of lines][block][line][row]
-  Buffer by_rows_, by_columns_;      // what a transposition carries
+  Buffer eigenvalues_;                         // [own block][wave along y][wave of the block]
+  Buffer spectra_;                             // of this process's rows, [group of lines][block][line][row]
+  Buffer by_rows_, by_columns_;                // what a transposition carries
   Buffer scratch_;
 };
 

@@ -1,5 +1,6 @@
-// H of a half-space grid, shared by processes or with x and y exchanged where that is faster. Transforms take lines along x, and columns many at a time.
-// On a grid of few columns most of each block of columns would be empty, so such a grid is turned: its columns become lines.
+// H of a half-space grid, shared by processes or with x and y exchanged where that is faster. Transforms take lines along x, and
+// columns many at a time. On a grid of few columns most of each block of columns would be empty, so such a grid is turned: its
+// columns become lines.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,7 @@ class Turned {
   const bool turned_;
   rc_system system_;  // as the operator has it
   Operator op_;
-  std::unique_ptr<Slabs> slabs_;  // null: this process has the whole grid
+  std::unique_ptr<Slabs> slabs_;     // null: this process has the whole grid
   std::vector<std::int64_t> order_;  // the caller's place of each point in the operator's order; empty: the same
 };
 

@@ -1,10 +1,11 @@
 // rc_ranks_*
+#include "core/ranks.h"
+
 #include <optional>
 
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "core/ranks.h"
 #include "ranks/agreement.h"
 #include "ranks/shared_contact.h"
 

@@ -18,8 +18,8 @@ struct Finished;
 
 class GridContact {
  public:
-  // team: null, or a team to use instead of its own. ranks: null, or those that share the grid by rows; see Workspace. All of them
-  // then call the same functions.
+  // team: null, or a team to use instead of its own. ranks: null, or those that share the grid by rows; see Workspace. All of
+  // them then call the same functions.
   GridContact(const rc_system& system, const rc_options& options, const rc_team* team, const Ranks* ranks = nullptr)
       : work_(system, options, team, ranks) {}
 

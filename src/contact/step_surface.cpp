@@ -64,11 +64,7 @@ template <class Real> bool add_finite(Summary& summary, const Real* gap, std::in
 }  // namespace
 
 StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const Ranks* ranks)
-    : team_(&team),
-      ranks_(ranks),
-      nx_(given.nx),
-      ny_(given.ny),
-      all_points_(nx_ * (ranks ? ranks->all_rows() : ny_)) {
+    : team_(&team), ranks_(ranks), nx_(given.nx), ny_(given.ny), all_points_(nx_ * (ranks ? ranks->all_rows() : ny_)) {
   const std::int64_t columns = tiles_x(), rows = (ny_ + tile - 1) / tile;
   std::vector<Summary> summaries;
   const auto own = [&]<class Real>(std::unique_ptr<Real[]>& values) {

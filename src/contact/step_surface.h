@@ -77,10 +77,12 @@ class StepSurface {
   }
   // The same for a list of points, and for all.
   template <class Part, class Add> Part sum_over(std::span<const std::size_t> entries, const Add& add) const {
-    return sum_over<Part>(entries.size(), [&](std::size_t k) { return entries[k]; }, add);
+    return sum_over<Part>(
+        entries.size(), [&](std::size_t k) { return entries[k]; }, add);
   }
   template <class Part, class Add> Part sum_over_all(const Add& add) const {
-    return sum_over<Part>(gap_.size(), [](std::size_t k) { return k; }, add);
+    return sum_over<Part>(
+        gap_.size(), [](std::size_t k) { return k; }, add);
   }
   // Of all ranks, where the order does not matter.
   template <class Part> Part united(const Part& mine) const {

@@ -59,8 +59,8 @@ struct ProofFacts {
 // It cannot be moved: operators keep the addresses of its options and team.
 class Workspace {
  public:
-  // team: null, or a team to use instead of its own. ranks: null, or those that share the grid by rows, which must outlive it: all
-  // arrays over points are then of this rank's rows.
+  // team: null, or a team to use instead of its own. ranks: null, or those that share the grid by rows, which must outlive it:
+  // all arrays over points are then of this rank's rows.
   Workspace(const rc_system& system, const rc_options& options, const rc_team* team, const Ranks* ranks = nullptr);
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
@@ -71,7 +71,7 @@ class Workspace {
   const Ranks* ranks() const { return ranks_; }
   std::int64_t own_rows() const { return ranks_ ? ranks_->rows() : system.given.ny; }
   std::int64_t own_points() const { return system.given.nx * own_rows(); }  // of this process
-  rc_grid grid() const;  // of a half-space; without its gap
+  rc_grid grid() const;                                                     // of a half-space; without its gap
 
   // This backend's operator, bound to that trial set. It is made at the first call.
   Operator& bound_operator(const rc_backend& backend, const TrialSet& trial);

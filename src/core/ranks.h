@@ -106,7 +106,8 @@ class Ranks {
   // Of each rank as many as it has, in their order.
   template <class Value> std::vector<Value> of_any(const std::vector<Value>& mine) const {
     std::vector<std::int64_t> bytes = of_each(static_cast<std::int64_t>(mine.size() * sizeof(Value)));
-    std::vector<Value> all(static_cast<std::size_t>(std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0})) / sizeof(Value));
+    std::vector<Value> all(static_cast<std::size_t>(std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0})) /
+                           sizeof(Value));
     checked(mine.data(), bytes, all.data());
     return all;
   }

@@ -16,7 +16,8 @@ constexpr std::int64_t least_side = 32;
 // What a contact on rows cannot do yet is refused by the option that asks for it.
 void check_options(const rc_options& options) {
   const auto refuse = [](const char* key, const std::string& value, const char* what) {
-    fail(RC_ERR_INCOMPATIBLE, "option ", key, " = ", value, ": contacts shared by ranks have no ", what, "; leave it at its default");
+    fail(RC_ERR_INCOMPATIBLE, "option ", key, " = ", value, ": contacts shared by ranks have no ", what,
+         "; leave it at its default");
   };
   for (const char* const key : {RC_OPT_STIFFNESS})
     if (options.integer(key) != 0) refuse(key, join(options.integer(key)), "stiffness");
@@ -49,9 +50,14 @@ void stand_in_for(const Given& given, rc_step& step, rc_result& result) {
 }
 
 Given given_by(const rc_step& step, const rc_result& result) {
-  return {step.undeformed_gap != nullptr, step.undeformed_gap_single != nullptr, step.mask != nullptr,
-          step.p0 != nullptr,             result.p != nullptr,                   result.p_single != nullptr,
-          result.gap != nullptr,          result.gap_single != nullptr};
+  return {step.undeformed_gap != nullptr,
+          step.undeformed_gap_single != nullptr,
+          step.mask != nullptr,
+          step.p0 != nullptr,
+          result.p != nullptr,
+          result.p_single != nullptr,
+          result.gap != nullptr,
+          result.gap_single != nullptr};
 }
 
 }  // namespace

@@ -9,13 +9,13 @@
 enum masking { whole, holes, half };
 
 typedef struct scene {
-  const char *name;
+  const char* name;
   int64_t nx, ny;
   int32_t boundary, control;
   double target;   /* approach above the lowest gap, or load */
   double hardness; /* 0: none */
   enum masking mask;
-  const char *products; /* haar-cg.products */
+  const char* products; /* haar-cg.products */
   int single;           /* gap and pressures of 4 bytes */
 } scene;
 
@@ -38,7 +38,7 @@ enum { scene_count = sizeof scenes / sizeof scenes[0] };
 
 static const double lowest = 0.3; /* gap at the highest peak, about */
 
-static double gap_at(const scene *s, int64_t x, int64_t y) {
+static double gap_at(const scene* s, int64_t x, int64_t y) {
   double height = 0;
   for (int k = 1; k <= 12; ++k) {
     const double a = 2 * 3.14159265358979 * (k * (double)x / (double)s->nx + (13 - k) * (double)y / (double)s->ny);
@@ -47,12 +47,12 @@ static double gap_at(const scene *s, int64_t x, int64_t y) {
   return lowest + 0.05 * (1 - height);
 }
 
-static int included(const scene *s, int64_t x, int64_t y) {
+static int included(const scene* s, int64_t x, int64_t y) {
   if (s->mask == holes) return (x / 7 + y / 5) % 3 != 0;
   return s->mask != half || y >= s->ny / 2;
 }
 
-static rc_system system_of(const scene *s) {
+static rc_system system_of(const scene* s) {
   rc_system system = RC_SYSTEM_INIT;
   system.nx = s->nx;
   system.ny = s->ny;
@@ -65,7 +65,7 @@ static rc_system system_of(const scene *s) {
 }
 
 /* Rows first .. first + count - 1 of the gap and the mask; NaN where that is 0. */
-static void fill_rows(const scene *s, int64_t first, int64_t count, double *gap, uint8_t *mask) {
+static void fill_rows(const scene* s, int64_t first, int64_t count, double* gap, uint8_t* mask) {
   for (int64_t i = 0; i < s->nx * count; ++i) {
     const int64_t x = i % s->nx, y = first + i / s->nx;
     mask[i] = (uint8_t)included(s, x, y);
@@ -74,7 +74,7 @@ static void fill_rows(const scene *s, int64_t first, int64_t count, double *gap,
 }
 
 /* An approach is counted from the lowest gap of the whole surface. */
-static double target_of(const scene *s) {
+static double target_of(const scene* s) {
   double least = INFINITY;
   if (s->control == RC_CONTROL_LOAD) return s->target;
   for (int64_t y = 0; y < s->ny; ++y)

@@ -1,4 +1,5 @@
-/* What one rank does wrong, or what fails there, is told to all: the same status and message everywhere, and no rank waits for ever. */
+/* What one rank does wrong, or what fails there, is told to all: the same status and message everywhere, and no rank waits for
+ * ever. */
 #include <roughcontact/mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,24 +11,24 @@ static int calls, fail_at; /* calls to MPI since `calls` was 0; the one that fai
 
 /* The call is made, and then reported as failed: what a rank hears of it first. */
 static int reported(int code) { return ++calls == fail_at ? MPI_ERR_OTHER : code; }
-int MPI_Allgatherv(const void *from, int n, MPI_Datatype type, void *to, const int *counts, const int *places, MPI_Datatype to_type,
-                   MPI_Comm comm) {
+int MPI_Allgatherv(const void* from, int n, MPI_Datatype type, void* to, const int* counts, const int* places,
+                   MPI_Datatype to_type, MPI_Comm comm) {
   return reported(PMPI_Allgatherv(from, n, type, to, counts, places, to_type, comm));
 }
-int MPI_Waitall(int n, MPI_Request *requests, MPI_Status *statuses) { return reported(PMPI_Waitall(n, requests, statuses)); }
-int MPI_Sendrecv(const void *from, int n, MPI_Datatype type, int to, int tag, void *into, int m, MPI_Datatype into_type, int source,
-                 int into_tag, MPI_Comm comm, MPI_Status *status) {
+int MPI_Waitall(int n, MPI_Request* requests, MPI_Status* statuses) { return reported(PMPI_Waitall(n, requests, statuses)); }
+int MPI_Sendrecv(const void* from, int n, MPI_Datatype type, int to, int tag, void* into, int m, MPI_Datatype into_type,
+                 int source, int into_tag, MPI_Comm comm, MPI_Status* status) {
   return reported(PMPI_Sendrecv(from, n, type, to, tag, into, m, into_type, source, into_tag, comm, status));
 }
 
-static void check(int holds, const char *what) {
+static void check(int holds, const char* what) {
   if (holds) return;
   ++failures;
   fprintf(stderr, "rank %d: %s: %s\n", rank, what, rc_last_error());
 }
 
 /* Every rank has this status and the same message, which has these words. */
-static void check_failed(rc_status status, rc_status wanted, const char *words, const char *what) {
+static void check_failed(rc_status status, rc_status wanted, const char* words, const char* what) {
   char mine[400] = "", first[400] = "";
   snprintf(mine, sizeof mine, "%d %s", (int)status, rc_last_error());
   memcpy(first, mine, sizeof first);
@@ -41,13 +42,13 @@ typedef struct job {
   rc_system system;
   rc_step step;
   rc_result result;
-  rc_options *options;
+  rc_options* options;
   double *gap, *p;
-  uint8_t *mask;
+  uint8_t* mask;
   int64_t first, count;
 } job;
 
-static job job_of(const scene *s) {
+static job job_of(const scene* s) {
   job j = {system_of(s), RC_STEP_INIT, RC_RESULT_INIT, NULL, NULL, NULL, NULL, 0, 0};
   rc_mpi_rows(MPI_COMM_WORLD, &j.system, &j.first, &j.count);
   const size_t n = (size_t)(s->nx * j.count) + 1;
@@ -70,9 +71,9 @@ static void free_job(job j) {
   free(j.mask);
 }
 
-static void disagreements(const scene *s) {
+static void disagreements(const scene* s) {
   job j = job_of(s);
-  rc_mpi_contact *contact = NULL;
+  rc_mpi_contact* contact = NULL;
   const int last = ranks - 1;
   if (rank == last) j.system.nx += 1;
   check_failed(rc_mpi_contact_create(MPI_COMM_WORLD, &j.system, NULL, &contact), ranks > 1 ? RC_ERR_ARGUMENT : RC_OK,
@@ -101,12 +102,14 @@ static void disagreements(const scene *s) {
   j.step.mask = NULL;
   const double good = j.gap[3];
   if (rank == last) j.gap[3] = NAN;
-  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "not finite, first at index ", "NaN on one rank");
+  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "not finite, first at index ",
+               "NaN on one rank");
   j.gap[3] = good;
   j.step.p0 = j.p;
   for (int64_t i = 0; i < s->nx * j.count; ++i) j.p[i] = 0;
   if (rank == last) j.p[5] = INFINITY;
-  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "rc_step.p0[5]", "an infinite start on one rank");
+  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "rc_step.p0[5]",
+               "an infinite start on one rank");
   j.step.p0 = NULL;
   j.step.target = -1;
   j.step.control = RC_CONTROL_LOAD;
@@ -119,26 +122,28 @@ static void disagreements(const scene *s) {
   free_job(j);
 }
 
-static void communicators(const scene *s) {
+static void communicators(const scene* s) {
   const rc_system system = system_of(s);
-  rc_mpi_contact *contact = NULL;
+  rc_mpi_contact* contact = NULL;
   int64_t first = 0, count = 0;
-  check_failed(rc_mpi_contact_create(MPI_COMM_NULL, &system, NULL, &contact), RC_ERR_ARGUMENT, "MPI_COMM_NULL", "no communicator");
+  check_failed(rc_mpi_contact_create(MPI_COMM_NULL, &system, NULL, &contact), RC_ERR_ARGUMENT, "MPI_COMM_NULL",
+               "no communicator");
   check(rc_mpi_rows(MPI_COMM_NULL, &system, &first, &count) == RC_ERR_ARGUMENT, "rows of no communicator");
   if (ranks > 1) {
     MPI_Comm part, inter;
     MPI_Comm_split(MPI_COMM_WORLD, rank % 2, rank, &part);
     MPI_Intercomm_create(part, 0, MPI_COMM_WORLD, (rank + 1) % 2, 7, &inter);
-    check_failed(rc_mpi_contact_create(inter, &system, NULL, &contact), RC_ERR_ARGUMENT, "intercommunicator", "an intercommunicator");
+    check_failed(rc_mpi_contact_create(inter, &system, NULL, &contact), RC_ERR_ARGUMENT, "intercommunicator",
+                 "an intercommunicator");
     MPI_Comm_free(&inter);
     MPI_Comm_free(&part);
   }
   rc_mpi_contact_destroy(NULL);
 }
 
-static void stops(const scene *s) {
+static void stops(const scene* s) {
   job j = job_of(s);
-  rc_mpi_contact *contact = NULL;
+  rc_mpi_contact* contact = NULL;
   rc_options_set_int(j.options, RC_OPT_MAX_ITER, 3);
   check(rc_mpi_contact_create(MPI_COMM_WORLD, &j.system, j.options, &contact) == RC_OK, "create");
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_STOP_MAX_ITER, "max_iter", "few iterations");
@@ -152,9 +157,9 @@ static void stops(const scene *s) {
 }
 
 /* Every call of a solve fails once, each time on another rank. step: between those that are tried. */
-static void every_call(const scene *s, int step) {
+static void every_call(const scene* s, int step) {
   job j = job_of(s);
-  rc_mpi_contact *contact = NULL;
+  rc_mpi_contact* contact = NULL;
   int all = 0;
   calls = 0;
   check(rc_mpi_contact_create(MPI_COMM_WORLD, &j.system, j.options, &contact) == RC_OK, "create");
@@ -171,7 +176,7 @@ static void every_call(const scene *s, int step) {
     fail_at = rank == victim ? at : 0;
     rc_status status = rc_mpi_contact_create(MPI_COMM_WORLD, &j.system, j.options, &contact);
     if (status == RC_OK) status = rc_mpi_contact_solve(contact, &again, &result);
-    int made = own >= at;                       /* the victim may make fewer calls than others, */
+    int made = own >= at;                      /* the victim may make fewer calls than others, */
     if (at == creating || at == own) made = 0; /* and after the last one it has nobody to tell */
     MPI_Bcast(&made, 1, MPI_INT, victim, MPI_COMM_WORLD);
     fail_at = 0;
@@ -189,7 +194,7 @@ static void every_call(const scene *s, int step) {
   free_job(j);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   int worst = 0;
   MPI_Init(&argc, &argv);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

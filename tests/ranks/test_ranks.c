@@ -1,5 +1,5 @@
-/* Solves scenes on the ranks of MPI_COMM_WORLD and, on rank 0, in one process. Prints a line for each scene, which must be the same
- * for every number of ranks and threads: digests of pressures, gaps and all numbers of the result. */
+/* Solves scenes on the ranks of MPI_COMM_WORLD and, on rank 0, in one process. Prints a line for each scene, which must be the
+ * same for every number of ranks and threads: digests of pressures, gaps and all numbers of the result. */
 #include <roughcontact/mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,30 +8,30 @@
 
 static int rank, ranks, failures;
 
-static void check(int holds, const char *scene_name, const char *what) {
+static void check(int holds, const char* scene_name, const char* what) {
   if (holds) return;
   ++failures;
   fprintf(stderr, "rank %d: %s: %s: %s\n", rank, scene_name, what, rc_last_error());
 }
 
-static uint64_t digest(const void *data, size_t bytes, uint64_t hash) {
-  const unsigned char *at = data;
+static uint64_t digest(const void* data, size_t bytes, uint64_t hash) {
+  const unsigned char* at = data;
   for (size_t i = 0; i < bytes; ++i) hash = (hash ^ at[i]) * 0x100000001b3u;
   return hash;
 }
 
 /* What must not depend on the number of ranks: all but times. */
 static uint64_t digest_of(rc_result result) {
-  const double numbers[] = {result.load,      result.approach,   result.mean_pressure, result.contact_area,       result.energy,
-                            result.kkt_primal, result.kkt_dual,  result.kkt_complementarity, result.kkt_control,
-                            result.duality_gap, result.load_lower, result.load_upper,    result.area_lower, result.area_upper,
-                            result.plastic_volume, result.tolerance};
+  const double numbers[] = {result.load,        result.approach,    result.mean_pressure,  result.contact_area,
+                            result.energy,      result.kkt_primal,  result.kkt_dual,       result.kkt_complementarity,
+                            result.kkt_control, result.duality_gap, result.load_lower,     result.load_upper,
+                            result.area_lower,  result.area_upper,  result.plastic_volume, result.tolerance};
   const int64_t counts[] = {result.status,   result.iterations,      result.applications, result.points,    result.candidates,
                             result.modelled, result.contacts,        result.proven_open,  result.undecided, result.capped,
                             result.levels,   result.proven_contacts, result.proven_capped};
   uint64_t hash = 0xcbf29ce484222325u;
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i)
-    hash = digest(isnan(numbers[i]) ? "nan" : (const void *)&numbers[i], isnan(numbers[i]) ? 3 : sizeof numbers[i], hash);
+    hash = digest(isnan(numbers[i]) ? "nan" : (const void*)&numbers[i], isnan(numbers[i]) ? 3 : sizeof numbers[i], hash);
   hash = digest(counts, sizeof counts, hash);
   return digest(result.note, strlen(result.note), hash);
 }
@@ -39,10 +39,10 @@ static uint64_t digest_of(rc_result result) {
 typedef struct rows {
   double *gap, *p, *deformed;
   float *gap_single, *p_single;
-  uint8_t *mask;
+  uint8_t* mask;
 } rows;
 
-static rows rows_of(const scene *s, int64_t first, int64_t count) {
+static rows rows_of(const scene* s, int64_t first, int64_t count) {
   const size_t n = (size_t)(s->nx * count) + 1;
   rows r = {malloc(n * sizeof(double)), malloc(n * sizeof(double)), malloc(n * sizeof(double)),
             malloc(n * sizeof(float)),  malloc(n * sizeof(float)),  malloc(n)};
@@ -60,7 +60,7 @@ static void free_rows(rows r) {
   free(r.mask);
 }
 
-static void prepare(const scene *s, const rows *r, rc_step *step, rc_result *result) {
+static void prepare(const scene* s, const rows* r, rc_step* step, rc_result* result) {
   *step = (rc_step)RC_STEP_INIT;
   *result = (rc_result)RC_RESULT_INIT;
   step->control = s->control;
@@ -75,8 +75,8 @@ static void prepare(const scene *s, const rows *r, rc_step *step, rc_result *res
   result->gap = r->deformed;
 }
 
-static rc_options *options_of(const scene *s, int64_t threads) {
-  rc_options *options = NULL;
+static rc_options* options_of(const scene* s, int64_t threads) {
+  rc_options* options = NULL;
   rc_options_create(NULL, &options);
   rc_options_set_int(options, RC_OPT_THREADS, threads);
   rc_options_set_text(options, "haar-cg.products", s->products);
@@ -84,9 +84,9 @@ static rc_options *options_of(const scene *s, int64_t threads) {
 }
 
 /* Rows of all ranks, on all of them. */
-static void *all_rows(const void *mine, size_t bytes_of_row, int64_t count, int64_t ny) {
+static void* all_rows(const void* mine, size_t bytes_of_row, int64_t count, int64_t ny) {
   int *counts = malloc((size_t)ranks * 2 * sizeof(int)), own = (int)((size_t)count * bytes_of_row), at = 0;
-  void *all = malloc((size_t)ny * bytes_of_row);
+  void* all = malloc((size_t)ny * bytes_of_row);
   MPI_Allgather(&own, 1, MPI_INT, counts, 1, MPI_INT, MPI_COMM_WORLD);
   for (int r = 0; r < ranks; ++r) {
     counts[ranks + r] = at;
@@ -98,10 +98,10 @@ static void *all_rows(const void *mine, size_t bytes_of_row, int64_t count, int6
 }
 
 /* The serial library's answer is another one within the certificates of both. */
-static void compare(const scene *s, const rc_result *mine, const void *p_all) {
+static void compare(const scene* s, const rc_result* mine, const void* p_all) {
   const rows r = rows_of(s, 0, s->ny);
   const rc_system system = system_of(s);
-  rc_options *options = options_of(s, 1);
+  rc_options* options = options_of(s, 1);
   rc_step step;
   rc_result result;
   double most = 0, off = 0;
@@ -109,7 +109,8 @@ static void compare(const scene *s, const rc_result *mine, const void *p_all) {
   const rc_status status = rc_solve(&system, &step, options, &result);
   check(status == mine->status, s->name, "the status of one process");
   for (int64_t i = 0; i < s->nx * s->ny; ++i) {
-    const double one = s->single ? r.p_single[i] : r.p[i], other = s->single ? ((const float *)p_all)[i] : ((const double *)p_all)[i];
+    const double one = s->single ? r.p_single[i] : r.p[i],
+                 other = s->single ? ((const float*)p_all)[i] : ((const double*)p_all)[i];
     most = fmax(most, one);
     off = fmax(off, fabs(one - other));
   }
@@ -122,10 +123,10 @@ static void compare(const scene *s, const rc_result *mine, const void *p_all) {
   rc_options_destroy(options);
 }
 
-static void run(const scene *s, int64_t threads) {
+static void run(const scene* s, int64_t threads) {
   const rc_system system = system_of(s);
-  rc_options *options = options_of(s, threads);
-  rc_mpi_contact *contact = NULL;
+  rc_options* options = options_of(s, threads);
+  rc_mpi_contact* contact = NULL;
   int64_t first = 0, count = 0;
   check(rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count) == RC_OK, s->name, "rows");
   const rows r = rows_of(s, first, count);
@@ -137,15 +138,16 @@ static void run(const scene *s, int64_t threads) {
   const rc_status status = rc_mpi_contact_solve(contact, &step, &result);
   check(status == RC_OK, s->name, "solve");
   const size_t of_row = (size_t)s->nx * (s->single ? sizeof(float) : sizeof(double));
-  void *p = all_rows(s->single ? (void *)r.p_single : (void *)r.p, of_row, count, s->ny);
-  double *gap = all_rows(r.deformed, (size_t)s->nx * sizeof(double), count, s->ny);
+  void* p = all_rows(s->single ? (void*)r.p_single : (void*)r.p, of_row, count, s->ny);
+  double* gap = all_rows(r.deformed, (size_t)s->nx * sizeof(double), count, s->ny);
   for (int64_t i = 0; i < s->nx * s->ny; ++i)
     if (!included(s, i % s->nx, i / s->nx)) gap[i] = 0;
   const uint64_t hash = digest_of(result);
   if (rank == 0) {
     printf("%s: status %d, contacts %lld, p %016llx, gap %016llx, result %016llx\n", s->name, status, (long long)result.contacts,
            (unsigned long long)digest(p, of_row * (size_t)s->ny, 0xcbf29ce484222325u),
-           (unsigned long long)digest(gap, (size_t)(s->nx * s->ny) * sizeof(double), 0xcbf29ce484222325u), (unsigned long long)hash);
+           (unsigned long long)digest(gap, (size_t)(s->nx * s->ny) * sizeof(double), 0xcbf29ce484222325u),
+           (unsigned long long)hash);
     compare(s, &result, p);
   }
   uint64_t first_hash = hash;
@@ -168,7 +170,7 @@ static void run(const scene *s, int64_t threads) {
   free_rows(r);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   int worst = 0, provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -6,8 +6,8 @@
 #include "contact/grids/grid_pyramid.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
-#include "core/ranks.h"
 #include "core/error.h"
+#include "core/ranks.h"
 
 namespace rc {
 

@@ -232,7 +232,8 @@ class Proof {
   // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole() || !all_listed()) return {};
-    const Whole sums = surface_.sum_over_all<Whole>([&](Whole& part, std::size_t i) { part.u += compression_ - surface_.height(i); });
+    const Whole sums =
+        surface_.sum_over_all<Whole>([&](Whole& part, std::size_t i) { part.u += compression_ - surface_.height(i); });
     const double mean_gap = static_cast<double>(-sums.u / static_cast<long double>(n())),
                  off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_) / length_;

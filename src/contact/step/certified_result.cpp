@@ -279,8 +279,8 @@ double fitting_compression(const Workspace& work, const Deflected& answer) {
     part.sum += p;
     part.moment += p * fits;
   };
-  const auto [sum, moment, least] =
-      work.surface.sum_over<Part>(answer.size(), [](std::size_t k) { return k; }, add);
+  const auto [sum, moment, least] = work.surface.sum_over<Part>(
+      answer.size(), [](std::size_t k) { return k; }, add);
   return sum > 0 ? moment / sum : least > -infinite ? least : 0;
 }
 

@@ -115,7 +115,8 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   for (int round = 0;; ++round) {
     double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
     TrialSet trial = system.halfspace() ? trial_below(limit, work) : surface.all();
-    while (!work.ranks() && static_cast<double>(trial.n) * system.hardness < spare * load && trial.n < surface.included_points()) {
+    while (!work.ranks() && static_cast<double>(trial.n) * system.hardness < spare * load &&
+           trial.n < surface.included_points()) {
       height *= 2;
       limit = lowest + height;
       trial = trial_below(limit, work);
@@ -131,9 +132,8 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       trial.zero_mode = system.lambda_most;
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    on_all(work.ranks(), [&] {
-      answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr);
-    });
+    on_all(work.ranks(),
+           [&] { answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr); });
     if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
     const double wanted = load / answer.pressure_unit;
     const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());

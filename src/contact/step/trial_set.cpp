@@ -13,7 +13,8 @@ TrialSet trial_below(double limit, const Workspace& work) {
 
 TrialSet widened(TrialSet trial, const Choice& choice, const Workspace& work) {
   constexpr std::uint64_t by_points = RC_CAP_SUBSET | RC_CAP_SCREEN;  // backends whose products cost more with every point
-  if (work.ranks() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !work.surface.whole()) return trial;
+  if (work.ranks() || !(choice.solver->needs & RC_WANTS_BOX) || (choice.backend->caps & by_points) || !work.surface.whole())
+    return trial;
   const rc_system& system = work.system.given;
   const std::int64_t box = box_points(trial, system.nx, system.ny);
   return trial.n < box && 2 * trial.n >= box ? box_of(trial, system.nx, system.ny) : trial;

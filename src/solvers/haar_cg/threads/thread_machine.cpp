@@ -123,8 +123,8 @@ HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure HaarL
     };
     HaarMeasure total;
     with_u(begin, n, read, [&](std::int64_t i, std::int64_t count, const double* u) {
-      total = sum_of_two(total, (loops.*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr, shift,
-                                              u, p_ + i, cap_, runs + (i - begin) / haar_run));
+      total = sum_of_two(total, (loops.*loop)(count, w_ + i, change ? change + i : nullptr, product ? product + i : nullptr,
+                                              shift, u, p_ + i, cap_, runs + (i - begin) / haar_run));
     });
     return total;
   };
@@ -181,8 +181,7 @@ template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut)
       return false;
     }
     const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
-    const HaarCut found =
-        loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
+    const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
     if (found.capped) reached_at(i) = 1;
     return found.any;
   });
