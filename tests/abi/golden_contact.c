@@ -3,6 +3,7 @@
 #include <roughcontact/derivatives.h>
 #include <roughcontact/direct.h>
 #include <roughcontact/history.h>
+#include <roughcontact/ranks.h>
 #include <roughcontact/registry.h>
 
 #include "golden.h"
@@ -316,3 +317,26 @@ AT(rc_option_spec, maximum, 56);
 SIZE(rc_status, 4);
 
 int main(void) { return 0; }
+
+SIZE(rc_exchange, 64);
+AT(rc_exchange, struct_size, 0);
+AT(rc_exchange, rank, 8);
+AT(rc_exchange, ranks, 16);
+AT(rc_exchange, user, 24);
+AT(rc_exchange, gather, 32);
+AT(rc_exchange, transpose, 40);
+AT(rc_exchange, shift, 48);
+AT(rc_exchange, refused, 56);
+
+SIZE(rc_ranks_counts, 88);
+AT(rc_ranks_counts, struct_size, 0);
+AT(rc_ranks_counts, products, 8);
+AT(rc_ranks_counts, transpositions, 16);
+AT(rc_ranks_counts, transposed, 24);
+AT(rc_ranks_counts, reductions, 32);
+AT(rc_ranks_counts, reduced, 40);
+AT(rc_ranks_counts, gathers, 48);
+AT(rc_ranks_counts, gathered, 56);
+AT(rc_ranks_counts, shifts, 64);
+AT(rc_ranks_counts, shifted, 72);
+AT(rc_ranks_counts, iterations, 80);

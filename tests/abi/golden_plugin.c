@@ -19,6 +19,7 @@ VALUE(RC_CAP_SCREEN, 512);
 VALUE(RC_CAP_APPROXIMATE, 1024);
 VALUE(RC_CAP_FAR_FIELD, 2048);
 VALUE(RC_CAP_SINGLE_GAP, 4096);
+VALUE(RC_CAP_ROWS, 8192);
 VALUE(RC_KERNEL_FREE, 1);
 VALUE(RC_KERNEL_PERIODIC, 2);
 VALUE(RC_KERNEL_SQUARE, 4);
@@ -29,6 +30,16 @@ VALUE(RC_NEEDS_GRID, INT64_C(4294967296));
 VALUE(RC_WANTS_BOX, INT64_C(8589934592));
 VALUE(RC_TAKES_CAP, INT64_C(34359738368));
 VALUE(RC_READS_SINGLE_GAP, INT64_C(68719476736));
+VALUE(RC_TAKES_ROWS, INT64_C(137438953472));
+
+SIZE(rc_rows, 56);
+AT(rc_rows, struct_size, 0);
+AT(rc_rows, rank, 8);
+AT(rc_rows, ranks, 16);
+AT(rc_rows, first, 24);
+AT(rc_rows, transpose, 32);
+AT(rc_rows, agree, 40);
+AT(rc_rows, gather, 48);
 
 SIZE(rc_host, 112);
 AT(rc_host, struct_size, 0);
@@ -52,13 +63,14 @@ AT(rc_team, struct_size, 0);
 AT(rc_team, threads, 8);
 AT(rc_team, share, 16);
 
-SIZE(rc_operator_spec, 48);
+SIZE(rc_operator_spec, 56);
 AT(rc_operator_spec, struct_size, 0);
 AT(rc_operator_spec, system, 8);
 AT(rc_operator_spec, kernel, 16);
 AT(rc_operator_spec, options, 24);
 AT(rc_operator_spec, team, 32);
 AT(rc_operator_spec, poll, 40);
+AT(rc_operator_spec, rows, 48);
 
 SIZE(rc_domain, 32);
 AT(rc_domain, struct_size, 0);
@@ -154,7 +166,7 @@ AT(rc_coarse, keep, 76);
 AT(rc_coarse, load, 80);
 AT(rc_coarse, tol, 88);
 
-SIZE(rc_problem, 200);
+SIZE(rc_problem, 208);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -180,8 +192,9 @@ AT(rc_problem, team, 152);
 AT(rc_problem, length, 160);
 AT(rc_problem, pressure, 168);
 AT(rc_problem, cap, 176);
-AT(rc_problem, multiplied, 184);
-AT(rc_problem, zero_mode, 192);
+AT(rc_problem, rows, 184);
+AT(rc_problem, multiplied, 192);
+AT(rc_problem, zero_mode, 200);
 
 SIZE(rc_solver, 80);
 AT(rc_solver, struct_size, 0);

@@ -154,6 +154,20 @@ static void run(const scene* s, int64_t threads) {
   MPI_Bcast(&first_hash, sizeof first_hash, MPI_BYTE, 0, MPI_COMM_WORLD);
   check(first_hash == hash, s->name, "the same numbers on every rank");
 
+  /* Two transpositions a product, one for the eigenvalues of a free surface; three sums an iteration, and some for the
+   * certificate. */
+  rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
+  check(rc_mpi_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
+  if (counts.products > 0) {
+    check(counts.transpositions == 2 * counts.products + (s->boundary == RC_BOUNDARY_FREE), s->name,
+          "two transpositions a product");
+    check(counts.reductions <= 3 * counts.iterations + 100, s->name, "three sums an iteration");
+    if (getenv("RC_TEST_COUNTS") && rank == 0)
+      fprintf(stderr, "%s: %lld iterations, %lld products, %lld sums, %lld gathers, %lld shifts\n", s->name,
+              (long long)counts.iterations, (long long)counts.products, (long long)counts.reductions, (long long)counts.gathers,
+              (long long)counts.shifts);
+  }
+
   /* What was solved is certified as it is: but for rounded pressures, and an indentation that the step has left. */
   const double load = result.load;
   const rc_status certified = s->single || s->hardness > 0 ? RC_UNCERTIFIED : RC_OK;
@@ -170,6 +184,52 @@ static void run(const scene* s, int64_t threads) {
   free_rows(r);
 }
 
+typedef struct watched {
+  const scene* s;
+  int64_t count;
+} watched;
+
+static int32_t watch(int64_t step, const rc_result* result, void* user) {
+  const watched* of = user;
+  double* p = all_rows(result->p, (size_t)of->s->nx * sizeof(double), of->count, of->s->ny);
+  if (rank == 0)
+    printf("history, %s, step %d: contacts %lld, p %016llx, result %016llx\n", of->s->name, (int)step,
+           (long long)result->contacts,
+           (unsigned long long)digest(p, (size_t)(of->s->nx * of->s->ny) * sizeof(double), 0xcbf29ce484222325u),
+           (unsigned long long)digest_of(*result));
+  free(p);
+  return 0;
+}
+
+/* Loads that rise and fall, from one warm start to the next; with a hardness each step leaves an indentation. */
+static void history(const scene* s) {
+  enum { steps = 4 };
+  const double shares[steps] = {0.4, 0.8, 1, 0.6};
+  const rc_system system = system_of(s);
+  rc_mpi_contact* contact = NULL;
+  double targets[steps], loads[steps];
+  int64_t first = 0, count = 0;
+  rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+  const rows r = rows_of(s, first, count);
+  watched of = {s, count};
+  for (int i = 0; i < steps; ++i) targets[i] = shares[i] * s->target;
+  rc_path path = RC_PATH_INIT;
+  path.control = s->control;
+  path.n = steps;
+  path.targets = targets;
+  path.undeformed_gap = r.gap;
+  path.mask = s->mask == whole ? NULL : r.mask;
+  path.load = loads;
+  path.fn = watch;
+  path.user = &of;
+  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, NULL, &contact) == RC_OK, s->name, "create");
+  check(rc_mpi_contact_solve_path(contact, &path) == RC_OK, s->name, "history");
+  check(path.completed == steps, s->name, "steps");
+  for (int i = 0; i < steps; ++i) check(fabs(loads[i] - targets[i]) <= 1e-7 * targets[i], s->name, "loads");
+  rc_mpi_contact_destroy(contact);
+  free_rows(r);
+}
+
 int main(int argc, char** argv) {
   int worst = 0, provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
@@ -178,6 +238,8 @@ int main(int argc, char** argv) {
   const int64_t threads = argc > 1 ? atoll(argv[1]) : 1;
   for (int i = 0; i < scene_count; ++i)
     if (argc < 3 || strcmp(argv[2], scenes[i].name) == 0) run(&scenes[i], threads);
+  for (int i = 0; i < scene_count && argc < 3; ++i)
+    if (scenes[i].control == RC_CONTROL_LOAD && !scenes[i].single && scenes[i].nx < 200) history(&scenes[i]);
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();
   return worst > 0;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sums.h"
 #include "solvers/haar_cg/threads/pass_loops.h"
 
 namespace rc {
@@ -16,6 +17,11 @@ namespace {
 // Fewest blocks worth sharing between threads: where every cell exists, and where only some do.
 constexpr std::int64_t least_shared = 16384, least_scattered = 1024;
 constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where not every cell exists
+
+// Inner products with what has come down: (z, q), (z, g), (t, g).
+struct Products {
+  double zq = 0, zg = 0, tg = 0;
+};
 
 }  // namespace
 
@@ -152,7 +158,8 @@ void HaarTreePair::set_up(std::uint8_t* active, float surplus, const rc_team& te
 }
 
 template <class Real>
-double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out, const rc_team& team) {
+double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out, const rc_team& team,
+                           HaarSlope<Real>* slope) {
   if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
   const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
   const HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
@@ -200,10 +207,18 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
     if (!q) return 0;
   }
   const std::int64_t pieces = (unknowns_ + piece - 1) / piece;
-  std::vector<double> sums(q ? static_cast<std::size_t>(pieces) : 0, 0.0);
+  std::vector<Products> sums(q ? static_cast<std::size_t>(pieces) : 0);
   const auto add = [&](std::int64_t i) {
     const std::int64_t begin = i * piece, end = std::min(begin + piece, unknowns_);
-    if (q) sums[static_cast<std::size_t>(i)] = inner(end - begin, z + begin, q + begin, active + begin);
+    if (!q) return;
+    Products& sum = sums[static_cast<std::size_t>(i)];
+    sum.zq = inner(end - begin, z + begin, q + begin, active + begin);
+    if (!slope) return;
+    sum.zg = inner(end - begin, z + begin, g + begin, active + begin);
+    sum.tg = sum_of(static_cast<std::size_t>(end - begin), [&](std::size_t k) {
+      const std::int64_t at = begin + static_cast<std::int64_t>(k);
+      return active[at] ? static_cast<double>(slope->t[at]) * static_cast<double>(g[at]) : 0.0;
+    });
   };
   const bool waits = ranks_ && tree_[1].shifted_rows(0);  // the last piece, for the next rank's share of its last row
   if (waits) std::fill_n(z - tree_[0].columns(), tree_[0].columns(), Real{0});
@@ -221,12 +236,18 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
   }
   if (!q) return 0;
   if (ranks_) sums = ranks_->of_all(sums);
-  double total = 0;
-  for (const double sum : sums) total += sum;
-  return total;
+  Products total;
+  for (const Products& sum : sums) total = {total.zq + sum.zq, total.zg + sum.zg, total.tg + sum.tg};
+  if (slope) {
+    slope->along_z = total.zg;
+    slope->along_t = total.tg;
+  }
+  return total.zq;
 }
 
-template double HaarTreePair::apply(float*, const std::uint8_t*, float*, const float*, double*, const rc_team&);
-template double HaarTreePair::apply(double*, const std::uint8_t*, double*, const double*, double*, const rc_team&);
+template double HaarTreePair::apply(float*, const std::uint8_t*, float*, const float*, double*, const rc_team&,
+                                    HaarSlope<float>*);
+template double HaarTreePair::apply(double*, const std::uint8_t*, double*, const double*, double*, const rc_team&,
+                                    HaarSlope<double>*);
 
 }  // namespace rc

@@ -7,6 +7,12 @@
 
 namespace rc {
 
+// What the slope along z + beta t follows from.
+template <class Real> struct HaarSlope {
+  const Real* t;
+  double along_z = 0, along_t = 0;
+};
+
 class HaarTreePair {
  public:
   // finest: factor of the differences inside the finest blocks. ranks: null, or those that share the cells by rows, which must
@@ -20,9 +26,10 @@ class HaarTreePair {
   // active [unknowns]: the free set. surplus: by how much every entry of the table exceeds that of the operator.
   void set_up(std::uint8_t* active, float surplus, const rc_team& team);
   // z = M g on the free set, 0 elsewhere; g null: z = M 1. With a level: z = M (g - level), and the level is set so that the sum
-  // of z is 0. Returns (z, q), where q is given.
+  // of z is 0. Returns (z, q), where q is given; then also (z, g) and, on the free set, (t, g), if they are asked for.
   template <class Real>
-  double apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level, const rc_team& team);
+  double apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level, const rc_team& team,
+               HaarSlope<Real>* slope = nullptr);
 
  private:
   std::size_t shared_levels() const;

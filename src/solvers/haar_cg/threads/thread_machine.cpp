@@ -20,6 +20,11 @@ constexpr double nearly = 1 - 1e-9;  // of the cap: pressures to start from that
 
 constexpr std::size_t line = 64;  // bytes that rows of another rank begin at a multiple of
 
+template <class Value> double sum_in_chunk(const Value* x, std::int64_t begin, std::int64_t count) {
+  return sum_of(static_cast<std::size_t>(count),
+                [&](std::size_t i) { return static_cast<double>(x[begin + static_cast<std::int64_t>(i)]); });
+}
+
 HaarMeasure sum_of_two(const HaarMeasure& a, const HaarMeasure& b) {
   return {std::max(a.largest, b.largest), a.load + b.load, a.merit + b.merit, a.moment + b.moment, a.free_load + b.free_load,
           a.free_moment + b.free_moment};
@@ -83,7 +88,14 @@ void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Wante
   }
 }
 
+template <class Real> double ThreadMachine<Real>::apply_trees(Vector g, Vector q, double* level) {
+  slope_.reset();
+  if (chunks_.ranks && g == w_ && q) slope_ = HaarSlope<Real>{t_};
+  return trees_.apply<Real>(g, active_, z(), q, level, team_, slope_ ? &*slope_ : nullptr);
+}
+
 template <class Real> HaarStart ThreadMachine<Real>::begin() {
+  pressures_.reset();
   constexpr HaarStart none{-std::numeric_limits<double>::infinity(), false};
   const auto both = [](const HaarStart& a, const HaarStart& b) {
     return HaarStart{std::max(a.highest, b.highest), a.warm || b.warm};
@@ -140,6 +152,7 @@ template <class Real> HaarMeasure ThreadMachine<Real>::replace_and_measure(Wide 
 }
 
 template <class Real> void ThreadMachine<Real>::multiply(double factor, bool free) {
+  pressures_.reset();
   each([&](std::int64_t from, std::int64_t n) {
     if (!free || cap_ == infinite) {
       for (std::int64_t i = from; i < from + n; ++i) p_[i] *= factor;
@@ -155,6 +168,7 @@ template <class Real> void ThreadMachine<Real>::multiply(double factor, bool fre
 }
 
 template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_cut) {
+  pressures_.reset();
   Real* const change = z();
   each([&](std::int64_t from, std::int64_t n) {
     double most = 0;
@@ -169,28 +183,47 @@ template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_
 }
 
 template <class Real> double ThreadMachine<Real>::turn(double beta) {
-  return sum<double>([&](std::int64_t i, std::int64_t n) {
+  const auto body = [&](std::int64_t i, std::int64_t n) {
     return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i, runs_at(i));
-  });
+  };
+  if (!slope_) return sum<double>(body);
+  each(body);
+  return slope_->along_z + beta * slope_->along_t;
 }
 
 template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut) {
-  return any([&](std::int64_t i, std::int64_t n) {
-    if (!cut) {
-      loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_at(i));
-      return false;
-    }
+  pressures_.reset();
+  if (!cut) {
+    each([&](std::int64_t i, std::int64_t n) { loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_at(i)); });
+    return false;
+  }
+  const auto cut_chunk = [&](std::int64_t i, std::int64_t n) {
     const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
     const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
     if (found.capped) reached_at(i) = 1;
     return found.any;
+  };
+  if (!chunks_.ranks) return any(cut_chunk);
+  struct Part {
+    bool any = false;
+    double pressures = 0;
+    Part operator+(const Part& b) const { return {any || b.any, pressures + b.pressures}; }
+  };
+  const Part all = sum<Part>([&](std::int64_t i, std::int64_t n) {
+    const bool found = cut_chunk(i, n);
+    return Part{found, sum_in_chunk(p_, i, n)};
   });
+  pressures_ = all.pressures;
+  return all.any;
 }
 
 template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
-  return any([&](std::int64_t i, std::int64_t n) {
+  const auto body = [&](std::int64_t i, std::int64_t n) {
     return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i, runs_at(i));
-  });
+  };
+  if (!chunks_.ranks) return any(body);
+  each(body);
+  return true;  // to ask all ranks takes longer than to set up the trees once more
 }
 
 template <class Real> double ThreadMachine<Real>::nearest(bool unpressed) {
@@ -208,10 +241,8 @@ template <class Real> double ThreadMachine<Real>::inner(Vector a, Vector b) {
 }
 
 template <class Real> template <class Value> double ThreadMachine<Real>::total(Value* x) {
-  return sum<double>([&](std::int64_t begin, std::int64_t count) {
-    return sum_of(static_cast<std::size_t>(count),
-                  [&](std::size_t i) { return static_cast<double>(x[begin + static_cast<std::int64_t>(i)]); });
-  });
+  if (static_cast<void*>(x) == p_ && pressures_) return *pressures_;
+  return sum<double>([&](std::int64_t begin, std::int64_t count) { return sum_in_chunk(x, begin, count); });
 }
 
 template <class Real> template <class Value> void ThreadMachine<Real>::raise(Value* x, double by) {

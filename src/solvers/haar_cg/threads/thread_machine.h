@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/chunks.h"
@@ -43,7 +44,7 @@ template <class R> class ThreadMachine {
   double inner(Vector a, Vector b);
 
   void set_up_trees(double surplus) { trees_.set_up(active_, static_cast<float>(surplus), team_); }
-  double apply_trees(Vector g, Vector q, double* level) { return trees_.apply<Real>(g, active_, z(), q, level, team_); }
+  double apply_trees(Vector g, Vector q, double* level);
 
   HaarStart begin();
   void multiply(double factor, bool free);
@@ -86,6 +87,9 @@ template <class R> class ThreadMachine {
   // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
   // the free set.
   std::unique_ptr<std::byte[]> memory_;
+  // With ranks: sums that come along with others, because each exchange has its latency.
+  std::optional<HaarSlope<Real>> slope_;  // of the next direction
+  std::optional<double> pressures_;       // the sum of p
   Real *w_, *t_, *q_;
   std::uint8_t* active_;
 };
