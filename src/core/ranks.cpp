@@ -145,11 +145,11 @@ void Ranks::raise(const std::vector<rc_status>& statuses) const {
   fail(*first, "rank ", first - statuses.begin(), ": ", static_cast<const char*>(message));
 }
 
-SharedRows::SharedRows(const Ranks& ranks) : rc_rows{}, of(&ranks) {
+SharedRows::SharedRows(const Ranks& all) : rc_rows{}, of(&all) {
   struct_size = sizeof(rc_rows);
-  rank = ranks.rank();
-  rc_rows::ranks = ranks.size();
-  first = ranks.first().data();
+  rank = all.rank();
+  ranks = all.size();
+  first = all.first().data();
   transpose = [](const rc_rows* rows, const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) {
     ranks_of(rows)->transpose(from, sent, into, received);
   };
