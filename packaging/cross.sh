@@ -69,17 +69,20 @@ smoke() {
 
 everything() {
   local build=build-cross/$1 name=roughcontact-$version-$1 form=(-cJf) suffix=tar.xz tests=OFF kind=("-DRC_MODULE_BACKENDS=fft;split")
-  [ "$system" != Windows ] || form=(-cf --format=zip) suffix=zip
-  [ "$what" != --test ] || tests=ON
+  local c_library=()  # where it is linked in
+  [ "$system" != Windows ] || form=(-cf --format=zip) suffix=zip c_library=(/usr/share/doc/mingw-w64-common/copyright)
+  [ "$what" != --test ] || [ -z "$emulator" ] || tests=ON
   # The command of musl runs wherever there is Linux; it has dense and fft inside.
-  [ "$1" != musl ] || kind=("-DRC_BUILTIN_BACKENDS=dense;fft" -DRC_MODULE_BACKENDS=split -DRC_STATIC_COMMAND=ON)
+  [ "$1" != musl ] || kind=("-DRC_BUILTIN_BACKENDS=dense;fft" -DRC_MODULE_BACKENDS=split -DRC_STATIC_COMMAND=ON) \
+    c_library=(/usr/share/doc/musl/copyright)
   quietly "build-cross/$1-dependencies.log" packaging/cross/dependencies.sh "$1" "$dependencies"
   configure "$1" "$build" -DRC_BUILD_TESTS=$tests -DRC_BUILD_EXAMPLES=$tests "${kind[@]}" -DRC_WRITE_NETCDF=OFF -DRC_WRITE_HDF5=OFF
   quietly "$build.log" cmake --build "$build" -j "$(nproc)"
   rm -rf "$build-root"
   quietly "$build.log" cmake --install "$build" --strip --prefix "$build-root/$name"
   cp LICENSE "$build-root/$name"
-  cat packaging/notices/{head,eigen,fftw,gsl,cli11,json} >"$build-root/$name/NOTICES"
+  cat packaging/notices/{head,eigen,fftw,gsl,cli11,json} /usr/share/doc/{libpugixml-dev,libzip-dev,zlib1g-dev}/copyright "${c_library[@]}" \
+    >"$build-root/$name/NOTICES"
   (cd "$build-root" && cmake -E tar "${form[0]}" "../$name.$suffix" "${form[@]:1}" "$name")
   echo "$1: build-cross/$name.$suffix, $(du -h "build-cross/$name.$suffix" | cut -f1)"
   [ $tests = ON ] || return 0

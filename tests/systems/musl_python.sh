@@ -27,7 +27,7 @@ make install
 # Its programs run here beside Debian's musl, so that nothing is left to guess.
 cd "$work/python"
 CPPFLAGS="-I$prefix/include" LDFLAGS="-dynamic -L$prefix/lib" ./configure --build="$host" --host="$host" --prefix="$prefix/python" --with-ensurepip=no \
-  --disable-test-modules
+  --disable-test-modules ac_cv_func_preadv2=no ac_cv_func_pwritev2=no  # not in Debian's musl
 make -j "$jobs" build_all
 make altbininstall libinstall sharedinstall inclinstall
 ln -sf python3.11 "$prefix/python/bin/python3"

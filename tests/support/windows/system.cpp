@@ -56,6 +56,22 @@ void let_everybody_write(const std::string& path) {
 
 void let_owner_alone_write(const std::string& path) { set_rights(path, FILE_GENERIC_READ | FILE_GENERIC_EXECUTE); }
 
+namespace {
+
+bool is_anonymous(const std::string& path) {
+  PSID user = nullptr;
+  PSECURITY_DESCRIPTOR descriptor = nullptr;
+  std::string name = path;
+  if (GetNamedSecurityInfoA(name.data(), SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION, &user, nullptr, nullptr, nullptr,
+                            &descriptor) != ERROR_SUCCESS)
+    return false;
+  const bool anonymous = IsWellKnownSid(user, WinAnonymousSid);
+  LocalFree(descriptor);
+  return anonymous;
+}
+
+}  // namespace
+
 // Windows lets none but its administrators do so. Wine starts programs of the system below, for which the file belongs to a user
 // whom Wine calls anonymous.
 bool give_away(const std::string& path) {
@@ -68,12 +84,11 @@ bool give_away(const std::string& path) {
   PROCESS_INFORMATION process{};
   if (!CreateProcessA("Z:\\bin\\chown", line.data(), nullptr, nullptr, FALSE, 0, nullptr, nullptr, &start, &process))
     return false;
-  DWORD code = 1;
-  WaitForSingleObject(process.hProcess, INFINITE);
-  GetExitCodeProcess(process.hProcess, &code);
-  CloseHandle(process.hThread);
-  CloseHandle(process.hProcess);
-  return code == 0;
+  if (process.hProcess) CloseHandle(process.hProcess);  // Wine has none for such a process: its work is looked for
+  if (process.hThread) CloseHandle(process.hThread);
+  for (int tries = 0; tries < 200; ++tries, Sleep(50))
+    if (is_anonymous(path)) return true;
+  return false;
 }
 
 // Relative to the folder that it is in, to a drive's current folder or to the drive; or as folders of other machines are called.
