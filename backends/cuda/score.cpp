@@ -1,4 +1,6 @@
 // What `auto` compares. The host build is for tests: it is there for those who name it.
+#include <algorithm>
+
 #include "operator.h"
 #include "solver.h"
 
@@ -12,7 +14,20 @@ namespace {
 constexpr double of_byte = 0.5e-12, of_transfer = 1e-10, of_launch = 4e-6;
 constexpr double bytes_of_product = 160, bytes_of_step = 300, launches_of_product = 9, launches_of_step = 40;  // for each point
 constexpr double products = 40;                                                                                // of a usual step
-constexpr double least_points = 128 * 128;
+constexpr double least_points = 512 * 512;
+
+// Throws where this is not for the device: too little work, too little memory, or no device that answers.
+void require_device(const rc_facts& facts) {
+  const auto box = static_cast<double>(facts.box);
+  if (box < least_points) fail(RC_ERR_INCOMPATIBLE, "fewer than ", least_points, " points");
+  const bool periodic = facts.system->boundary == RC_BOUNDARY_PERIODIC;
+  const double torus = periodic ? 8 * box : 32 * box, eigenvalues = periodic ? 3 * box : 12 * box, vectors = 45 * box;
+  const double needed = 2 * torus + eigenvalues + vectors;  // transforms take as much beside the torus
+  const Settings settings(facts.host, facts.options);
+  const double there = std::min(settings.limit, static_cast<double>(free_bytes_of(settings.index)));
+  if (needed > there)
+    fail(RC_ERR_INCOMPATIBLE, "needs about ", needed, " bytes on device ", settings.index, ", which has ", there);
+}
 
 double product_of(double points) { return launches_of_product * of_launch + bytes_of_product * of_byte * points; }
 
@@ -20,7 +35,7 @@ double product_of(double points) { return launches_of_product * of_launch + byte
 
 void Operator::score(const rc_facts& facts, rc_estimate& estimate) {
   const auto box = static_cast<double>(facts.box), grid = static_cast<double>(facts.system->nx * facts.system->ny);
-  if (box < least_points) fail(RC_ERR_INCOMPATIBLE, "fewer than ", least_points, " points");
+  require_device(facts);
   estimate.product = product_of(box) + 16 * of_transfer * box;
   estimate.field = product_of(grid) + 8 * of_transfer * (box + grid);
   estimate.bytes = 16 * grid;  // of the host's memory
@@ -29,7 +44,7 @@ void Operator::score(const rc_facts& facts, rc_estimate& estimate) {
 rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
   return roughcontact::guard(facts->host, component, [&] {
     const auto box = static_cast<double>(facts->box);
-    if (box < least_points) fail(RC_ERR_INCOMPATIBLE, "fewer than ", least_points, " points");
+    require_device(*facts);
     const double step = product_of(box) + launches_of_step * of_launch + bytes_of_step * of_byte * box;
     estimate->seconds = facts->backend->seconds + products * step + 16 * of_transfer * box + facts->backend->field;
     estimate->bytes = 16 * box;

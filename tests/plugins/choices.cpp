@@ -217,13 +217,20 @@ rc_status no_room(const rc_host* host, const rc_operator_spec*, void**) {
   return host->fail(host, RC_ERR_MEMORY, "no room on the device");
 }
 
+rc_status lost(const rc_host* host, const rc_operator_spec*, void**) {
+  return host->fail(host, RC_ERR_EXTERNAL, "the device is lost");
+}
+
 void what_fails_is_passed_over(void**) {
-  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
-  rc_backend backend;
-  add_backend(registry, backend, "broken", at_once, no_room);
-  const Pressed pressed(registry);
-  assert_has(pressed.note(), "auto: passed over broken, no room on the device");
-  assert_has(pressed.explanation(), "broken: has failed\n");
+  for (const bool by_memory : {true, false}) {
+    const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+    rc_backend backend;
+    add_backend(registry, backend, "broken", at_once, by_memory ? no_room : lost);
+    const Pressed pressed(registry);
+    assert_has(pressed.note(),
+               by_memory ? "auto: passed over broken, no room on the device" : "auto: passed over broken, the device is lost");
+    assert_has(pressed.explanation(), "broken: has failed\n");
+  }
 }
 
 }  // namespace

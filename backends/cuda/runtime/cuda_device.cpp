@@ -68,8 +68,9 @@ void Device::give_back() noexcept {
   cudaGetLastError();  // the next call begins anew
 }
 
-std::size_t Device::free_bytes() {
+std::size_t free_bytes_of(Index index) {
   std::size_t free = 0, all = 0;
+  checked(cudaSetDevice(static_cast<int>(index)), "cudaSetDevice");
   checked(cudaMemGetInfo(&free, &all), "cudaMemGetInfo");
   return free;
 }

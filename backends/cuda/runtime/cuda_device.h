@@ -71,6 +71,9 @@ template <class Work> __global__ void __launch_bounds__(together_lanes) together
   }
 }
 
+// Bytes that nobody has taken of the device of that number.
+std::size_t free_bytes_of(Index index);
+
 class Device {
  public:
   Device(const rc_host* host, Index index);
@@ -82,7 +85,7 @@ class Device {
   Index index() const { return index_; }
   cudaStream_t stream() const { return stream_; }
   void enter() { checked(cudaSetDevice(static_cast<int>(index_)), "cudaSetDevice"); }
-  std::size_t free_bytes();
+  std::size_t free_bytes() { return free_bytes_of(index_); }
   void* allocate(std::size_t bytes);
   void release(void* memory) noexcept { cudaFree(memory); }
   void upload(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyHostToDevice); }

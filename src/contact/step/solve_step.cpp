@@ -50,7 +50,9 @@ Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, 
       delivered = true;
       clear_message();
     } catch (const Error& error) {
-      const bool lacking = error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
+      const bool device = error.code() == RC_ERR_EXTERNAL && work.system.halfspace();  // which calls nothing of the caller's
+      const bool lacking =
+          device || error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
       if (lacking && choice.backend && pass_over(work, choice.backend->name, RC_OPT_BACKEND, error.what())) {
         work.drop_operator(choice.backend->name);
         if (!first) first = error;
