@@ -32,7 +32,8 @@ run() {
   if [ $((SECONDS + 5)) -ge $ends ]; then
     echo "{\"left_out\": \"$*\"}" >>"$lines"
   else
-    timeout "$limit" "$build/bin/device_solves" "$@" >>"$lines" || echo "{\"failed\": \"$* took more than $limit s\"}" >>"$lines"
+    timeout "$limit" "$build/bin/device_solves" "$@" >>"$lines" ||
+      echo "{\"failed\": \"device_solves $*: status $? (124: after $limit s)\"}" >>"$lines"
   fi
   tail -1 "$lines"
 }
