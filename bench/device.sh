@@ -12,7 +12,7 @@ lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
 ends=$((SECONDS + 540))
 if [ -z "${RC_DEVICE_SHORT:-}" ]; then
-  cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=on -DRC_CUDA_ARCHITECTURES="${RC_DEVICE_ARCHITECTURE:-native}" \
+  cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA_ARCHITECTURES="${RC_DEVICE_ARCHITECTURE:-native}" \
     -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_SURFACE=OFF \
     -DRC_BUILD_DEVICE_BENCH=ON -DRC_BUILTIN_BACKENDS= -DRC_MODULE_BACKENDS=fft >"$build.log" 2>&1 || { tail -20 "$build.log"; exit 1; }
   cmake --build "$build" -j "$(nproc)" --target roughcontact rcb_fft rcb_cuda device_solves device_passes >>"$build.log" 2>&1 || {

@@ -80,3 +80,6 @@ stiffness = run('stiffness', '--quick', '--threads', '1')
 assert len(stiffness['stiffness']) == 8
 for row in stiffness['stiffness']:
     assert row['residual']**2 <= 1e-8 and 2 <= row['stiffness'] <= (12 if row['step'] == 'warm' else row['contact'] / 2), row
+
+counts = run('counts', '--quick', '--threads', '1')['counts']
+assert len(counts) == 8 and all(5 <= row['products'] <= 40 and 0.5 < row['percent_found'] / row['percent'] < 2 for row in counts), counts

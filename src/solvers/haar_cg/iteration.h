@@ -33,11 +33,9 @@ template <Machine M> class HaarIteration {
   using Real = typename M::Real;
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
-
   static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
   static constexpr double nothing = 1e-10;  // of the first step's slope: the set is solved, and a product would tell nothing
   static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
-
   // Newton's method on the load, where pressures have a cap, or on the deflection that an added mean causes.
   static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
   static constexpr double settled = 5e-2;                                // residual below which the free set changes little
@@ -51,13 +49,11 @@ template <Machine M> class HaarIteration {
   static constexpr double blur = 1e-5;  // of the compenetration: error of such a state's datum
   static constexpr double drift = 0.1;  // of the tolerance: error of a kept load that is put right without a cut
   static constexpr double known = 0.5;  // residual over the datum below which the datum of a load that is sought is known
-
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
   static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
   double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
   // Whether Newton's method moves the datum: by load, or with an added mean.
   bool follows() const { return !keeps_load_ && (task_.by_load || mean_ > 0); }
@@ -97,8 +93,12 @@ template <Machine M> class HaarIteration {
   void refresh() {
     prepared_ = false;
     product(m_.p(), m_.wide_spare());
-    now_ = m_.replace_and_measure(m_.wide_spare(), datum_);
+    measure_at(datum_);
     since_refresh_ = 0;
+  }
+  void measure_at(double datum) {
+    datum_ = datum;
+    now_ = m_.replace_and_measure(m_.wide_spare(), datum_);
     exact_ = worst();
   }
 
@@ -116,7 +116,7 @@ template <Machine M> class HaarIteration {
         pace_.begin_at_cap();
         follow();
       } else {
-        lower(now_.moment / now_.load);
+        measure_at(datum_ + now_.moment / now_.load);  // not lower(), by which w in single precision would lose its digits
       }
     } else if (!given.warm) {
       now_ = m_.replace_and_measure(Wide(nullptr), datum_);
@@ -143,21 +143,13 @@ template <Machine M> class HaarIteration {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
     const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
     const double slope = m_.turn(beta);
-    if (phase_ > 0 && slope <= nothing * first_slope_) {
-      conjugate_ = false;
-      phase_ = planned_;
-      cut_any_ = m_.advance(0, true);
-      return true;
-    }
-    product(m_.t(), m_.q());
-    curvature_ = m_.inner(m_.t(), m_.q());
+    const bool needless = phase_ > 0 && slope <= nothing * first_slope_;
+    if (!needless) product(m_.t(), m_.q());
+    curvature_ = needless ? 0 : m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
     ++phase_;
-    if (phase_ == 1) {
-      first_slope_ = slope;
-      first_gain_ = slope * slope / curvature_;
-    }
+    if (phase_ == 1) first_slope_ = slope, first_gain_ = slope * slope / curvature_;
     if (phase_ > HaarPace::first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
     if (!conjugate_) phase_ = planned_;
     cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, phase_ >= planned_);
@@ -377,27 +369,24 @@ template <Machine M> class HaarIteration {
 
   M& m_;
   const HaarTask& task_;
-  bool keeps_load_ = false;  // steps and bounds leave the load as it is
-  double kept_load_;         // that load
-  double level_ = 0;         // of w, from the trees: less it, a step changes no load
-  double mean_;              // what is added to every entry of the operator
-  double datum_ = 0;         // w = H p - u - datum
-  double highest_ = 0;       // largest u
-  HaarMeasure now_;          // of the present p and w
-  double last_ = infinite;   // residual after the last bound
-  double exact_ = 1;         // residual of the last product in double precision
-  int since_refresh_ = 0;    // bounds since then
-
-  double curvature_ = 0;    // (t, q) of the last step
-  double first_slope_ = 0;  // (w, t) of the first step of the interval
-  double first_gain_ = 0;   // twice the energy that it gained
+  bool keeps_load_ = false;                  // steps and bounds leave the load as it is
+  double kept_load_;                         // that load
+  double level_ = 0;                         // of w, from the trees: less it, a step changes no load
+  double mean_;                              // what is added to every entry of the operator
+  double datum_ = 0;                         // w = H p - u - datum
+  double highest_ = 0;                       // largest u
+  HaarMeasure now_;                          // of the present p and w
+  double last_ = infinite;                   // residual after the last bound
+  double exact_ = 1;                         // residual of the last product in double precision
+  int since_refresh_ = 0;                    // bounds since then
+  double curvature_ = 0;                     // (t, q) of the last step
+  double first_slope_ = 0, first_gain_ = 0;  // of the first step of the interval: (w, t), twice the energy gained
   HaarPace pace_;
   int planned_ = HaarPace::first_interval, phase_ = 0;  // steps of this interval; how many were made
   bool conjugate_ = false;                              // the next direction is made conjugate to t
   bool cut_any_ = false;                                // the last bound cut pressures off
   bool prepared_ = false;                               // the trees are set up for the present free set
   double violation_ = infinite;                         // at the last bound, relative to the largest compenetration
-
   KnownLoads loads_;
   NewtonSlope excess_{1 / most_excess(), most_excess()};       // slope of the load over the trees' slope
   NewtonSlope stiffening_{least_stiffening, most_stiffening};  // correction of the datum's slope in displacement control

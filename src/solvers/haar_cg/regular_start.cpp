@@ -89,35 +89,41 @@ std::optional<double> upper_of_two(const Problem& problem, std::int64_t n) {
   return std::max(first, second.value_or(first));
 }
 
+// The upper points alone, with equal pressures: in displacement control those of least energy.
+bool press_upper(const Problem& problem, double upper, std::span<double> p) {
+  Vector found(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) found[i] = problem.compenetration(static_cast<std::int64_t>(i)) == upper ? 1.0 : 0.0;
+  double size = problem.load() / dot(found, found);
+  if (!problem.load_control()) {
+    Vector product(p.size());
+    problem.apply(found, product);
+    const double curvature = dot(found, product);
+    if (!(curvature > 0 && upper > 0)) return false;
+    size = upper * dot(found, found) / curvature;
+  }
+  if (size > problem.cap()) return false;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = size * found[i];
+  return true;
+}
+
 }  // namespace
 
 bool start_regular(const Problem& problem, std::span<double> p) {
   const auto n = static_cast<std::int64_t>(p.size());
   const rc_grid& grid = *problem.grid();
-  if (const std::optional<double> upper = upper_of_two(problem, n)) {
-    Vector found(p.size());
-    for (std::int64_t i = 0; i < n; ++i) found[static_cast<std::size_t>(i)] = problem.compenetration(i) == *upper ? 1.0 : 0.0;
-    double size = problem.load() / sum_of(found.size(), [&](std::size_t i) { return found[i]; });
-    if (!problem.load_control()) {
-      Vector product(p.size());
-      problem.apply(found, product);
-      const double curvature = dot(found, product), work = *upper * dot(found, found);
-      if (!(curvature > 0 && work > 0)) return false;
-      size = work / curvature;
-    }
-    if (size > problem.cap()) return false;
-    for (std::size_t i = 0; i < found.size(); ++i) p[i] = size * found[i];
-    return true;
+  const auto heights = [&](std::int64_t count) {
+    Vector height(static_cast<std::size_t>(count));
+    for (std::int64_t i = 0; i < count; ++i) height[static_cast<std::size_t>(i)] = problem.compenetration(i);
+    remove_mean(height);
+    return height;
+  };
+  if (problem.load_control() && grid.boundary == RC_BOUNDARY_PERIODIC && grid.nx * grid.ny == n &&
+      few_waves(grid.nx, 1, heights(grid.nx))) {  // one row tells most others
+    const Vector height = heights(n);
+    if (few_waves(grid.nx, grid.ny, height) && press_flat(problem, height, p)) return true;
   }
-  if (!problem.load_control() || grid.boundary != RC_BOUNDARY_PERIODIC || grid.nx * grid.ny != n) return false;
-  Vector height(static_cast<std::size_t>(grid.nx));
-  for (std::int64_t i = 0; i < grid.nx; ++i) height[static_cast<std::size_t>(i)] = problem.compenetration(i);
-  remove_mean(height);
-  if (!few_waves(grid.nx, 1, height)) return false;  // one row tells most others
-  height.resize(p.size());
-  for (std::int64_t i = 0; i < n; ++i) height[static_cast<std::size_t>(i)] = problem.compenetration(i);
-  remove_mean(height);
-  return few_waves(grid.nx, grid.ny, height) && press_flat(problem, height, p);
+  const std::optional<double> upper = upper_of_two(problem, n);
+  return upper && press_upper(problem, *upper, p);
 }
 
 }  // namespace rc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "core/chunks.h"
 #include "grid/downsample.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr std::int64_t coarsest_side = 64;
 constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
 constexpr double many = 0.25;                   // of the points: within the length unit where a load starts everywhere
+constexpr std::size_t few_loaded = 4;           // points that carry a load each by itself: then the others start without pressure
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
 // Every point takes the pressure of the coarse cell in which it lies.
@@ -66,6 +68,29 @@ void start_nested(const Problem& problem, const char* solver, std::span<double> 
   d = std::max(0.0, (request.approach - datum) / length);
 }
 
+// Pressures that carry the load on few points, each as if it were alone: then others hardly matter. False where that takes more.
+bool start_few(const Problem& problem, std::span<double> p) {
+  Vector alone;
+  problem.coefficients(1, 1, alone);
+  std::vector<std::pair<double, std::size_t>> highest;  // compenetration and unknown, the highest first
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::pair<double, std::size_t> next{-problem.compenetration(static_cast<std::int64_t>(i)), i};
+    if (highest.size() > few_loaded && !(next < highest.back())) continue;
+    highest.insert(std::upper_bound(highest.begin(), highest.end(), next), next);
+    if (highest.size() > few_loaded + 1) highest.pop_back();
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < std::min(few_loaded, highest.size()); ++k) {
+    sum += highest[k].first;
+    const double datum = (alone[0] * problem.load() + sum) / static_cast<double>(k + 1);
+    if (k + 1 < highest.size() && datum > highest[k + 1].first) continue;
+    if ((datum - highest[0].first) / alone[0] > problem.cap()) return false;
+    for (std::size_t j = 0; j <= k; ++j) p[highest[j].second] = (datum - highest[j].first) / alone[0];
+    return true;
+  }
+  return false;
+}
+
 // Pressures that carry the load. Nearly full contact begins with the same pressure everywhere; where only few points lie within
 // the length unit, which then is an estimate of the approach, pressures grow with the overlap at that approach.
 void start_cold(const Problem& problem, std::span<double> p) {
@@ -75,6 +100,7 @@ void start_cold(const Problem& problem, std::span<double> p) {
     Part operator+(const Part& b) const { return {sum + b.sum, std::max(most, b.most), within + b.within, n + b.n}; }
   };
   const Ranks* const ranks = problem.ranks();
+  if (!ranks && start_few(problem, p)) return;
   const auto carries = [&, mask = problem.mask()](std::size_t i) { return !ranks || mask.empty() || mask[i] != 0; };
   const auto body = [&](std::int64_t begin, std::int64_t count) {
     Part part;
