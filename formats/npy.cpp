@@ -1,6 +1,9 @@
 // NumPy's .npy, versions 1 to 3: magic, version, header length, a Python dictionary with descr, fortran_order and shape, then
 // data.
+#include "formats/npy.h"
+
 #include <string>
+#include <utility>
 
 #include "formats/error.h"
 #include "formats/numbers.h"
@@ -10,8 +13,6 @@
 namespace rc::formats {
 
 namespace {
-
-constexpr std::size_t longest_header = 1 << 16;
 
 struct Header {
   std::string_view descr;
@@ -76,11 +77,7 @@ class Dictionary {
   std::string_view rest_;
 };
 
-struct Shape {
-  std::int64_t ny, nx;
-};
-
-Shape parse_shape(std::string_view text) {
+std::pair<std::int64_t, std::int64_t> parse_shape(std::string_view text) {
   auto parts = split(text, ',');
   if (parts.size() == 3 && trimmed(parts.back()).empty()) parts.pop_back();  // a trailing comma
   const auto ny = to_integer(parts[0]);
@@ -94,8 +91,6 @@ bool parse_order(std::string_view text) {
   return text == "True";
 }
 
-using Load = double (*)(const char* bytes, std::endian order);
-
 template <class Number> double load(const char* bytes, std::endian order) {
   return static_cast<double>(stored_number<Number>(bytes, order));
 }
@@ -103,7 +98,7 @@ template <class Number> double load(const char* bytes, std::endian order) {
 struct NumberType {
   std::string_view code;
   std::size_t size;
-  Load load;
+  double (*load)(const char* bytes, std::endian order);
 };
 constexpr NumberType number_types[] = {
     {"f4", 4, load<float>}, {"f8", 8, load<double>}, {"i2", 2, load<std::int16_t>}, {"i4", 4, load<std::int32_t>}};
@@ -132,8 +127,8 @@ std::string_view take_header(std::string_view& file) {
   if (file.size() < preamble) throw Error("the file ends within the header");
   const std::size_t length = version == 1 ? stored_number<std::uint16_t>(file.data() + 8, std::endian::little)
                                           : stored_number<std::uint32_t>(file.data() + 8, std::endian::little);
-  if (length > longest_header)
-    throw Error("the header has " + std::to_string(length) + " bytes, at most " + std::to_string(longest_header));
+  if (length > npy_longest_header)
+    throw Error("the header has " + std::to_string(length) + " bytes, at most " + std::to_string(npy_longest_header));
   if (length > file.size() - preamble) throw Error("the file ends within the header");
 
   const auto header = file.substr(preamble, length);
@@ -143,24 +138,31 @@ std::string_view take_header(std::string_view& file) {
 
 }  // namespace
 
-Surface read_npy(std::string_view file, double unit) {
-  const Header header = Dictionary{take_header(file)}.parse();
-  const auto& type = number_type(header.descr);
-  const bool fortran_order = parse_order(header.fortran_order);
+NpyLayout npy_layout(std::string_view file) {
+  std::string_view rest = file;
+  const Header header = Dictionary{take_header(rest)}.parse();
+  const NumberType& type = number_type(header.descr);
   const auto [ny, nx] = parse_shape(header.shape);
-  check_data_size(nx, ny, type.size, file.size());
+  return {ny,        nx,        parse_order(header.fortran_order), type.code[0] == 'f',
+          type.size, type.load, byte_order(header.descr[0]),       file.size() - rest.size()};
+}
+
+Surface read_npy(std::string_view file, double unit) {
+  const NpyLayout layout = npy_layout(file);
+  file.remove_prefix(layout.data);
+  const std::int64_t nx = layout.nx, ny = layout.ny;
+  check_data_size(nx, ny, layout.size, file.size());
 
   Surface surface;
   surface.names_unit = false;
   surface.nx = nx;
   surface.ny = ny;
-  surface.heights.reserve(file.size() / type.size);
-  const std::int64_t row = fortran_order ? 1 : nx, column = fortran_order ? ny : 1;
-  const std::endian order = byte_order(header.descr[0]);
+  surface.heights.reserve(file.size() / layout.size);
+  const std::int64_t row = layout.fortran_order ? 1 : nx, column = layout.fortran_order ? ny : 1;
   for (std::int64_t iy = 0; iy < ny; ++iy) {
     for (std::int64_t ix = 0; ix < nx; ++ix) {
       const auto index = static_cast<std::size_t>(iy * row + ix * column);
-      surface.heights.push_back(unit * type.load(file.data() + index * type.size, order));
+      surface.heights.push_back(unit * layout.number(file.data() + index * layout.size));
     }
   }
   return surface;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "solve_options.h"
+
 namespace cli {
 
 namespace {
@@ -22,63 +24,26 @@ Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step i
 their status), 130 interrupted (a second signal ends it at once). With --resume an interrupted history goes on.
 )";
 
-void add_surface(CLI::App* command, SurfaceArguments& surface, const char* missing_help) {
-  command->add_option("SURFACE", surface.file, "File of heights, see roughcontact formats")->required();
-  const auto option = [command](const char* name, auto& value, const char* type, const char* help) {
-    command->add_option(name, value, help)->type_name(type)->group("Surface");
-  };
-  option("--format", surface.format, "NAME", "Format of the file, where contents and extension do not say it");
-  option("--pitch", surface.pitch, "H or HX,HY", "Cell size, where the file does not say it");
-  option("--unit", surface.unit, "UNIT", "Unit of lengths without one: m (default), mm, um, nm, pm");
-  option("--missing", surface.missing, "RULE", missing_help);
-  option("--remove", surface.remove, "FORM", "Least-squares form to take off: none (default), mean, plane or quadric");
-}
-
 void add_solve(CLI::App& app, SolveArguments& arguments) {
   CLI::App* solve = app.add_subcommand("solve", "Press a rough surface against a flat half-space");
   solve->footer(solve_help);
-  add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
-
-  solve->add_option("--against", arguments.surface.against, "Heights of the other body on the same grid, towards the first")
-      ->type_name("FILE")
-      ->group("Surface");
+  add_surface(*solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
+  add_other_body(*solve, arguments.surface);
   solve->add_option("--shape", arguments.surface.shape, "Added: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x")
       ->type_name("SHAPE")
       ->group("Surface");
+  add_loading(*solve, arguments);
+  add_method(*solve, arguments, "Threads; all cores that the process may use");
 
-  const auto option = [solve](const char* name, auto& value, const char* type, const char* help, const char* group) {
-    return solve->add_option(name, value, help)->type_name(type)->group(group);
-  };
-  option("--modulus", arguments.modulus, "E*", "Contact modulus", "Elasticity (--modulus, or --E and --nu)");
-  option("--E", arguments.young, "E", "Young's modulus", "Elasticity (--modulus, or --E and --nu)");
-  option("--nu", arguments.poisson, "NU", "Poisson's ratio", "Elasticity (--modulus, or --E and --nu)");
-  option("--E2", arguments.young2, "E", "Young's modulus of the other body; rigid without",
-         "Elasticity (--modulus, or --E and --nu)");
-  option("--nu2", arguments.poisson2, "NU", "Poisson's ratio of the other body", "Elasticity (--modulus, or --E and --nu)");
-  option("--hardness", arguments.hardness, "H", "Largest pressure; above it the surface yields. None: elastic",
-         "Elasticity (--modulus, or --E and --nu)");
-
-  option("--displacement", arguments.displacement, "TARGETS", "Approach from first touch of the highest point",
-         "Loading (one of)");
-  option("--load", arguments.load, "TARGETS", "Normal force", "Loading (one of)");
-  option("--pressure", arguments.pressure, "TARGETS", "Mean pressure over the whole surface", "Loading (one of)");
-
-  option("--boundary", arguments.boundary, "NAME", "free (default) or periodic", "Method");
-  option("--kernel", arguments.kernel, "NAME", "Influence kernel, see roughcontact kernels", "Method");
-  option("--solver", arguments.solver, "NAME", "Solver, see roughcontact solvers", "Method");
-  option("--backend", arguments.backend, "NAME", "Backend, see roughcontact backends", "Method");
-  option("--tol", arguments.tol, "TOL", "Largest relative residual of a certified step", "Method");
-  option("--threads", arguments.threads, "N", "Threads; all cores that the process may use", "Method");
-  option("--set", arguments.set, "KEY=VALUE", "Any option, see roughcontact options; may be repeated", "Method")
-      ->expected(1)
-      ->take_all();
-
-  option("--out", arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png", "Output");
-  option("--write", arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5", "Output");
-  solve->add_flag("--resume", arguments.resume, "Go on after the steps that an earlier run into --out has finished")
+  solve->add_option("--out", arguments.out, "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png")
+      ->type_name("DIR")
       ->group("Output");
+  solve->add_option("--write", arguments.write, "Each step also as a file of these: vti, netcdf, hdf5")
+      ->type_name("FORMATS")
+      ->group("Output");
+  add_resume(*solve, arguments);
   solve->add_flag("--explain", arguments.explain, "Say why auto chose its solver and backend")->group("Output");
-  solve->add_flag("--quiet", arguments.quiet, "No table and no progress")->group("Output");
+  add_quiet(*solve, arguments);
 }
 
 constexpr const char* generate_help = R"(
@@ -147,7 +112,7 @@ void add_generate(CLI::App& app, GenerateArguments& arguments) {
 
 void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
   CLI::App* analyze = app.add_subcommand("analyze", "Roughness parameters and spectrum of a surface, and advice on cmr");
-  add_surface(analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
+  add_surface(*analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
   const auto option = [analyze](const char* name, auto& value, const char* type, const char* help) {
     analyze->add_option(name, value, help)->type_name(type);
   };

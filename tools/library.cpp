@@ -30,6 +30,15 @@ void check(rc_status status, std::string_view subject) {
   throw Error(subject.empty() ? message : std::string(subject) + ": " + message);
 }
 
+Options make_options(const Context& context, int threads, const std::vector<std::pair<std::string, std::string>>& settings) {
+  rc_options* handle = nullptr;
+  check(rc_options_create(context.get(), &handle), "");
+  Options options{handle};
+  check(rc_options_set_int(handle, RC_OPT_THREADS, threads), "");
+  for (const auto& [key, text] : settings) check(rc_options_parse(handle, key.c_str(), text.c_str()), "");
+  return options;
+}
+
 std::string last_message() {
   const std::string_view message = rc_last_error();
   if (!message.starts_with("rc_")) return std::string(message);

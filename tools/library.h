@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -34,6 +35,9 @@ class Context {
 
 // Throws an Error with the library's own text if the call failed; `subject` ("--tol", "step 3") opens the message.
 void check(rc_status status, std::string_view subject);
+
+// The defaults of the registry, but for the threads; then these keys and values, of which later ones win.
+Options make_options(const Context& context, int threads, const std::vector<std::pair<std::string, std::string>>& settings);
 
 // The calling thread's last message, without the name of the C function, which means nothing on a command line.
 std::string last_message();

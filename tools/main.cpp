@@ -6,16 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "choices.h"
 #include "command_line.h"
 #include "completion.h"
 #include "interrupt.h"
 #include "list_commands.h"
 #include "platform/libraries.h"
 #include "platform/terminal.h"
+#include "refusal.h"
 #include "solve_command.h"
 #include "standard_streams.h"
 #include "text.h"
+
+namespace cli {
+
+const char command_name[] = "roughcontact";
+
+}  // namespace cli
 
 namespace {
 
@@ -24,27 +30,6 @@ std::string version() {
   rc_version(&major, &minor, &patch, &abi);
   return cli::format("roughcontact %d.%d.%d (library ABI %d, %s)", major, minor, patch, abi,
                      rc_platform::loads_plugins() ? "plugin ABI " RC_PLUGIN_ABI : "linked statically, loads no plugins");
-}
-
-// What is wrong with a command line, with the nearest word that would be right.
-std::string refusal(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
-  const CLI::App* at = &app;
-  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
-  std::string place = at->get_display_name();
-  for (const CLI::App* up = at->get_parent(); up; up = up->get_parent()) place = up->get_display_name() + " " + place;
-  const std::string see = "; see " + place + " --help";
-
-  const std::vector<std::string> extra = app.remaining(true);
-  const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) || dynamic_cast<const CLI::RequiredError*>(&error);
-  const auto found =
-      std::find_if(words.begin(), words.end(), [&](const std::string& word) { return std::ranges::count(extra, word) > 0; });
-  if (!unexpected || found == words.end()) return error.what() + see;
-  const std::string word = found->substr(0, found->find('='));
-  if (word.starts_with("-") && word.size() > 1)
-    return place + " has no option " + cli::in_quotes(word) + cli::did_you_mean(word, cli::option_names(*at)) + see;
-  if (const auto names = cli::subcommand_names(*at); !names.empty())
-    return place + " has no command " + cli::in_quotes(word) + cli::did_you_mean(word, names) + see;
-  return cli::in_quotes(word) + " is not expected here" + see;
 }
 
 // words: what follows the name of the command.
@@ -64,7 +49,7 @@ int run(const std::vector<std::string>& words) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    cli::report(refusal(app, words, error));
+    cli::report(cli::refusal(app, words, error));
     return cli::exit_error;
   }
 

@@ -11,20 +11,6 @@ namespace cli {
 
 namespace {
 
-// The header is padded so that the data begin at a multiple of 64 bytes.
-std::string npy_header(std::int64_t nx, std::int64_t ny) {
-  constexpr std::size_t preamble = 10;
-  std::string dictionary = format("{'descr': '<f8', 'fortran_order': False, 'shape': (%lld, %lld), }", static_cast<long long>(ny),
-                                  static_cast<long long>(nx));
-  while ((preamble + dictionary.size() + 1) % 64 != 0) dictionary += ' ';
-  dictionary += '\n';
-
-  std::string header{"\x93NUMPY\x01\x00", 8};
-  header += static_cast<char>(dictionary.size() & 0xff);
-  header += static_cast<char>(dictionary.size() >> 8);
-  return header + dictionary;
-}
-
 std::array<unsigned char, 8> little_endian(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   std::array<unsigned char, 8> bytes{};
@@ -33,6 +19,19 @@ std::array<unsigned char, 8> little_endian(double value) {
 }
 
 }  // namespace
+
+std::string npy_header(std::int64_t nx, std::int64_t ny, const char* descr) {
+  constexpr std::size_t preamble = 10;
+  std::string dictionary = format("{'descr': '%s', 'fortran_order': False, 'shape': (%lld, %lld), }", descr,
+                                  static_cast<long long>(ny), static_cast<long long>(nx));
+  while ((preamble + dictionary.size() + 1) % 64 != 0) dictionary += ' ';
+  dictionary += '\n';
+
+  std::string header{"\x93NUMPY\x01\x00", 8};
+  header += static_cast<char>(dictionary.size() & 0xff);
+  header += static_cast<char>(dictionary.size() >> 8);
+  return header + dictionary;
+}
 
 void write_npy(std::FILE* file, const std::vector<double>& values, std::int64_t nx, std::int64_t ny) {
   const std::string header = npy_header(nx, ny);

@@ -3,9 +3,13 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 namespace cli {
+
+// What stands before the data, of a multiple of 64 bytes. descr: NumPy's name of the numbers' type.
+std::string npy_header(std::int64_t nx, std::int64_t ny, const char* descr = "<f8");
 
 void write_npy(std::FILE* file, const std::vector<double>& values, std::int64_t nx, std::int64_t ny);
 

@@ -60,7 +60,6 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
 }
 
 void set_options(const SolveArguments& arguments, Problem& problem) {
-  problem.options.emplace_back(RC_OPT_STIFFNESS, "1");
   if (arguments.out) problem.options.emplace_back(RC_OPT_RESUMABLE, "1");
   const std::pair<const char*, const std::optional<std::string>&> named[] = {{RC_OPT_KERNEL, arguments.kernel},
                                                                              {RC_OPT_SOLVER, arguments.solver},
@@ -87,7 +86,7 @@ double Problem::step_target(std::size_t step) const {
   return targets[step] * static_cast<double>(system.nx) * static_cast<double>(system.ny) * system.hx * system.hy;
 }
 
-Problem make_problem(const SolveArguments& arguments) {
+Problem problem_without_surface(const SolveArguments& arguments) {
   Problem problem;
   problem.system = RC_SYSTEM_INIT;
   const double unit = unit_of(arguments.surface);
@@ -96,7 +95,12 @@ Problem make_problem(const SolveArguments& arguments) {
   problem.system.boundary = boundary(arguments.boundary);
   set_targets(arguments, unit, problem);
   set_options(arguments, problem);
+  return problem;
+}
 
+Problem make_problem(const SolveArguments& arguments) {
+  Problem problem = problem_without_surface(arguments);
+  problem.options.insert(problem.options.begin(), {RC_OPT_STIFFNESS, "1"});
   problem.input = read_input(arguments.surface, true);
   const Surface& surface = problem.input.surface;
   problem.system.hx = *surface.hx;

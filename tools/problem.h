@@ -39,6 +39,9 @@ struct Problem {
   double step_target(std::size_t step) const;
 };
 
+// All but the surface and the size of the grid.
+Problem problem_without_surface(const SolveArguments& arguments);
+
 // Throws an Error at the first argument that is wrong; the surface is read last.
 Problem make_problem(const SolveArguments& arguments);
 

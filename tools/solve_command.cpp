@@ -26,15 +26,6 @@ namespace cli {
 
 namespace {
 
-Options make_options(const Context& context, const Problem& problem) {
-  rc_options* handle = nullptr;
-  check(rc_options_create(context.get(), &handle), "");
-  Options options{handle};
-  check(rc_options_set_int(handle, RC_OPT_THREADS, usable_cores()), "");
-  for (const auto& [key, text] : problem.options) check(rc_options_parse(handle, key.c_str(), text.c_str()), "");
-  return options;
-}
-
 Contact make_contact(const Problem& problem, const Options& options) {
   rc_contact* handle = nullptr;
   check(rc_contact_create(&problem.system, options.get(), &handle), "");
@@ -132,7 +123,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
   Fields fields{gap.size(), problem.system.hardness > 0};
 
   Context context;
-  const Options options = make_options(context, problem);
+  const Options options = make_options(context, usable_cores(), problem.options);
   ProgressBar bar{!arguments.quiet && rc_platform::is_terminal(stderr), tolerance(options), problem.targets.size()};
   const Contact contact = make_contact(problem, options);
   check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "step_fields.h"
 #include "text.h"
@@ -18,19 +17,20 @@ std::string library_version() {
   return format("%d.%d.%d", major, minor, patch);
 }
 
-// Shows whether heights differ from those of another run. It does not protect against manipulation.
-std::string checksum(const std::vector<double>& heights) {
-  std::uint64_t sum = 0;
-  for (const double z : heights) {
-    sum = (sum ^ (std::isnan(z) ? 1 : std::bit_cast<std::uint64_t>(z))) * 0x9e3779b97f4a7c15;
-    sum ^= sum >> 32;
-  }
-  return format("%016llx", static_cast<unsigned long long>(sum));
-}
-
 }  // namespace
 
-Summary::Summary(const Problem& problem) {
+void Checksum::add(std::span<const double> heights) {
+  for (const double z : heights) add(std::isnan(z) ? 1 : std::bit_cast<std::uint64_t>(z));
+}
+
+void Checksum::add(std::uint64_t bits) {
+  sum_ = (sum_ ^ bits) * 0x9e3779b97f4a7c15;
+  sum_ ^= sum_ >> 32;
+}
+
+std::string Checksum::text() const { return format("%016llx", static_cast<unsigned long long>(sum_)); }
+
+Summary::Summary(const Problem& problem, const std::string& checksum) {
   const rc_system& system = problem.system;
   document_.begin("units");
   document_.add({{"length", "m"}, {"pressure", "Pa"}, {"force", "N"}});
@@ -45,7 +45,7 @@ Summary::Summary(const Problem& problem) {
                  {"removed", problem.input.removed},
                  {"missing", problem.input.missing},
                  {"missing_rule", problem.input.missing_rule},
-                 {"checksum", checksum(problem.input.surface.heights)},
+                 {"checksum", checksum},
                  {"modulus", system.modulus},
                  {"boundary", system.boundary == RC_BOUNDARY_PERIODIC ? "periodic" : "free"},
                  {"control", problem.control}});

@@ -9,7 +9,10 @@ namespace cli {
 
 using namespace rc::formats;
 
-// Writes "roughcontact: text" as exactly one line to standard error. Allocates nothing.
+// The name that begins what a command says; each command defines its own.
+extern const char command_name[];
+
+// Writes "NAME: text" as exactly one line to standard error. Allocates nothing.
 void report(std::string_view text);
 
 }  // namespace cli

@@ -27,13 +27,6 @@ static_assert(std::atomic<const fs::path::value_type*>::is_always_lock_free);
   throw Error("cannot write " + in_quotes(target.string()) + ": " + std::strerror(errno));
 }
 
-fs::path temporary_for(const fs::path& target) {
-  std::uint64_t number = 0;
-  if (!rc_platform::draw_random(number)) fail(target);
-  return target.parent_path() / rc_platform::path_of(format(".%s.%016llx%s", target.filename().string().c_str(),
-                                                            static_cast<unsigned long long>(number), ending.data()));
-}
-
 // Unlinks the file unless it was renamed away.
 class TemporaryFile {
  public:
@@ -73,6 +66,13 @@ class TemporaryFile {
 };
 
 }  // namespace
+
+fs::path temporary_for(const fs::path& target) {
+  std::uint64_t number = 0;
+  if (!rc_platform::draw_random(number)) fail(target);
+  return target.parent_path() / rc_platform::path_of(format(".%s.%016llx%s", target.filename().string().c_str(),
+                                                            static_cast<unsigned long long>(number), ending.data()));
+}
 
 void write_whole_file(const fs::path& path, const std::function<bool(std::FILE*)>& fill) {
   TemporaryFile file{path};

@@ -14,6 +14,9 @@ namespace cli {
 void write_whole_file(const std::filesystem::path& path, const std::function<bool(std::FILE*)>& fill);
 void write_whole_file(const std::filesystem::path& path, const std::string& text);
 
+// A new name in the folder of the target, under which it is written before it is renamed.
+std::filesystem::path temporary_for(const std::filesystem::path& target);
+
 // Removes the temporary file that is being written, for a process that a signal ends. A signal handler may call it.
 void remove_unfinished_file() noexcept;
 

@@ -145,11 +145,11 @@ void Ranks::raise(const std::vector<rc_status>& statuses) const {
   fail(*first, "rank ", first - statuses.begin(), ": ", static_cast<const char*>(message));
 }
 
-SharedRows::SharedRows(const Ranks& all) : rc_rows{}, of(&all) {
+SharedRows::SharedRows(const Ranks& shared) : rc_rows{}, of(&shared) {
   struct_size = sizeof(rc_rows);
-  rank = all.rank();
-  ranks = all.size();
-  first = all.first().data();
+  rank = shared.rank();
+  ranks = shared.size();
+  first = shared.first().data();
   transpose = [](const rc_rows* rows, const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) {
     ranks_of(rows)->transpose(from, sent, into, received);
   };

@@ -1,0 +1,29 @@
+// Where the numbers of a .npy file are, for those who read a part of them.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace rc::formats {
+
+inline constexpr std::size_t npy_longest_header = 1 << 16;
+
+struct NpyLayout {
+  std::int64_t ny, nx;
+  bool fortran_order;  // columns are whole in the file, not rows
+  bool floating;       // the numbers are not integers
+  std::size_t size;    // bytes of a number
+  double (*load)(const char* bytes, std::endian order);
+  std::endian order;
+  std::size_t data;  // bytes before the first number
+
+  double number(const char* bytes) const { return load(bytes, order); }
+};
+
+// Of a file that begins with these bytes; 12 + npy_longest_header are enough. Throws an Error that says what is wrong with the
+// header. It does not know whether the data are there.
+NpyLayout npy_layout(std::string_view file);
+
+}  // namespace rc::formats
