@@ -49,7 +49,7 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
     'bindings': CONTACT | {'roughcontact/formats.h'},
-    'tools': CONTACT | {'roughcontact/surface.h'},
+    'tools': CONTACT | {'roughcontact/surface.h', 'roughcontact/mpi.h'},
     'mpi': {'roughcontact/mpi.h', 'roughcontact/ranks.h'},
     'surface': {'roughcontact/roughcontact.h', 'roughcontact/surface.h'},
     'formats': {'roughcontact/roughcontact.h', 'roughcontact/formats.h'},

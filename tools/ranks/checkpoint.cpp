@@ -1,0 +1,52 @@
+#include "checkpoint.h"
+
+#include "json_text.h"
+#include "whole_file.h"
+
+namespace cli {
+
+namespace {
+
+constexpr const char* note_name = "checkpoint.json";
+
+}  // namespace
+
+void Checkpoint::write(std::size_t step, std::int64_t iterations, const std::vector<double>& pressure) {
+  ranks_.on_first([&] { run_->begin(); });
+  write_rows(ranks_, folder_ / array_name(), pressure, row_.problem.system.nx, row_.problem.system.ny, row_.rows);
+  ranks_.on_first([&] {
+    JsonText note;
+    note.add({{"step", step}, {"iterations", iterations}, {"second", second_}});
+    write_whole_file(folder_ / note_name, note.text());
+  });
+  second_ = !second_;
+}
+
+std::optional<std::int64_t> Checkpoint::read(std::size_t step, std::vector<double>& pressure) {
+  std::int64_t iterations = -1, second = 0;
+  ranks_.on_first([&] {
+    const auto entries = read_json(run_->files().read(note_name));
+    std::int64_t of_step = 0, found = -1;
+    for (const auto& [place, value] : entries.value_or(std::vector<JsonEntry>{})) {
+      if (place == "/step" && value.is_number_integer()) of_step = value.get<std::int64_t>();
+      if (place == "/iterations" && value.is_number_integer()) found = value.get<std::int64_t>();
+      if (place == "/second" && value.is_boolean()) second = value.get<bool>() ? 1 : 0;
+    }
+    if (of_step == static_cast<std::int64_t>(step)) iterations = found;
+  });
+  iterations = ranks_.of_first(iterations);
+  if (iterations < 0) return std::nullopt;
+  second_ = ranks_.of_first(second) == 1;
+  const std::string file = (folder_ / array_name()).string();
+  pressure = read_step_rows(ranks_, file, row_);
+  second_ = !second_;
+  return iterations;
+}
+
+void Checkpoint::remove() {
+  ranks_.on_first([&] {
+    for (const char* name : {note_name, "checkpoint-a.npy", "checkpoint-b.npy"}) run_->files().remove(name);
+  });
+}
+
+}  // namespace cli

@@ -1,0 +1,43 @@
+// The ranks that run the command together: what all must know, and failures that one of them meets.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+class Communicator {
+ public:
+  explicit Communicator(MPI_Comm comm);
+
+  MPI_Comm get() const { return comm_; }
+  int rank() const { return rank_; }
+  bool first() const { return rank_ == 0; }
+
+  // Calls `part` on every rank, without communication within it. If it throws on one of them, every rank throws the Error of the
+  // first of those.
+  void together(const std::function<void()>& part) const;
+  // The same where rank 0 alone has work.
+  void on_first(const std::function<void()>& part) const;
+
+  // What rank 0 has.
+  std::string of_first(std::string text) const;
+  std::int64_t of_first(std::int64_t number) const;
+
+  double largest(double value) const;
+  std::int64_t least(std::int64_t value) const;
+  std::int64_t sum(std::int64_t value) const;
+  // The values of all ranks in the order of ranks, on rank 0; nothing on the others.
+  std::vector<double> collected(std::span<const double> values) const;
+
+ private:
+  MPI_Comm comm_;
+  int rank_ = 0, ranks_ = 1;
+};
+
+}  // namespace cli

@@ -1,0 +1,231 @@
+#include "press.h"
+
+#include <roughcontact/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "checkpoint.h"
+#include "conclusion.h"
+#include "error.h"
+#include "library.h"
+#include "numbers.h"
+#include "platform/files.h"
+#include "row_problem.h"
+#include "run_folder.h"
+#include "step_fields.h"
+#include "step_record.h"
+#include "table.h"
+#include "text.h"
+
+namespace cli {
+
+namespace {
+
+using RankContact = std::unique_ptr<rc_mpi_contact, Destroy<rc_mpi_contact_destroy>>;
+
+// Of a step, what no rank can say of its rows alone and the library does not say of all.
+constexpr std::string_view unknown[] = {"corrected_area", "patches",  "largest_patch",  "contact_crosses", "gap_crosses",
+                                        "model_nx",       "model_ny", "error_estimate", "left_out",        "area_estimate"};
+
+// Largest pressure and mean gap, the same for every number of ranks: sums of rows are added in their order.
+ContactMeasures measure_rows(const Communicator& ranks, const RowProblem& row, const Fields& fields) {
+  ContactMeasures found;
+  const auto nx = static_cast<std::size_t>(row.problem.system.nx);
+  std::vector<double> rows;
+  double highest = 0;
+  for (std::size_t begin = 0; begin < fields.gap.size(); begin += nx) {
+    double sum = 0, count = 0;
+    for (std::size_t i = begin; i < begin + nx; ++i) {
+      highest = std::max(highest, fields.pressure[i]);
+      if (std::isnan(fields.gap[i])) continue;
+      sum += row.problem.system.hardness > 0 ? std::max(fields.gap[i], 0.0) : fields.gap[i];
+      ++count;
+    }
+    rows.push_back(sum);
+    rows.push_back(count);
+  }
+  found.max_pressure = ranks.largest(highest);
+  double sum = 0, count = 0;
+  const std::vector<double> all = ranks.collected(rows);
+  for (std::size_t k = 0; k < all.size(); k += 2) {
+    sum += all[k];
+    count += all[k + 1];
+  }
+  found.mean_gap = sum / count;
+  return found;
+}
+
+class Run {
+ public:
+  Run(const Communicator& ranks, const RankArguments& arguments) : ranks_(ranks), arguments_(arguments.solve) {
+    if (arguments_.resume && !arguments_.out) throw Error("--resume goes on in the folder of --out, which is missing");
+    if (arguments.checkpoint) {
+      if (!arguments_.out) throw Error("--checkpoint writes into the folder of --out, which is missing");
+      const auto given = to_integer(*arguments.checkpoint);
+      if (!given || *given < 1)
+        throw Error("--checkpoint: " + in_quotes(*arguments.checkpoint) + " is no number of iterations, give 1 or more");
+      every_ = *given;
+    }
+    row_ = read_problem(ranks, arguments_);
+    fields_ = Fields{row_.gap.size(), row_.problem.system.hardness > 0};
+    make_contact();
+    if (arguments_.out) open_folder();
+  }
+
+  ExitCode solve() {
+    const auto steps = row_.problem.targets.size();
+    for (std::size_t number = static_cast<std::size_t>(finished_) + 1; number <= steps; ++number) solve_step(number);
+    if (ranks_.first() && !arguments_.quiet && !last_.empty()) std::printf("%s\n", last_.c_str());
+    return all_certified_ ? exit_certified : exit_uncertified;
+  }
+
+ private:
+  void make_contact() {
+    Options options;
+    ranks_.together([&] {
+      options = make_options(context_, 1, row_.problem.options);
+      check(rc_options_get_int(options.get(), RC_OPT_MAX_ITER, &most_), "");
+      if (every_ > 0) check(rc_options_set_int(options.get(), RC_OPT_MAX_ITER, std::min(every_, most_)), "");
+    });
+    rc_mpi_contact* handle = nullptr;
+    check(rc_mpi_contact_create(ranks_.get(), &row_.problem.system, options.get(), &handle), "");
+    contact_.reset(handle);
+    if (ranks_.first()) context_.report_warnings();
+  }
+
+  void open_folder() {
+    ranks_.on_first([&] { folder_.emplace(*arguments_.out, row_.problem, row_.checksum, arguments_.resume); });
+    checkpoint_.emplace(ranks_, folder_ ? &*folder_ : nullptr, row_, rc_platform::path_of(*arguments_.out));
+    if (!arguments_.resume) checkpoint_->remove();
+    finished_ = ranks_.of_first(folder_ ? std::int64_t(folder_->finished().size()) : 0);
+    all_certified_ = ranks_.of_first(std::int64_t(folder_ && folder_->all_certified())) == 1;
+    if (finished_ > 0) {
+      fields_.pressure = read_step_rows(ranks_, file("pressure", static_cast<std::size_t>(finished_)), row_);
+      if (!fields_.indentation.empty())
+        fields_.indentation = read_step_rows(ranks_, file("indentation", static_cast<std::size_t>(finished_)), row_);
+      started_ = true;
+      for (std::size_t i = 0; i < fields_.indentation.size(); ++i) row_.gap[i] += fields_.indentation[i];
+      if (ranks_.first())
+        report(
+            format("--resume: %lld of %zu steps are finished", static_cast<long long>(finished_), row_.problem.targets.size()));
+    }
+    const auto next = static_cast<std::size_t>(finished_) + 1;
+    if (!arguments_.resume) return;
+    std::vector<double> pressure;
+    const auto iterations = checkpoint_->read(next, pressure);
+    if (!iterations) return;
+    begun_ = *iterations;
+    fields_.pressure = std::move(pressure);
+    started_ = true;
+    if (ranks_.first()) report(format("--resume: step %zu goes on after %lld iterations", next, static_cast<long long>(begun_)));
+  }
+
+  std::string file(const char* stem, std::size_t number) const {
+    return (rc_platform::path_of(*arguments_.out) / step_name(stem, number, "npy")).string();
+  }
+
+  // One call of the library. The start is always given, so that it is the same where a run was resumed.
+  rc_status advance(std::size_t number, bool new_gap, rc_result& result) {
+    rc_step step = RC_STEP_INIT;
+    step.control = row_.problem.step_control();
+    step.target = row_.problem.step_target(number - 1);
+    step.undeformed_gap = new_gap ? row_.gap.data() : nullptr;
+    step.mask = new_gap && !row_.problem.input.mask.empty() ? row_.problem.input.mask.data() : nullptr;
+    step.borrow = 1;
+    step.warm_start = 0;
+    step.p0 = started_ ? fields_.pressure.data() : nullptr;
+    result = RC_RESULT_INIT;
+    result.p = fields_.pressure.data();
+    result.gap = fields_.gap.data();
+    const rc_status status = rc_mpi_contact_solve(contact_.get(), &step, &result);
+    check(status, format("step %zu", number));
+    started_ = true;
+    return status;
+  }
+
+  void solve_step(std::size_t number) {
+    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
+    std::int64_t iterations = begun_, products = 0;
+    double seconds = 0, setup = 0;
+    begun_ = 0;
+    for (bool more = true; more;) {
+      const rc_status status = advance(number, !gap_given_, step.result);
+      gap_given_ = true;
+      iterations += step.result.iterations;
+      products += step.result.applications;
+      seconds += step.result.seconds;
+      setup += step.result.setup_seconds;
+      step.message = status > 0 ? last_message() : "";
+      more = every_ > 0 && status == RC_STOP_MAX_ITER && step.result.iterations > 0 && iterations < most_;
+      if (more) checkpoint_->write(number, iterations, fields_.pressure);
+    }
+    step.result.iterations = iterations;
+    step.result.applications = products;
+    step.result.seconds = seconds;
+    step.result.setup_seconds = setup;
+    step.measures = measure_rows(ranks_, row_, fields_);
+    if (!fields_.indentation.empty() && step.result.status == RC_OK) yield();
+    all_certified_ = all_certified_ && step.good();
+    print(step);
+    if (arguments_.out) write(step);
+  }
+
+  // Where the pressure is the hardness, the overlap is plastic, and stays.
+  void yield() {
+    for (std::size_t i = 0; i < fields_.pressure.size(); ++i) {
+      if (fields_.pressure[i] == row_.problem.system.hardness) fields_.indentation[i] += std::max(0.0, -fields_.gap[i]);
+    }
+  }
+
+  void print(const StepRecord& step) {
+    last_ = conclusion(row_.problem, step);
+    if (!ranks_.first()) return;
+    if (!arguments_.quiet && step.number == static_cast<int>(finished_) + 1) print_table_head(row_.problem);
+    if (!arguments_.quiet) print_table_row(row_.problem, step);
+    if (!step.message.empty()) report(format("step %d: ", step.number) + step.message);
+    const std::string note = step.result.note;
+    if (!note.empty() && note != remarked_) report("remark: " + note);
+    remarked_ = note;
+  }
+
+  void write(const StepRecord& step) {
+    const auto number = static_cast<std::size_t>(step.number);
+    const rc_system& system = row_.problem.system;
+    ranks_.on_first([&] { folder_->begin_step(number); });
+    const auto array = [&](const char* stem, const std::vector<double>& values) {
+      write_rows(ranks_, rc_platform::path_of(file(stem, number)), values, system.nx, system.ny, row_.rows);
+    };
+    array("pressure", fields_.pressure);
+    array("gap", fields_.gap);
+    if (system.hardness > 0) array("indentation", fields_.indentation);
+    ranks_.on_first([&] {
+      std::vector<JsonEntry> values = step_fields(step, system.hardness > 0);
+      std::erase_if(values, [](const JsonEntry& field) { return std::ranges::count(unknown, field.place) > 0; });
+      folder_->end_step(values);
+    });
+    checkpoint_->remove();
+  }
+
+  const Communicator& ranks_;
+  const SolveArguments& arguments_;
+  Context context_;
+  RowProblem row_;
+  Fields fields_{0, false};
+  RankContact contact_;
+  std::optional<RunFolder> folder_;  // on rank 0
+  std::optional<Checkpoint> checkpoint_;
+  std::int64_t every_ = 0;  // iterations between checkpoints; 0: none
+  std::int64_t most_ = 0;   // option max_iter
+  std::int64_t finished_ = 0, begun_ = 0;
+  bool all_certified_ = true, started_ = false, gap_given_ = false;
+  std::string remarked_, last_;
+};
+
+}  // namespace
+
+ExitCode press(const Communicator& ranks, const RankArguments& arguments) { return Run{ranks, arguments}.solve(); }
+
+}  // namespace cli
