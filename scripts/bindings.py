@@ -31,9 +31,12 @@ HEADERS = {
     "contact": [f"roughcontact/{name}.h" for name in ("roughcontact", "history", "derivatives", "direct", "analysis", "registry")],
     "surface": ["roughcontact/surface.h"],
     "formats": ["roughcontact/formats.h"],
+    "mpi": ["roughcontact/mpi.h"],
 }
 # Functions of plugin.h that Python calls; the structs that only this header knows are handles to it.
 FROM_PLUGIN = ["rc_context_register"]
+# Of mpi.h, what languages take that know communicators by their Fortran handles.
+FROM_MPI = ["rc_ranks_counts"]
 # What a C prototype does not say. Pointers to one number, for Fortran: all others are arrays.
 SCALARS = {
     "rc_version": "major minor patch abi",
@@ -42,6 +45,7 @@ SCALARS = {
     "rc_contact_points": "n",
     "rc_conductance": "conductance lower upper",
     "rc_surface_psd": "count",
+    "rc_mpi_rows_f": "first count",
 }
 # Arguments that Fortran may leave out: NULL in C.
 OPTIONAL = {
@@ -334,15 +338,21 @@ def python_options(document: pathlib.Path) -> str:
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
-    surface, formats = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats"))
+    surface, formats, mpi = (read(HEADERS[name], include, cc, contact) for name in ("surface", "formats", "mpi"))
+    mpi.types = {name: mpi.types[name] for name in FROM_MPI}
+    mpi.functions = {
+        name: each
+        for name, each in mpi.functions.items()
+        if name.startswith("rc_mpi_") and all(kind.base != "MPI_Comm" for _, kind in each.arguments)
+    }
     plugin = read(["roughcontact/plugin.h"], include, cc, contact)
     added = {name: plugin.functions[name] for name in FROM_PLUGIN}
-    known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys()
+    known = contact.functions.keys() | surface.functions.keys() | formats.functions.keys() | mpi.functions.keys()
     unknown = (SCALARS.keys() | OPTIONAL.keys()) - known
     if unknown:
         sys.exit(f"SCALARS and OPTIONAL name functions that the headers do not have: {', '.join(sorted(unknown))}")
     own, fortran, python = (
-        "the headers but surface.h, formats.h and plugin.h",
+        "the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h",
         "bindings/fortran/roughcontact",
         "bindings/python/roughcontact",
     )
@@ -365,7 +375,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{fortran}_structs.f90": fortran_module(
             "roughcontact_structs",
             [
-                f"The structs of {own}, member for member, with the values of the RC_..._INIT macros.",
+                f"The structs of {own}, member for member,",
+                "with the values of the RC_..._INIT macros.",
                 "",
                 "Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the",
                 "order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)",
@@ -377,7 +388,8 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
         f"{fortran}_functions.f90": fortran_module(
             "roughcontact_functions",
             [
-                f"The functions of {own}, name for name; units, rules and errors are described there.",
+                f"The functions of {own}, name for name;",
+                "units, rules and errors are described there.",
                 "",
                 "Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed",
                 "as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)",
@@ -407,13 +419,23 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
             fortran_structs(formats),
             fortran_functions(formats),
         ),
+        f"{fortran}_mpi_interface.f90": fortran_module(
+            "roughcontact_mpi_interface",
+            [
+                "The C interface of <roughcontact/mpi.h>, name for name, where it takes Fortran's communicators: comm%MPI_VAL.",
+                "Units, rules and errors are described there.",
+            ],
+            ["  use roughcontact_structs"],
+            fortran_structs(mpi),
+            fortran_functions(mpi),
+        ),
         f"{python}/_constants.py": python_module(
             "The constants of the headers, under their names there.", python_constants([contact, surface, formats])
         ),
         f"{python}/_status.py": python_module("How a call ended.", python_status(contact)),
         f"{python}/_structs.py": python_module(
             "The structs of the headers, member by member, with the values of the RC_..._INIT macros.",
-            "\n\n\n".join(map(python_structs, (contact, surface, formats))),
+            "\n\n\n".join(map(python_structs, (contact, surface, formats, mpi))),
             after=["_c", "_constants"],
         ),
         f"{python}/_functions.py": python_module(
@@ -423,6 +445,7 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
                     "ContactFunctions": ("libroughcontact", contact, {**contact.functions, **added}),
                     "SurfaceFunctions": ("libroughcontact-surface", surface, surface.functions),
                     "FormatsFunctions": ("libroughcontact-formats", formats, formats.functions),
+                    "MpiFunctions": ("libroughcontact-mpi", mpi, mpi.functions),
                 }
             ),
             after=["_c", "_structs"],

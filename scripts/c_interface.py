@@ -61,6 +61,7 @@ def preprocessed(headers: List[str], include: pathlib.Path, cc: str) -> Tuple[st
             for sign, base in (("", f"signed {kind}"), ("u", f"unsigned {kind}"))
         ),
     }
+    types["mpi.h"] = "typedef struct mpi_comm MPI_Comm;\n#define MPI_Fint int32_t\n"
     with tempfile.TemporaryDirectory() as folder:
         for name, text in types.items():
             (pathlib.Path(folder) / name).write_text(text)

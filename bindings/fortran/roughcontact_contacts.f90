@@ -5,6 +5,7 @@ module roughcontact_contacts
   use roughcontact_errors
   use roughcontact_functions
   use roughcontact_options, only: rcf_or_null
+  use roughcontact_steps
   use roughcontact_strings, only: rc_from_c
   implicit none
   private
@@ -90,7 +91,7 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+    if (.not. rcf_prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
       mask, p0, warm_start, p, gap, stat, errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_solve(contact%handle, step, answer)
@@ -113,7 +114,7 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+    if (.not. rcf_prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
       mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_certify(contact%handle, step, answer)
@@ -242,57 +243,11 @@ contains
     sized = system
     sized%nx = size(undeformed_gap, 1, c_int64_t)
     sized%ny = size(undeformed_gap, 2, c_int64_t)
-    if (.not. prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, p=p, &
-      gap=gap, stat=stat, errmsg=errmsg)) return
+    if (.not. rcf_prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, &
+      p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_solve(sized, step, rcf_or_null(options), answer)
     if (present(result)) result = answer
     call rcf_check(status, stat, errmsg)
   end subroutine
-
-  ! Step and result of the arguments that the solving procedures share; false where the arguments are refused.
-  logical function prepared(where, nx, ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, warm_start, p, &
-    gap, stat, errmsg) result(ready)
-    character(*), intent(in) :: where
-    integer(c_int64_t), intent(in) :: nx, ny
-    type(rc_step), intent(out) :: step
-    type(rc_result), intent(out) :: answer
-    integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
-    real(c_double), intent(in), optional :: displacement, load
-    real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
-    logical, intent(in), optional :: mask(:, :), warm_start
-    real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
-    integer, intent(inout), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    ready = .false.
-    if (present(displacement) .eqv. present(load)) then
-      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacement and load', stat, errmsg)
-      return
-    end if
-    if (present(undeformed_gap)) then
-      if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), nx, ny, stat, errmsg)) return
-    end if
-    if (present(mask)) then
-      if (.not. rcf_shaped(where, 'mask', shape(mask), nx, ny, stat, errmsg)) return
-    end if
-    if (present(p0)) then
-      if (.not. rcf_shaped(where, 'p0', shape(p0), nx, ny, stat, errmsg)) return
-    end if
-    if (present(p)) then
-      if (.not. rcf_shaped(where, 'p', shape(p), nx, ny, stat, errmsg)) return
-    end if
-    if (present(gap)) then
-      if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
-    end if
-    step%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(load))
-    if (present(displacement)) step%target = displacement
-    if (present(load)) step%target = load
-    if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
-    step%undeformed_gap = rcf_address(undeformed_gap)
-    step%p0 = rcf_address(p0)
-    call rcf_mask_bytes(mask, bytes)
-    answer%p = rcf_address(p)
-    answer%gap = rcf_address(gap)
-    ready = .true.
-  end function
 end module

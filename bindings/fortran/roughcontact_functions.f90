@@ -1,4 +1,5 @@
-! The functions of the headers but surface.h, formats.h and plugin.h, name for name; units, rules and errors are described there.
+! The functions of the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h, name for name;
+! units, rules and errors are described there.
 !
 ! Objects (context, options, contact) are type(c_ptr); c_null_ptr where C takes NULL. Names and keys are passed
 ! as rc_to_c('fft'). Points and components are numbered from 0, as in C. Masks are c_loc of integer(c_int8_t)

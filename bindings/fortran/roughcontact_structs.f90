@@ -1,4 +1,5 @@
-! The structs of the headers but surface.h, formats.h and plugin.h, member for member, with the values of the RC_..._INIT macros.
+! The structs of the headers but surface.h, formats.h, ranks.h, mpi.h and plugin.h, member for member,
+! with the values of the RC_..._INIT macros.
 !
 ! Arrays inside structs are c_loc(x) of contiguous target arrays, x fastest: a Fortran array p(nx, ny) has the
 ! order of the library. A remark after a pointer is its type in C. Callbacks are c_funloc(f) of bind(c)

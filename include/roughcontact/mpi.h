@@ -49,6 +49,10 @@ RC_API rc_status rc_mpi_contact_solve_path(rc_mpi_contact *contact, rc_path *pat
 RC_API rc_status rc_mpi_contact_certify(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
 /** What this rank has sent and received for the contact. No communication. Errors: ARGUMENT. */
 RC_API rc_status rc_mpi_contact_counts(rc_mpi_contact *contact, rc_ranks_counts *out);
+
+/** The same for a communicator's Fortran handle: MPI_Comm_c2f(comm) in C, comm%MPI_VAL in Fortran, comm.py2f() in mpi4py. */
+RC_API rc_status rc_mpi_rows_f(MPI_Fint comm, const rc_system *system, int64_t *first, int64_t *count);
+RC_API rc_status rc_mpi_contact_create_f(MPI_Fint comm, const rc_system *system, const rc_options *options, rc_mpi_contact **out);
 /** @} */
 
 #ifdef __cplusplus

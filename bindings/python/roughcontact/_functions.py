@@ -99,3 +99,15 @@ class FormatsFunctions(Protocol):
     rc_surface_format_describe: Callable[[int64_t, rc_surface_format], rc_status]
     rc_surface_remove_form: Callable[[int64_t, int64_t, int32_t, doubles], rc_status]
     rc_surface_fill: Callable[[int64_t, int64_t, double, double, doubles], rc_status]
+
+
+class MpiFunctions(Protocol):
+    """libroughcontact-mpi"""
+
+    rc_mpi_contact_destroy: Callable[[handle], None]
+    rc_mpi_contact_solve: Callable[[handle, rc_step, rc_result], rc_status]
+    rc_mpi_contact_certify: Callable[[handle, rc_step, rc_result], rc_status]
+    rc_mpi_contact_solve_path: Callable[[handle, rc_path], rc_status]
+    rc_mpi_contact_counts: Callable[[handle, rc_ranks_counts], rc_status]
+    rc_mpi_rows_f: Callable[[int32_t, rc_system, integers, integers], rc_status]
+    rc_mpi_contact_create_f: Callable[[int32_t, rc_system, handle, handles], rc_status]

@@ -1,11 +1,11 @@
-"""Finds and loads libroughcontact, libroughcontact-surface and libroughcontact-formats.
+"""Finds and loads libroughcontact, and libroughcontact-surface, -formats and -mpi.
 
 libroughcontact, the first of these that exists:
   1. the file that the environment variable ROUGHCONTACT_LIBRARY names; nothing else is tried then
   2. the one inside this package, where it was installed from a wheel
   3. the one of the same prefix: PREFIX/lib/python3/dist-packages/roughcontact belongs to PREFIX/lib, on Windows to PREFIX/bin
   4. the system's, by its name alone, as the dynamic loader finds it
-The other two are looked for beside libroughcontact, then by their name, when a function of them is first called: programs that
+The others are looked for beside libroughcontact, then by their name, when a function of them is first called: programs that
 only solve contacts load neither the GNU Scientific Library nor what files are read with.
 """
 
@@ -19,7 +19,7 @@ from typing import Any, Dict, List, Tuple, cast
 from ._c import prototypes
 from ._constants import RC_ABI
 from ._errors import LibraryNotFoundError
-from ._functions import ContactFunctions, FormatsFunctions, SurfaceFunctions
+from ._functions import ContactFunctions, FormatsFunctions, MpiFunctions, SurfaceFunctions
 
 VARIABLE = "ROUGHCONTACT_LIBRARY"
 
@@ -134,3 +134,8 @@ def surface_library() -> SurfaceFunctions:
 def formats_library() -> FormatsFunctions:
     """libroughcontact-formats."""
     return cast(FormatsFunctions, _beside("formats", FormatsFunctions))
+
+
+def mpi_library() -> MpiFunctions:
+    """libroughcontact-mpi. MPI must be initialised: its own library is then there."""
+    return cast(MpiFunctions, _beside("mpi", MpiFunctions))

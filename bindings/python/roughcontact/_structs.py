@@ -189,3 +189,9 @@ class rc_surface_file(Sized):
 @struct
 class rc_surface_format(Sized):
     members = "size_t struct_size; text name summary suffixes says; int32_t by_contents reserved"
+
+
+@struct
+class rc_ranks_counts(Sized):
+    members = """size_t struct_size;
+    int64_t products transpositions transposed reductions reduced gathers gathered shifts shifted iterations"""

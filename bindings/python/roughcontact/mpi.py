@@ -1,0 +1,193 @@
+"""One contact shared by the ranks of an MPI communicator, each with some rows of the grid. Needs mpi4py and libroughcontact-mpi.
+
+    from mpi4py import MPI
+    import roughcontact as rc, roughcontact.mpi
+    system = rc.HalfSpace((ny, nx), pitch=1e-6, modulus=100e9)
+    rows = rc.mpi.rows(system)  # of this rank
+    gap = rc.mpi.gap_from_heights(heights[rows])
+    with rc.mpi.Contact(system) as contact:
+        result = contact.solve(undeformed_gap=gap, load=1.0)  # result.pressure: of these rows; all else is of the whole grid
+
+Every rank calls these functions, with its own rows in the arrays and the same values in all else. An exception is raised on all ranks
+or on none. Answers have the same bits for every number of ranks and threads.
+"""
+
+import ctypes
+import weakref
+from dataclasses import dataclass
+from typing import Any, Dict, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _constants
+from ._answers import _needed
+from ._arrays import Doubles, Reals, as_doubles, as_mask, as_switch, given
+from ._c import members_for
+from ._calls import check as check_status
+from ._errors import ArgumentError, error_for
+from ._keywords import load_of, options_of
+from ._library import contact_library, mpi_library
+from ._status import Status
+from ._structs import rc_ranks_counts, rc_result, rc_step
+from ._use import OwnsHandle
+from .contact import control_and_target
+from .context import Context, Options, OptionSet
+from .result import Grid, Result, result_from
+from .system import HalfSpace
+
+
+@dataclass(frozen=True)
+class Counts:
+    """What the ranks have exchanged for a contact since it was made: bytes are of this rank."""
+
+    products: int  # with H, of which each transposes twice
+    transpositions: int
+    transposed: int  # bytes sent to other ranks in them
+    reductions: int  # sums over all ranks
+    reduced: int  # bytes given to them
+    gathers: int  # of coarse levels and coarse grids
+    gathered: int
+    shifts: int  # exchanges with a neighbour
+    shifted: int
+    iterations: int
+
+
+def _world(comm: Any) -> Any:
+    """The communicator, by default all ranks. Initialises MPI."""
+    mpi = _needed("mpi4py.MPI", "roughcontact.mpi")
+    return mpi.COMM_WORLD if comm is None else comm
+
+
+def rows(system: HalfSpace, comm: Any = None) -> slice:
+    """Which rows of the grid this rank has, of the first axis; it may have none. comm: an mpi4py communicator; None: all ranks."""
+    handle = _world(comm).py2f()
+    struct, _ = system.struct()
+    first, count = ctypes.c_int64(), ctypes.c_int64()
+    check_status(mpi_library().rc_mpi_rows_f(handle, struct, first, count))
+    return slice(first.value, first.value + count.value)
+
+
+def gap_from_heights(heights: ArrayLike, comm: Any = None) -> Doubles:
+    """The undeformed gap of this rank's rows, of which the highest point of all ranks touches first [length]."""
+    world, mine = _world(comm), as_doubles(heights, "heights")
+    bad = world.allreduce(int(np.isnan(mine).sum()))
+    if bad:
+        raise ArgumentError(f"heights have {bad} values that are NaN; make the gap yourself and give a mask")
+    highest = world.allreduce(float(mine.max()) if mine.size else -np.inf, _needed("mpi4py.MPI", "roughcontact.mpi").MAX)
+    gap: Doubles = highest - mine
+    return gap
+
+
+class Contact(OwnsHandle):
+    """A contact kept over a loading sequence, as `roughcontact.Contact`, of which this rank has the rows `rows`.
+
+    system: `HalfSpace` with the shape of the whole grid
+    comm: an mpi4py communicator; None: all ranks. options, context, keywords: as in `roughcontact.Contact`; threads: of each rank, 1 if
+        not given
+
+    A context manager; `close` frees what it holds, on all ranks at the same time, before MPI is finalised.
+    """
+
+    def __init__(
+        self, system: HalfSpace, comm: Any = None, *, options: Options = None, context: Optional[Context] = None, **keywords: Any
+    ) -> None:
+        world = _world(comm)
+        found: Dict[str, Any] = {_constants.RC_OPT_THREADS: 1, **dict(options_of(type(self), options, keywords, context) or {})}
+        self.system, self.rows = system, rows(system, comm)
+        self._mask: Any = None
+        self._handle = ctypes.c_void_p()
+        struct, _ = system.struct()
+        with OptionSet(found, context) as handle:
+            check_status(mpi_library().rc_mpi_contact_create_f(world.py2f(), struct, handle, self._handle))
+        self._close = weakref.finalize(self, mpi_library().rc_mpi_contact_destroy, self._handle)
+        self._close.atexit = False  # MPI is finalised by then
+        self._context = context
+
+    @property
+    def shape(self) -> Any:
+        """Of this rank's arrays."""
+        return (self.rows.stop - self.rows.start, *self.system.shape[1:])
+
+    def close(self) -> None:
+        """Frees what the contact holds; it cannot be used afterwards. Again: nothing happens."""
+        self._close()
+
+    def __enter__(self) -> "Contact":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def solve(
+        self,
+        *,
+        displacement: Optional[float] = None,
+        load: Optional[float] = None,
+        pressure: Optional[float] = None,
+        undeformed_gap: Optional[ArrayLike] = None,
+        mask: Optional[ArrayLike] = None,
+        start: Optional[ArrayLike] = None,
+        warm_start: Optional[bool] = None,
+        want_pressure: bool = True,
+        want_gap: bool = False,
+        check: bool = True,
+    ) -> Result:
+        """Solves one step and certifies the answer. Arguments as in `roughcontact.Contact.solve`, arrays of this rank's rows; pressure:
+        mean pressure over the whole grid. The answer's arrays and its grid are of this rank's rows, all numbers of the whole grid."""
+        step = self._step(displacement, load_of(load, pressure, displacement, self.system), undeformed_gap, mask)
+        given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
+        return self._run(
+            mpi_library().rc_mpi_contact_solve, step, np.zeros(self.shape) if want_pressure else None, want_gap, check
+        )
+
+    def certify(
+        self,
+        pressure: ArrayLike,
+        *,
+        displacement: Optional[float] = None,
+        load: Optional[float] = None,
+        undeformed_gap: Optional[ArrayLike] = None,
+        mask: Optional[ArrayLike] = None,
+        want_gap: bool = False,
+        check: bool = True,
+    ) -> Result:
+        """Certifies given pressures [force/length^2] for this step; nothing is solved."""
+        judged = as_doubles(pressure, "pressure", self.shape).copy()
+        step = self._step(displacement, load, undeformed_gap, mask)
+        return self._run(mpi_library().rc_mpi_contact_certify, step, judged, want_gap, check)
+
+    def counts(self) -> Counts:
+        """What this rank has sent and received."""
+        self._refuse_closed()
+        struct = rc_ranks_counts()
+        check_status(mpi_library().rc_mpi_contact_counts(self._handle, struct))
+        return Counts(**members_for(Counts, struct))
+
+    def _refuse_closed(self) -> None:
+        if not self._close.alive:
+            raise ArgumentError("the contact is closed")
+
+    def _step(self, displacement: Any, load: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
+        control, target = control_and_target(displacement, load)
+        gap = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", self.shape)
+        chosen = as_mask(mask, "mask", self.shape)
+        self._keep = gap, chosen
+        if gap is not None or chosen is not None:
+            self._mask = chosen
+        return given(rc_step(), control=control, target=float(target), undeformed_gap=gap, mask=chosen)
+
+    def _run(self, function: Any, step: rc_step, pressure: Optional[Reals], want_gap: bool, must_be_certified: bool) -> Result:
+        self._refuse_closed()
+        deformed = np.zeros(self.shape) if want_gap else None
+        struct = given(rc_result(), p=pressure, gap=deformed)
+        status = int(function(self._handle, step, struct))
+        message = ""
+        if status:
+            message = contact_library().rc_last_error().decode(errors="replace")
+        grid = Grid(self.shape, self.system.pitch, self.system.periodic, self._mask, self.system.modulus)
+        answer = result_from(struct, message, grid, pressure, deformed) if status >= 0 else None
+        if status < 0 or must_be_certified and status not in (Status.OK, Status.WITHIN_GOAL):
+            raise error_for(status, message, answer)
+        assert answer is not None
+        return answer
