@@ -10,6 +10,7 @@ import paper_tables
 import peers_report
 import performance
 import physics
+import ranks_tables
 import speed_accuracy_tables
 from options import folder, question
 from store import library_hash, load
@@ -126,6 +127,7 @@ DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.se
              'benchmarks': (one_question('products', quick=False), performance.product_sections, None),
              'failures': (measure_failures, failures_tables.sections, failures_tables.pictures),
              'performance': (measure_performance, performance.sections, performance.pictures),
+             'scale-out': (one_question('ranks'), ranks_tables.sections, ranks_tables.pictures),
              'peers': (one_question('peers'), peers_report.sections, peers_report.pictures)}
 
 
