@@ -6,12 +6,13 @@ length, complex, of s bytes a number. K products take
     seconds = a N^2 log2(N) / P  +  r  +  m (l messages)  +  b (bytes / w)
 
 with a, r, m, b fitted: a is work on the rank's own rows, r what every rank does alike (the coarsest grids), l the network's latency and w its
-bandwidth. Messages of a rank: P - 1 in each transposition, log2(P) in each gather. Bytes of a rank: what it sends in transpositions and what it
+bandwidth. Messages of a rank: P - 1 in each transposition, of which large grids need several each way; log2(P) in each gather. Bytes of a rank: what it sends in transpositions and what it
 receives in gathers of sums and coarse grids. Memory: bytes a point, and of each rank what does not depend on its rows."""
 import math
 
 import numpy as np
 
+ROUND, MOST_ROUNDS = 2**24, 16  # bytes of a rank's spectra that a transposition carries, and the largest number of transpositions each way
 PIECE = 32  # rows of which a rank has at least so many or none
 LARGE = [(n, ranks) for n in (65536, 262144) for ranks in (1024, 4096, 16384)]
 
@@ -24,6 +25,11 @@ def waves(n):
 def transposed(n, ranks, size):
     """Bytes that all ranks send to others in a product whose numbers have `size` bytes."""
     return 2 * n * (2 * waves(n) * size) * (1 - 1 / ranks)
+
+
+def rounds(n, ranks, size):
+    """Parts in which a product's spectra are transposed, so that a rank needs no second copy of them."""
+    return min(max(int(2 * n * waves(n) * size / ranks / ROUND), 1), MOST_ROUNDS)
 
 
 def terms(row, network):
@@ -63,9 +69,8 @@ def scaled(last, n, ranks):
     """The counters of a solve on another grid and other ranks, from those of the largest simulated one. Sums are gathered by pieces of
     rows; the coarsest grids, which every rank has, do not grow."""
     size = last['transposed'] / last['products'] / transposed(last['n'], last['ranks'], 1)
-    rounds = last['transpositions'] / last['products']
     return {'n': n, 'ranks': ranks, 'products': last['products'], 'reductions': last['reductions'], 'gathers': last['gathers'],
-            'transpositions': rounds * last['products'], 'transposed': last['products'] * transposed(n, ranks, size),
+            'transpositions': 2 * last['products'] * rounds(n, ranks, size), 'transposed': last['products'] * transposed(n, ranks, size),
             'reduced': last['reduced'] * n / last['n'], 'gathered': last['gathered']}
 
 
@@ -87,12 +92,13 @@ def fitted(document, networks):
     """The model and what it says; {} where too little was measured or simulated."""
     simulated = [row for row in document.get('simulated', []) if row.get('status') == 'RC_OK']
     measured = [row for row in document.get('measured', []) if row.get('status') == 'RC_OK']
-    if len(simulated) < 5 or not any(row['way'] == 'ranks' for row in measured):
+    spread = [row for row in simulated if row['ranks'] > 1]
+    if len(spread) < 3 or not any(row['way'] == 'ranks' for row in measured):
         return {}
     coefficients = positive_fit([terms(row, networks[row['network']]) for row in simulated], [row['seconds'] for row in simulated])
     model = {'coefficients': coefficients.tolist()}
     model['bytes_a_point'], model['bytes_a_rank'] = memory_of(measured)
     model['errors'] = [float(np.dot(terms(row, networks[row['network']]), coefficients) / row['seconds'] - 1) for row in simulated]
-    last = max(simulated, key=lambda row: (row['n'], row['ranks']))
+    last = max(spread, key=lambda row: (row['n'], row['ranks']))
     model['rows'] = computed(model, last, networks)
     return model

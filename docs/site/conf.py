@@ -90,6 +90,7 @@ docs/paper
 docs/failures
 docs/physics
 docs/performance
+docs/scale-out
 docs/benchmarks
 docs/peers
 ```

@@ -44,7 +44,7 @@ class Input(RanksTest):
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--tolerance', '7', says='did you mean "--tol"')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--missing', 'fill', says='give reject or exclude')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--set', 'nothing=1', says='nothing')
-        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--solver', 'nnls', says='nnls')
+        self.assert_refused('surface.npy', *PRESS, '--load', '1', '--solver', 'nnls', says='with this solver')
         self.npy(rough(ny=64), 'other.npy')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--against', 'other.npy', says='other.npy has 64 x 64 points')
 
