@@ -145,27 +145,4 @@ void Ranks::raise(const std::vector<rc_status>& statuses) const {
   fail(*first, "rank ", first - statuses.begin(), ": ", static_cast<const char*>(message));
 }
 
-SharedRows::SharedRows(const Ranks& shared) : rc_rows{}, of(&shared) {
-  struct_size = sizeof(rc_rows);
-  rank = shared.rank();
-  ranks = shared.size();
-  first = shared.first().data();
-  transpose = [](const rc_rows* rows, const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) {
-    ranks_of(rows)->transpose(from, sent, into, received);
-  };
-  agree = [](const rc_rows* rows, rc_status mine) -> rc_status {
-    if (mine != RC_OK) ranks_of(rows)->failed(mine, last_message());
-    try {
-      ranks_of(rows)->agree();
-      return RC_OK;
-    } catch (const Error& error) {
-      set_message(error.what());
-      return error.code();
-    }
-  };
-  gather = [](const rc_rows* rows, const void* mine, const std::int64_t* bytes, void* all) {
-    ranks_of(rows)->gather(mine, {bytes, bytes + rows->ranks}, all);
-  };
-}
-
 }  // namespace rc
