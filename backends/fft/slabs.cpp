@@ -1,6 +1,7 @@
 #include "slabs.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -220,6 +221,8 @@ Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.s
                : Lengths{fast_length(exact_length(0, system.nx, system.nx)), fast_length(exact_length(0, system.ny, system.ny))};
   const Strips strips(lengths.x / 2 + 1, spec.rows->ranks);
   const rc_status made = roughcontact::guard(host, component, [&] {
+    if (std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0)
+      fail(RC_ERR_OPTION, "fft.precision = single is not for grids that processes share; leave it at auto");
     double_ = std::make_unique<SlabTransform<double>>(spec, lengths, strips);
     single_ = std::make_unique<SlabTransform<float>>(spec, lengths, strips);
   });

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""run.py MPIRUN PROGRAM RANKS[xTHREADS]...: runs the program on so many ranks each, and fails where one run does or prints another text."""
+"""run.py MPIRUN PROGRAM RANKS[xTHREADS]...: runs the program on so many ranks each; fails where one run does, or prints another text."""
 import os
 import subprocess
 import sys
