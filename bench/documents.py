@@ -80,6 +80,11 @@ def measure_failures(remake):
     remake.run('histories', '--seeds', '1,2', *remake.threads)
 
 
+def measure_ranks(remake):
+    limit = ['--budget', f'{max(remake.left() / 60, 1):.0f}'] if remake.request.budget < 1e5 else []
+    remake.run('ranks', *remake.quick, *limit)
+
+
 def measure_paper(remake):
     given, request = remake.given, remake.request
     remake.run('paper', *remake.quick, *given('figure', request.figures), *remake.threads, *given('surfaces', request.surfaces))
@@ -127,7 +132,7 @@ DOCUMENTS = {'speed-accuracy': (measure_speed_accuracy, speed_accuracy_tables.se
              'benchmarks': (one_question('products', quick=False), performance.product_sections, None),
              'failures': (measure_failures, failures_tables.sections, failures_tables.pictures),
              'performance': (measure_performance, performance.sections, performance.pictures),
-             'scale-out': (one_question('ranks'), ranks_tables.sections, ranks_tables.pictures),
+             'scale-out': (measure_ranks, ranks_tables.sections, ranks_tables.pictures),
              'peers': (one_question('peers'), peers_report.sections, peers_report.pictures)}
 
 

@@ -53,7 +53,7 @@ def simulated_command(network, n, ranks, folder):
     with open(hosts, 'w', encoding='utf-8') as out:
         out.write(''.join(f'node{k}\n' for k in range(ranks)))
     return [program('RC_BENCH_SMPIRUN', "SimGrid's SMPI"), '-np', str(ranks), '-platform', os.path.join(ROOT, 'platforms', f'{network}.xml'),
-            '-hostfile', hosts, '--cfg=smpi/host-speed:1Gf', '--cfg=contexts/factory:thread', '--log=root.thres:error',
+            '-hostfile', hosts, '--cfg=smpi/host-speed:1Gf', '--log=root.thres:error',
             program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed']
 
 

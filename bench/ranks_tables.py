@@ -99,9 +99,10 @@ def coefficients(model):
 def sections(results):
     document = load(results, 'ranks')
     if not document:
-        return {name: missing(COMMAND) for name in ('measured', 'counted', 'strong', 'weak', 'model', 'computed', 'left', 'provenance')}
+        return {'picture': '', **{name: missing(COMMAND) for name in ('measured', 'counted', 'strong', 'weak', 'model', 'computed', 'left', 'provenance')}}
     model = document.get('model', {})
-    return {'measured': records(PAIRS, pairs(document)), 'counted': records(COUNTS, counts(document)),
+    picture = '![Seconds of solves against ranks, simulated and computed](images/ranks.png)' if good(document, 'simulated') else ''
+    return {'picture': picture, 'measured': records(PAIRS, pairs(document)), 'counted': records(COUNTS, counts(document)),
             'strong': records(SIMULATED, simulations(document, False)), 'weak': records(SIMULATED, simulations(document, True)),
             'model': coefficients(model) if model else missing(COMMAND),
             'computed': records(COMPUTED, [{**row, 'network': NETWORKS[row['network']]} for row in model['rows']]) if model else missing(COMMAND),

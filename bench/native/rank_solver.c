@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
   const double memory = total(peak() - base, MPI_SUM), most_memory = total(peak() - base, MPI_MAX);
   if (rank == 0)
     printf(
-        "{\"status\": \"%s\", \"iterations\": %lld, \"applications\": %lld, \"contacts\": %lld, \"setup_seconds\": %.6g, "
+        "{\"status\": \"%s\", \"iterations\": %lld, \"applications\": %lld, \"contacts\": %lld, \"create_seconds\": %.6g, "
         "\"seconds\": %.6g, "
         "\"cpu_seconds\": %.6g, \"kkt\": %.3g, \"bits\": \"%016llx\", \"products\": %lld, \"transpositions\": %lld, "
         "\"transposed\": %.0f, "
@@ -154,10 +154,10 @@ int main(int argc, char** argv) {
         "%.0f, "
         "\"shifted\": %.0f, \"distributed_iterations\": %lld, \"peak_bytes\": %.0f, \"most_peak_bytes\": %.0f}\n",
         rc_status_name(result.status), (long long)result.iterations, (long long)result.applications, (long long)result.contacts,
-        made - begin + result.setup_seconds, seconds, busy,
-        fmax(result.kkt_primal, fmax(result.kkt_dual, result.kkt_complementarity)), (unsigned long long)all_bits,
-        (long long)counts.products, (long long)counts.transpositions, transposed, most_transposed, (long long)counts.reductions,
-        reduced, (long long)counts.gathers, gathered, shifts, shifted, (long long)counts.iterations, memory, most_memory);
+        made - begin, seconds, busy, fmax(result.kkt_primal, fmax(result.kkt_dual, result.kkt_complementarity)),
+        (unsigned long long)all_bits, (long long)counts.products, (long long)counts.transpositions, transposed, most_transposed,
+        (long long)counts.reductions, reduced, (long long)counts.gathers, gathered, shifts, shifted, (long long)counts.iterations,
+        memory, most_memory);
   free(gap);
   free(p);
   rc_options_destroy(options);
