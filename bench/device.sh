@@ -12,11 +12,12 @@ lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
 ends=$((SECONDS + 540))
 if [ -z "${RC_DEVICE_SHORT:-}" ]; then
+  mkdir -p "$build"
   cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA_ARCHITECTURES="${RC_DEVICE_ARCHITECTURE:-native}" \
     -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_SURFACE=OFF \
-    -DRC_BUILD_DEVICE_BENCH=ON -DRC_BUILTIN_BACKENDS= -DRC_MODULE_BACKENDS=fft >"$build.log" 2>&1 || { tail -20 "$build.log"; exit 1; }
-  cmake --build "$build" -j "$(nproc)" --target roughcontact rcb_fft rcb_cuda device_solves device_passes >>"$build.log" 2>&1 || {
-    tail -20 "$build.log"; exit 1; }
+    -DRC_BUILD_DEVICE_BENCH=ON -DRC_BUILTIN_BACKENDS= -DRC_MODULE_BACKENDS=fft >"$build/build.log" 2>&1 || { tail -20 "$build/build.log"; exit 1; }
+  cmake --build "$build" -j "$(nproc)" --target roughcontact rcb_fft rcb_cuda device_solves device_passes >>"$build/build.log" 2>&1 || {
+    tail -20 "$build/build.log"; exit 1; }
   commit=$(git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
   device=$(nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader 2>/dev/null | head -1 || echo unknown)
   largest=8192 sizes="1024 4096" large="16384:1e-4 32768:1e-8" count=10000

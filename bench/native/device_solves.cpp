@@ -1,6 +1,6 @@
-// device_solves N CONTROL TOL SOLVER BACKEND THREADS RUNS: cold solves of a rough surface of N x N points with a tenth in contact.
-// device_solves batch COUNT SOLVER BACKEND THREADS: that many contacts of 64 x 64 points by one rc_batch_solve.
-// One line of JSON. bench/device.sh runs it.
+// device_solves N CONTROL TOL SOLVER BACKEND THREADS RUNS: cold solves of a rough surface of N x N points with a tenth in
+// contact. device_solves batch COUNT SOLVER BACKEND THREADS: that many contacts of 64 x 64 points by one rc_batch_solve. One line
+// of JSON. bench/device.sh runs it.
 #include <roughcontact/history.h>
 #include <roughcontact/roughcontact.h>
 
@@ -105,8 +105,8 @@ rc_system square(std::int64_t n) {
 rc_options* options_of(const char* solver, const char* backend, int threads, double tol) {
   rc_options* options = nullptr;
   if (rc_options_create(nullptr, &options) != RC_OK || rc_options_set_text(options, RC_OPT_SOLVER, solver) != RC_OK ||
-      rc_options_set_text(options, RC_OPT_BACKEND, backend) != RC_OK || rc_options_set_int(options, RC_OPT_THREADS, threads) != RC_OK ||
-      rc_options_set_real(options, RC_OPT_TOL, tol) != RC_OK)
+      rc_options_set_text(options, RC_OPT_BACKEND, backend) != RC_OK ||
+      rc_options_set_int(options, RC_OPT_THREADS, threads) != RC_OK || rc_options_set_real(options, RC_OPT_TOL, tol) != RC_OK)
     refuse("options");
   return options;
 }
@@ -148,12 +148,13 @@ int solve(char** argv) {
     }
     if (run > 0 || runs == 1) best = std::min(best, taken);
   }
-  std::printf("{\"n\": %lld, \"control\": \"%s\", \"tol\": %g, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"status\": "
-              "\"%s\", \"first_seconds\": %.6f, \"seconds\": %.6f, \"products\": %lld, \"iterations\": %lld, \"area\": %.5f, "
-              "\"residual\": %.2e}\n",
-              static_cast<long long>(n), argv[2], tol, result.solver, result.backend, argv[6], rc_status_name(result.status), first,
-              best, static_cast<long long>(result.applications), static_cast<long long>(result.iterations),
-              static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual));
+  std::printf(
+      "{\"n\": %lld, \"control\": \"%s\", \"tol\": %g, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"status\": "
+      "\"%s\", \"first_seconds\": %.6f, \"seconds\": %.6f, \"products\": %lld, \"iterations\": %lld, \"area\": %.5f, "
+      "\"residual\": %.2e}\n",
+      static_cast<long long>(n), argv[2], tol, result.solver, result.backend, argv[6], rc_status_name(result.status), first, best,
+      static_cast<long long>(result.applications), static_cast<long long>(result.iterations),
+      static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual));
   rc_contact_destroy(contact);
   rc_options_destroy(options);
   return 0;
@@ -182,10 +183,11 @@ int solve_batch(char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   if (rc_batch_solve(&system, options, &batch) < 0) refuse("rc_batch_solve");
   const double taken = seconds_since(begin);
-  std::printf("{\"batch\": %lld, \"n\": %lld, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"certified\": %lld, "
-              "\"seconds\": %.6f, \"solves_per_second\": %.1f}\n",
-              static_cast<long long>(count), static_cast<long long>(n), argv[3], argv[4], argv[5],
-              static_cast<long long>(batch.certified), taken, static_cast<double>(count) / taken);
+  std::printf(
+      "{\"batch\": %lld, \"n\": %lld, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"certified\": %lld, "
+      "\"seconds\": %.6f, \"solves_per_second\": %.1f}\n",
+      static_cast<long long>(count), static_cast<long long>(n), argv[3], argv[4], argv[5],
+      static_cast<long long>(batch.certified), taken, static_cast<double>(count) / taken);
   rc_options_destroy(options);
   return 0;
 }
@@ -195,6 +197,7 @@ int solve_batch(char** argv) {
 int main(int argc, char** argv) {
   if (argc == 6 && std::strcmp(argv[1], "batch") == 0) return solve_batch(argv);
   if (argc == 8) return solve(argv);
-  std::fprintf(stderr, "usage: %s N load|displacement TOL SOLVER BACKEND THREADS RUNS | batch COUNT SOLVER BACKEND THREADS\n", argv[0]);
+  std::fprintf(stderr, "usage: %s N load|displacement TOL SOLVER BACKEND THREADS RUNS | batch COUNT SOLVER BACKEND THREADS\n",
+               argv[0]);
   return 2;
 }
