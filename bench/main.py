@@ -10,7 +10,7 @@ from case import Failure
 from options import PARSER
 
 for name in ('scaling', 'limits', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
-             'peers', 'stiffness', 'counts', 'mapped', 'campaign', 'ranks', 'documents', 'store'):
+             'peers', 'stiffness', 'counts', 'rows', 'mapped', 'campaign', 'ranks', 'documents', 'store'):
     importlib.import_module(name)  # each adds its sub-commands
 
 if __name__ == '__main__':
