@@ -78,7 +78,7 @@ static const char* transpose(void* user, const void* from, const int64_t* sent, 
       if (code != MPI_SUCCESS && !failed) failed = said(link, "MPI_Isend", code);
       more = more || in > most || out > most;
     }
-    code = MPI_Waitall(open, link->open, MPI_STATUSES_IGNORE);
+    code = MPI_Waitall(open, link->open, link->done);
     if (code != MPI_SUCCESS && !failed) failed = said(link, "MPI_Waitall", code);
   }
   return failed;

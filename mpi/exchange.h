@@ -10,6 +10,7 @@ struct rc_mpi_link {
   int rank, ranks;
   int* counts;       /* [2 * ranks] of a collective call: counts and places */
   MPI_Request* open; /* [2 * ranks] */
+  MPI_Status* done;  /* [2 * ranks] */
   char text[MPI_MAX_ERROR_STRING + 64];
 };
 
