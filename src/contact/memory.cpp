@@ -11,8 +11,6 @@ namespace rc {
 
 namespace {
 
-constexpr double most_ahead = 0.35;  // of the last load: how far a line through two steps reaches
-
 // suffix: of the names of rc_state's members, for messages.
 CertifiedStep certified_step(const double* p, double approach, double load, const StepSurface& surface, std::int64_t points,
                              const char* suffix) {
@@ -56,7 +54,6 @@ double Memory::ahead(const rc_step& step) const {
   const double newest = by_load ? last.load : last.approach, older = by_load ? before.load : before.approach;
   const double part = (step.target - newest) / (newest - older);
   // Pressures are not linear in the target: far ahead, or back beyond the older step, the line is a poor guess.
-  if (by_load && std::abs(step.target - newest) > most_ahead * newest) return 0;
   return part >= -1 && part <= 2 ? part : 0;
 }
 

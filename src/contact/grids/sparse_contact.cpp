@@ -26,12 +26,9 @@ constexpr double halo = 0.02;        // of the depth: tiles, or points, with a s
 constexpr double headroom = 0.1;     // of the depth: room for an approach above its estimate, in load control
 constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
-constexpr double straight = 0.2;  // largest one of a load at which a line through two steps is a better start than a coarser grid
 constexpr std::int64_t least_side = 64;
 constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
 constexpr std::int64_t compact = 16;  // boxes of at most 1/compact of the grid's points are solved whole, by transforms
-
-bool close_to(double before, double now, double share) { return std::abs(now - before) <= share * before; }
 
 std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
@@ -215,8 +212,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     answer.pressure_unit = depth / system.length_per_pressure;
     answer.hardness = system.hardness;
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    const bool foretold = by_load && round == 0 && memory.ahead(step) != 0 && close_to(memory.last.load, step.target, straight);
-    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), foretold ? nullptr : &estimate.pressures);
+    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), &estimate.pressures);
     const double datum = by_load ? lowest : step.target;
     const std::vector<double> u = compenetrations(answer, datum, work);
     double d = by_load ? 1 : 0;
@@ -252,7 +248,7 @@ std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep
   const bool by_load = step.control == RC_CONTROL_LOAD;
   const double before = by_load ? last.load : last.approach - work.surface.lowest();
   const double now = by_load ? step.target : step.target - work.surface.lowest();
-  if (!close_to(before, now, near)) return std::nullopt;
+  if (!(std::abs(now - before) <= near * before)) return std::nullopt;
   Estimate estimate{last.pressures.positive(), by_load ? last.approach : step.target};
   if (!few(estimate.pressures.on.n, work.system.points())) return std::nullopt;
   return estimate;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/chunks.h"
-#include "core/sums.h"
 #include "grid/downsample.h"
 
 namespace rc {
@@ -13,9 +12,8 @@ namespace rc {
 namespace {
 
 constexpr std::int64_t coarsest_side = 64;
-constexpr double coarse_tol = 1e-2;                     // spreading the pressures to the finer grid loses further digits
-constexpr double many = 0.25;                           // of the points: within the length unit where a load starts everywhere
-constexpr double most_below = 1.07, most_above = 1.12;  // ratio of two loads beyond which coarser grids start better
+constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
+constexpr double many = 0.25;                   // of the points: within the length unit where a load starts everywhere
 constexpr std::size_t few_loaded = 4;           // points that carry a load each by itself: then the others start without pressure
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
@@ -68,17 +66,6 @@ void start_nested(const Problem& problem, const char* solver, std::span<double> 
   const double datum =
       problem.u() ? problem.gap()[static_cast<std::size_t>(problem.point(0))] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
-}
-
-// Whether pressures are those of another load: then coarser grids give a better start.
-bool far_from_load(const Problem& problem, std::span<const double> p) {
-  if (!problem.load_control()) return false;
-  const auto part = [&](std::int64_t begin, std::int64_t count) {
-    return sum_of(static_cast<std::size_t>(count), [&](std::size_t i) { return p[static_cast<std::size_t>(begin) + i]; });
-  };
-  const double sum =
-      reduce<double>(problem.size(), problem.team(), part, {}, {}, Chunks::of(problem.ranks(), problem.grid()->nx));
-  return problem.load() > most_below * sum || sum > most_above * problem.load();
 }
 
 // Pressures that carry the load on few points, each as if it were alone: then others hardly matter. False where that takes more.
@@ -149,7 +136,7 @@ bool any_positive(const Problem& problem, std::span<const double> p) {
 }
 
 void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d) {
-  if (solver && (!any_positive(problem, p) || far_from_load(problem, p))) start_nested(problem, solver, p, d);
+  if (solver && !any_positive(problem, p)) start_nested(problem, solver, p, d);
   if (problem.load_control() && !any_positive(problem, p)) start_cold(problem, p);
 }
 
