@@ -27,10 +27,10 @@ void check_options(const rc_options& options) {
     refuse(RC_OPT_CERTIFY_BACKEND, options.text(RC_OPT_CERTIFY_BACKEND), "second backend");
 }
 
-// A rank without rows gives no arrays; these stand for them and are never read.
+// A rank without rows gives no arrays; these stand for them and are neither read nor written.
 template <class Value> Value* stand_in() {
-  static Value value{};
-  return &value;
+  static const Value value{};
+  return const_cast<Value*>(&value);
 }
 
 // As rank 0, which has rows, has them.

@@ -12,8 +12,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'
 
 if 'ROUGHCONTACT_LIBRARY' not in os.environ:  # the test runs in the program's environment
     with open(PROGRAM) as launcher:
-        start = launcher.read().split('exec')[0]
-    os.execvp('sh', ['sh', '-c', f'{start} exec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
+        start = launcher.read().split('\nexec ')[0]
+    os.execvp('sh', ['sh', '-c', f'{start}\nexec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
 
 
 def run(*arguments):

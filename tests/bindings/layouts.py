@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+OF_C = ("rc_exchange", "rc_ranks_counts")
 HEADERS = ("history", "derivatives", "direct", "analysis", "registry", "surface", "formats")
 PROGRAM = """program layouts
   use roughcontact
@@ -48,8 +49,8 @@ def main() -> int:
         calls.append(f"  call check('{name}', int({name}, c_size_t), {value})")
     for struct, size in re.findall(r"^SIZE\((rc_\w+), (\d+)\);", golden, re.M):
         members = re.findall(rf"^AT\({struct}, (\w+), (\d+)\);", golden, re.M)
-        if not members:
-            continue  # a number
+        if not members or struct in OF_C:
+            continue  # a number, or not in the modules
         structs += 1
         calls.append(f"  call check_{struct}()")
         lines = [

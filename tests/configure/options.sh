@@ -17,6 +17,9 @@ accepted() {
 }
 
 refused 'RC_BUILTIN_BACKENDS=dense;dnse' 'RC_BUILTIN_BACKENDS: there is no backend "dnse"; there are callback, cholmod, dense, fft, split'
+refused RC_MODULE_BACKENDS=cuda 'RC_MODULE_BACKENDS: the plugin cuda is built by RC_CUDA=ON'
+refused RC_CUDA=perhaps 'RC_CUDA = "perhaps" is none of ON, OFF, AUTO'
+refused RC_BUILD_MPI=perhaps 'RC_BUILD_MPI = "perhaps" is none of ON, OFF, AUTO'
 refused 'RC_MODULE_BACKENDS=fft,split' 'RC_MODULE_BACKENDS: there is no backend "fft,split"'
 refused RC_SANITIZE=adress 'RC_SANITIZE: there is no sanitizer "adress"; there are address, leak'
 refused RC_SANITIZE=address,thread 'thread goes with undefined alone'

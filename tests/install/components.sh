@@ -7,10 +7,10 @@ trap 'rm -rf "$scratch"' EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 files() { (cd "$1" && find . -type f -o -type l) | LC_ALL=C sort; }
 
-mapfile -t scripts < <(find "$build" -name cmake_install.cmake -not -path '*/CMakeFiles/*')
+mapfile -t scripts < <(find "$build" -name cmake_install.cmake -not -path '*/CMakeFiles/*' -not -path "$build/tests/*")
 [ ${#scripts[@]} -gt 5 ] || fail "no install rules below $build"
 if grep -l '"Unspecified"' "${scripts[@]}"; then fail "these have an install rule without COMPONENT"; fi
-components=$(sed -nE 's/.*CMAKE_INSTALL_COMPONENT STREQUAL "([^"]+)".*/\1/p' "${scripts[@]}" | sort -u)
+components=$(sed -nE 's/.*CMAKE_INSTALL_COMPONENT STREQUAL "([^"]+)" OR NOT CMAKE_INSTALL_COMPONENT.*/\1/p' "${scripts[@]}" | sort -u)
 
 cmake --install "$build" --prefix "$scratch/all" >/dev/null
 for component in $components; do
