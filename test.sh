@@ -65,6 +65,7 @@ scripts/bootstrap.sh --tests
 ! command -v ninja >/dev/null || export CMAKE_GENERATOR=${CMAKE_GENERATOR-Ninja}
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # what another clone has compiled serves this one
 fi
 rm -f build-*/ctest-*.log
 
