@@ -11,20 +11,27 @@ namespace rc_fft {
 
 namespace {
 
-constexpr double round_bytes = 16 << 20;  // of a process's spectra that one transposition carries, about
+constexpr double round_bytes = 8 << 20;  // of a process's spectra that one transposition carries, about
 constexpr std::int64_t most_rounds = 16;
+
+// The place of a line in its tile: of rows 2 k and 2 k + 1 of a group one is the real parts of a sequence, the other its
+// imaginary parts.
+template <class Real> std::int64_t in_tile(std::int64_t line) { return line % 2 * width<Real> + line / 2; }
 
 }  // namespace
 
-// Rows of a block of columns, as they came from the processes: of each its rows, one after the other.
+// Rows of a block of columns: this process's own where they are, the others' as they came, one process after the other.
 template <class Real> class SlabTransform<Real>::ColumnSource : public Source<Real> {
  public:
-  ColumnSource(const SlabTransform& of, std::int64_t blocks, std::int64_t block)
-      : Source<Real>(of.ny_), of_(of), blocks_(blocks), block_(block) {}
+  ColumnSource(const SlabTransform& of, Range range, std::int64_t block)
+      : Source<Real>(of.ny_), of_(of), own_(of.spectra(range.first + block)), blocks_(range.count), block_(block) {}
 
   Real* row(std::int64_t i) const {
-    const std::int64_t rank = of_.owner_[static_cast<std::size_t>(i)], first = of_.first_row(rank);
-    return of_.by_columns_.template data<Real>() + (blocks_ * first + block_ * of_.count_rows(rank) + i - first) * row_size<Real>;
+    const std::int64_t rank = of_.owner_[static_cast<std::size_t>(i)], first = of_.first_row(rank), count = of_.count_rows(rank);
+    const std::int64_t at = place_of(i - first, count);
+    if (rank == of_.rows_.rank) return own_ + at * row_size<Real>;
+    const std::int64_t before = rank < of_.rows_.rank ? first : first - of_.own_rows_;
+    return of_.room_.columns.template data<Real>() + (blocks_ * before + block_ * count + at) * row_size<Real>;
   }
   void read(int, std::int64_t first, std::int64_t count, const Real** rows) override {
     for (std::int64_t i = first; i < first + count; ++i) rows[i - first] = i < this->end() ? row(i) : zero_row<Real>;
@@ -32,6 +39,7 @@ template <class Real> class SlabTransform<Real>::ColumnSource : public Source<Re
 
  private:
   const SlabTransform& of_;
+  Real* own_;
   std::int64_t blocks_, block_;
 };
 
@@ -49,9 +57,10 @@ template <class Real> class SlabTransform<Real>::ColumnSink : public Sink<Real> 
 };
 
 template <class Real>
-SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths, const Strips& strips)
+SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths, const Strips& strips, SlabRoom& room)
     : rows_(*spec.rows),
       team_(*spec.team),
+      room_(room),
       lengths_(lengths),
       axes_(lengths),
       strips_(strips),
@@ -59,7 +68,7 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
       ny_(spec.system->ny),
       own_rows_(count_rows(rows_.rank)),
       all_blocks_(lengths.x / 2 / width<Real> + 1),
-      scratch_size_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real>),
+      passes_size_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real>),
       parallel_(worth_sharing(lengths)) {
   const double bytes = static_cast<double>(all_blocks_) * static_cast<double>(ny_ * row_size<Real>) * sizeof(Real) /
                        static_cast<double>(rows_.ranks);
@@ -68,22 +77,27 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
   round_strips_ = (most_strips + rounds_ - 1) / rounds_;
   for (std::int64_t rank = 0; rank < rows_.ranks; ++rank)
     owner_.insert(owner_.end(), static_cast<std::size_t>(count_rows(rank)), static_cast<std::int32_t>(rank));
-  std::int64_t lines = 0, own = 0;  // at most, of a transposition
+  place_.resize(static_cast<std::size_t>(all_blocks_));
+  std::int64_t next = 0, received = 0;
   for (std::int64_t round = 0; round < rounds_; ++round) {
-    std::int64_t all = 0;
-    for (std::int64_t rank = 0; rank < rows_.ranks; ++rank) all += blocks(rank, round).count;
-    lines = std::max(lines, all * own_rows_);
-    own = std::max(own, blocks(rows_.rank, round).count * ny_);
+    const auto put = [&](std::int64_t rank) {
+      const Range range = blocks(rank, round);
+      for (std::int64_t block = 0; block < range.count; ++block) place_[static_cast<std::size_t>(range.first + block)] = next++;
+    };
+    round_begin_.push_back(next);
+    for (std::int64_t rank = 0; rank < rows_.ranks; ++rank)
+      if (rank != rows_.rank) put(rank);
+    put(rows_.rank);
+    received = std::max(received, blocks(rows_.rank, round).count * (ny_ - own_rows_));
   }
   sent_.resize(static_cast<std::size_t>(rows_.ranks));
   received_.resize(sent_.size());
   const std::int64_t first = strips.first(rows_.rank), last = strips.first(rows_.rank + 1);
   const auto at_least_one = [](std::int64_t n) { return std::max<std::int64_t>(n, 1); };
   eigenvalues_.reserve<Real>(at_least_one((last - first) * strip), axes_.y->waves(), lengths);
-  spectra_.reserve<Real>(at_least_one((own_rows_ + most_lines<Real> - 1) / most_lines<Real>), all_blocks_ * tile, lengths);
-  by_rows_.reserve<Real>(at_least_one(lines), row_size<Real>, lengths);
-  by_columns_.reserve<Real>(at_least_one(own), row_size<Real>, lengths);
-  scratch_.reserve<Real>(team_.threads, scratch_size_, lengths);
+  room_.spectra.template reserve<Real>(at_least_one(own_rows_), all_blocks_ * row_size<Real>, lengths);
+  room_.columns.template reserve<Real>(at_least_one(received), row_size<Real>, lengths);
+  room_.scratch.template reserve<Real>(team_.threads, passes_size_ + all_blocks_ * tile, lengths);
 }
 
 template <class Real>
@@ -94,10 +108,26 @@ typename SlabTransform<Real>::Range SlabTransform<Real>::blocks(std::int64_t ran
   return {begin, std::min(last * parts, all_blocks_) - begin};
 }
 
-// Of rows 2 k and 2 k + 1 of a group one is the real parts of a sequence, the other its imaginary parts.
-template <class Real> Real* SlabTransform<Real>::line(std::int64_t row, std::int64_t block) const {
-  const std::int64_t group = row / most_lines<Real>, in = row % most_lines<Real>, at = in % 2 * width<Real> + in / 2;
-  return spectra_.data<Real>() + (group * all_blocks_ + block) * tile + at * row_size<Real>;
+// Whole groups have the order of their tile.
+template <class Real> std::int64_t SlabTransform<Real>::place_of(std::int64_t row, std::int64_t rows) {
+  const std::int64_t line = row % most_lines<Real>, group = row - line;
+  return group + most_lines<Real> > rows ? row : group + in_tile<Real>(line);
+}
+
+// copy(a line or more of a group's tiles, their place in the spectra, how many values)
+template <class Real>
+template <class Copy>
+void SlabTransform<Real>::each_line(std::int64_t group, Real* tiles, const Copy& copy) const {
+  const std::int64_t first = group * most_lines<Real>, count = std::min(most_lines<Real>, own_rows_ - first);
+  for (std::int64_t block = 0; block < all_blocks_; ++block, tiles += tile) {
+    Real* const to = spectra(block) + first * row_size<Real>;
+    if (count == most_lines<Real>) {
+      copy(tiles, to, tile);
+      continue;
+    }
+    for (std::int64_t line = 0; line < count; ++line)
+      copy(tiles + in_tile<Real>(line) * row_size<Real>, to + line * row_size<Real>, row_size<Real>);
+  }
 }
 
 template <class Real> void SlabTransform<Real>::rows_forward(const Real* x) {
@@ -110,16 +140,17 @@ template <class Real> void SlabTransform<Real>::rows_forward(const Real* x) {
       const Real* const row = x + (group * count + i) * nx_;
       if (std::all_of(row, row + nx_, [](Real value) { return value == 0; })) continue;
       zero = false;
-      given[i % 2 * width<Real> + i / 2] = row;
+      given[in_tile<Real>(i)] = row;
     }
-    Real* const to = spectra_.data<Real>() + group * all_blocks_ * tile;
+    Real* const tiles = scratch(thread) + passes_size_;
     if (zero) {
-      std::fill_n(to, all_blocks_ * tile, Real{0});
+      each_line(group, tiles, [](const Real*, Real* to, std::int64_t n) { std::fill_n(to, n, Real{0}); });
       return;
     }
     LineSource<Real> source(along.passes(), given, nx_);
     along.forward(source, scratch(thread));
-    along.passes().to_spectra(scratch(thread), along.rows(), along.waves(), to);
+    along.passes().to_spectra(scratch(thread), along.rows(), along.waves(), tiles);
+    each_line(group, tiles, [](const Real* from, Real* to, std::int64_t n) { std::copy_n(from, n, to); });
   });
 }
 
@@ -127,31 +158,19 @@ template <class Real> void SlabTransform<Real>::rows_backward(Real* y) {
   constexpr std::int64_t count = most_lines<Real>;
   const Fourier<Real>& along = *axes_.x;
   roughcontact::for_each(team_, (own_rows_ + count - 1) / count, parallel_, [&](std::int64_t group, std::int64_t thread) {
+    const std::int64_t lines = std::min(count, own_rows_ - group * count);
     Real* wanted[count] = {};
-    for (std::int64_t i = 0; i < std::min(count, own_rows_ - group * count); ++i)
-      wanted[i % 2 * width<Real> + i / 2] = y + (group * count + i) * nx_;
+    for (std::int64_t i = 0; i < lines; ++i) wanted[in_tile<Real>(i)] = y + (group * count + i) * nx_;
+    Real* const tiles = scratch(thread) + passes_size_;
+    each_line(group, tiles, [](Real* to, const Real* from, std::int64_t n) { std::copy_n(from, n, to); });
     // All lines are asked for: a line that is not wanted has no neighbour in its sequence, whose waves are then 0.
-    Real* const from = spectra_.data<Real>() + group * all_blocks_ * tile;
-    for (std::int64_t i = std::min(count, own_rows_ - group * count); i < count; ++i)
+    for (std::int64_t i = lines; i < count; ++i)
       for (std::int64_t block = 0; block < all_blocks_; ++block)
-        std::fill_n(line(group * count + i, block), row_size<Real>, Real{0});
-    along.passes().from_spectra(from, count, along.rows(), along.waves(), scratch(thread));
+        std::fill_n(tiles + block * tile + in_tile<Real>(i) * row_size<Real>, row_size<Real>, Real{0});
+    along.passes().from_spectra(tiles, count, along.rows(), along.waves(), scratch(thread));
     LineSink<Real> sink(along.passes(), wanted, nx_);
     along.backward(scratch(thread), sink);
   });
-}
-
-// copy(line of a row, its place in by_rows_) for all rows and the blocks of one transposition.
-template <class Real> template <class Copy> void SlabTransform<Real>::each_line(std::int64_t round, const Copy& copy) const {
-  Real* to = by_rows_.data<Real>();
-  for (std::int64_t rank = 0; rank < rows_.ranks; ++rank) {
-    const Range range = blocks(rank, round);
-    roughcontact::for_each(team_, range.count, parallel_, [&](std::int64_t block, std::int64_t) {
-      for (std::int64_t row = 0; row < own_rows_; ++row)
-        copy(line(row, range.first + block), to + (block * own_rows_ + row) * row_size<Real>);
-    });
-    to += range.count * own_rows_ * row_size<Real>;
-  }
 }
 
 template <class Real> void SlabTransform<Real>::columns(std::int64_t round) {
@@ -159,7 +178,7 @@ template <class Real> void SlabTransform<Real>::columns(std::int64_t round) {
   const std::int64_t first = strips_.first(rows_.rank) * parts;
   roughcontact::for_each(team_, range.count, parallel_, [&](std::int64_t block, std::int64_t thread) {
     Real* const rows = scratch(thread);
-    ColumnSource source(*this, range.count, block);
+    ColumnSource source(*this, range, block);
     ColumnSink sink(source, axes_.y->spare_row(rows));
     axes_.y->multiply(source, &eigenvalue((range.first - first + block) * width<Real>, 0), rows, sink);
   });
@@ -170,14 +189,15 @@ template <class Real> void SlabTransform<Real>::multiply(const Real* x, Real* y)
   rows_forward(x);
   for (std::int64_t round = 0; round < rounds_; ++round) {
     for (std::int64_t rank = 0; rank < rows_.ranks; ++rank) {
+      if (rank == rows_.rank) continue;
       sent_[static_cast<std::size_t>(rank)] = blocks(rank, round).count * own_rows_ * bytes;
       received_[static_cast<std::size_t>(rank)] = blocks(rows_.rank, round).count * count_rows(rank) * bytes;
     }
-    each_line(round, [](const Real* from, Real* to) { std::copy_n(from, row_size<Real>, to); });
-    rows_.transpose(&rows_, by_rows_.data<Real>(), sent_.data(), by_columns_.data<Real>(), received_.data());
+    Real* const own = room_.spectra.template data<Real>() + round_begin_[static_cast<std::size_t>(round)] * own_rows_ * row_size<Real>;
+    Real* const others = room_.columns.template data<Real>();
+    rows_.transpose(&rows_, own, sent_.data(), others, received_.data());
     columns(round);
-    rows_.transpose(&rows_, by_columns_.data<Real>(), received_.data(), by_rows_.data<Real>(), sent_.data());
-    each_line(round, [](Real* to, const Real* from) { std::copy_n(from, row_size<Real>, to); });
+    rows_.transpose(&rows_, others, received_.data(), own, sent_.data());
   }
   rows_backward(y);
 }
@@ -223,8 +243,8 @@ Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.s
   const rc_status made = roughcontact::guard(host, component, [&] {
     if (std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0)
       fail(RC_ERR_OPTION, "fft.precision = single is not for grids that processes share; leave it at auto");
-    double_ = std::make_unique<SlabTransform<double>>(spec, lengths, strips);
-    single_ = std::make_unique<SlabTransform<float>>(spec, lengths, strips);
+    double_ = std::make_unique<SlabTransform<double>>(spec, lengths, strips, room_);
+    single_ = std::make_unique<SlabTransform<float>>(spec, lengths, strips, room_);
   });
   roughcontact::check(spec.rows->agree(spec.rows, made));
   periodic ? load_periodic(host, spec, strips) : load_free(host, spec, strips);

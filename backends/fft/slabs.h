@@ -25,9 +25,16 @@ struct Strips {
   std::int64_t count, ranks;
 };
 
+// What products in either precision work in: one runs at a time.
+struct SlabRoom {
+  Buffer spectra;  // of this process's rows, [block][row], blocks in the order of `place_`
+  Buffer columns;  // of this process's blocks in one transposition, of the other processes [process][block][row]
+  Buffer scratch;  // [thread]: of the passes, and the waves of a group of lines
+};
+
 template <class Real> class SlabTransform {
  public:
-  SlabTransform(const rc_operator_spec& spec, Lengths lengths, const Strips& strips);
+  SlabTransform(const rc_operator_spec& spec, Lengths lengths, const Strips& strips, SlabRoom& room);
 
   Lengths lengths() const { return lengths_; }
   const Fourier<Real>& along_y() const { return *axes_.y; }
@@ -51,28 +58,34 @@ template <class Real> class SlabTransform {
   std::int64_t first_row(std::int64_t rank) const { return rows_.first[rank]; }
   std::int64_t count_rows(std::int64_t rank) const { return first_row(rank + 1) - first_row(rank); }
   Range blocks(std::int64_t rank, std::int64_t round) const;
-  Real* line(std::int64_t row, std::int64_t block) const;
-  Real* scratch(std::int64_t thread) const { return scratch_.data<Real>() + thread * scratch_size_; }
+  // Where in a block the row of a process with so many rows lies.
+  static std::int64_t place_of(std::int64_t row, std::int64_t rows);
+  Real* spectra(std::int64_t block) const {
+    return room_.spectra.template data<Real>() + place_[static_cast<std::size_t>(block)] * own_rows_ * row_size<Real>;
+  }
+  Real* scratch(std::int64_t thread) const {
+    return room_.scratch.template data<Real>() + thread * (passes_size_ + all_blocks_ * tile);
+  }
   void rows_forward(const Real* x);
   void rows_backward(Real* y);
   void columns(std::int64_t round);
-  template <class Copy> void each_line(std::int64_t round, const Copy& copy) const;
+  template <class Copy> void each_line(std::int64_t group, Real* tiles, const Copy& copy) const;
 
   const rc_rows& rows_;
   const rc_team& team_;
+  SlabRoom& room_;
   Lengths lengths_;
   Axes<Real> axes_;
   Strips strips_;
   std::int64_t nx_, ny_, own_rows_, all_blocks_;
   std::int64_t rounds_, round_strips_;  // transpositions carry so many strips of each process
-  std::int64_t scratch_size_;           // of a thread [reals]
+  std::int64_t passes_size_;            // of a thread's scratch [reals]
   bool parallel_;
   std::vector<std::int32_t> owner_;            // of each row
+  std::vector<std::int64_t> place_;            // of each block: those of a transposition follow each other, this process's last
+  std::vector<std::int64_t> round_begin_;      // of each transposition
   std::vector<std::int64_t> sent_, received_;  // bytes, by process
   Buffer eigenvalues_;                         // [own block][wave along y][wave of the block]
-  Buffer spectra_;                             // of this process's rows, [group of lines][block][line][row]
-  Buffer by_rows_, by_columns_;                // what a transposition carries
-  Buffer scratch_;
 };
 
 class Slabs {
@@ -89,6 +102,7 @@ class Slabs {
   void load_periodic(const rc_host* host, const rc_operator_spec& spec, const Strips& strips);
 
   std::int64_t points_;
+  SlabRoom room_;
   std::unique_ptr<SlabTransform<double>> double_;
   std::unique_ptr<SlabTransform<float>> single_;
 };

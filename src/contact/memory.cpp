@@ -49,7 +49,7 @@ void Memory::surface_is(bool same) {
 }
 
 double Memory::ahead(const rc_step& step) const {
-  if (step.p0 || !step.warm_start || !last.same_gap || before.pressures.empty() || !before.same_gap) return 0;
+  if (step.p0 || !step.warm_start || !last.same_gap || !before.same_gap) return 0;
   const bool by_load = step.control == RC_CONTROL_LOAD;
   const double newest = by_load ? last.load : last.approach, older = by_load ? before.load : before.approach;
   const double part = (step.target - newest) / (newest - older);

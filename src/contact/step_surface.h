@@ -87,7 +87,7 @@ class StepSurface {
   // Of all ranks, where the order does not matter.
   template <class Part> Part united(const Part& mine) const {
     if (!ranks_) return mine;
-    Part total;
+    Part total{};
     for (const Part& part : ranks_->of_each(mine)) total = total + part;
     return total;
   }

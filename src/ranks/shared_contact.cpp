@@ -19,8 +19,6 @@ void check_options(const rc_options& options) {
     fail(RC_ERR_INCOMPATIBLE, "option ", key, " = ", value, ": contacts shared by ranks have no ", what,
          "; leave it at its default");
   };
-  for (const char* const key : {RC_OPT_STIFFNESS})
-    if (options.integer(key) != 0) refuse(key, join(options.integer(key)), "stiffness");
   if (options.real(RC_OPT_ACCURACY) > 0) refuse(RC_OPT_ACCURACY, join(options.real(RC_OPT_ACCURACY)), "accuracy goal");
   if (options.text(RC_OPT_WARMUP) != "none") refuse(RC_OPT_WARMUP, options.text(RC_OPT_WARMUP), "warm-up by another solver");
   if (!options.text(RC_OPT_CERTIFY_BACKEND).empty())
@@ -145,9 +143,6 @@ rc_status SharedContact::run(const rc_step& step, rc_result& result, Action acti
 
 rc_status SharedContact::solve_path(const rc_path& path, std::int64_t& completed) {
   rc_path today = path;
-  on_all(&ranks_, [&] {
-    if (today.stiffness && !alike_) fail(RC_ERR_INCOMPATIBLE, "rc_path.stiffness: contacts shared by ranks have no stiffness");
-  });
   check_agreement(ranks_, facts_of(today), ranks_.rows() > 0);
   const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(today.mask != nullptr)),
                           has_gap = ranks_.of_each(static_cast<char>(today.undeformed_gap != nullptr));

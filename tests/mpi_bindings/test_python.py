@@ -41,8 +41,14 @@ def main():
         counts = contact.counts()
         raised(rc.ArgumentError, 'exactly one', contact.solve, undeformed_gap=gap)
         raised(rc.ShapeError, 'shape', contact.solve, undeformed_gap=np.zeros((NY + 1, NX)), load=1.0)
+        last = WORLD.size - 1  # alone is wrong, and all are told
+        alone = gap[:-1] if WORLD.rank == last else gap
+        raised(rc.ShapeError, f'rank {last}: undeformed_gap', contact.solve, undeformed_gap=alone, load=1.0)
+        raised(rc.ShapeError, f'rank {last}: pressure', contact.certify, pressure=alone, load=1e-4)
+        raised(rc.ArgumentError, 'rank 0: exactly one', contact.solve, **({'load': 1.0} if WORLD.rank > 0 else {}))
         raised(rc.InfeasibleError, 'negative', contact.solve, undeformed_gap=gap, load=-1.0)
     raised(rc.ArgumentError, 'closed', contact.solve, load=1.0)
+    raised(rc.OptionError, f'rank {last}: ', rc.mpi.Contact, system=system, options={'tol' if WORLD.rank < last else 'tal': 1e-7})
     raised(TypeError, 'unexpected keyword', rc.mpi.Contact, system=system, tolerance=1)
 
     pressure, deformed = gathered(found.pressure), gathered(found.gap)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""run.py MPIRUN PROGRAM RANKS[xTHREADS]...: runs the program on so many ranks each; fails where one run does, or prints another text."""
+"""run.py MPIRUN PROGRAM RANKS[xTHREADS]... [-- ARGUMENT...]: runs the program on so many ranks each; fails where one run does, or prints
+another text."""
 import os
 import subprocess
 import sys
@@ -22,10 +23,12 @@ def run(mpirun, ranks, command, timeout=600):
 
 def main():
     mpirun, program, *runs = sys.argv[1:]
+    end = runs.index('--') if '--' in runs else len(runs)
+    runs, given = runs[:end], runs[end + 1:]
     first = None
     for each in runs:
         ranks, _, threads = each.partition('x')
-        done = run(mpirun, ranks, [program, threads or '1'])
+        done = run(mpirun, ranks, [program, threads or '1', *given])
         if done.returncode != 0:
             sys.exit(f'{each}: exit status {done.returncode}\n{done.stdout}{done.stderr}')
         if first is None:

@@ -17,22 +17,32 @@ typedef struct scene {
   enum masking mask;
   const char* products; /* haar-cg.products */
   int single;           /* gap and pressures of 4 bytes */
+  int stiffness;        /* the option */
+  const char* kernel;   /* NULL: auto */
 } scene;
 
 static const scene scenes[] = {
-    {"free, load", 96, 128, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.08, 0, whole, "mixed", 0},
-    {"free, approach, double", 100, 75, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.05, 0, whole, "double", 0},
-    {"periodic, load, odd", 81, 99, RC_BOUNDARY_PERIODIC, RC_CONTROL_LOAD, 0.1, 0, whole, "mixed", 0},
-    {"periodic, approach", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.04, 0, whole, "mixed", 0},
-    {"holes", 70, 130, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.05, 0, holes, "mixed", 0},
-    {"half the grid masked, single", 64, 96, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.05, 0, half, "mixed", 1},
-    {"hardness", 64, 80, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.06, 0.15, whole, "mixed", 0},
-    {"hardness, periodic, approach", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.03, 0.1, holes, "double", 0},
-    {"coarse grids", 300, 260, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.4, 0, whole, "mixed", 0},
-    {"nothing touches", 64, 64, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, -0.1, 0, whole, "mixed", 0},
-    {"few rows", 50, 5, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0},
-    {"one row", 40, 1, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.001, 0, whole, "mixed", 0},
-    {"narrow", 2, 60, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.002, 0, whole, "mixed", 0},
+    {"free, load", 96, 128, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.08, 0, whole, "mixed", 0, 0, NULL},
+    {"free, approach, double", 100, 75, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.05, 0, whole, "double", 0, 0, NULL},
+    {"periodic, load, odd", 81, 99, RC_BOUNDARY_PERIODIC, RC_CONTROL_LOAD, 0.1, 0, whole, "mixed", 0, 0, NULL},
+    {"periodic, approach", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.04, 0, whole, "mixed", 0, 0, NULL},
+    {"holes", 70, 130, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.05, 0, holes, "mixed", 0, 0, NULL},
+    {"half the grid masked, single", 64, 96, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.05, 0, half, "mixed", 1, 0, NULL},
+    {"hardness", 64, 80, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.06, 0.15, whole, "mixed", 0, 0, NULL},
+    {"hardness, periodic, approach", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.03, 0.1, holes, "double", 0, 0, NULL},
+    {"coarse grids", 300, 260, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.4, 0, whole, "mixed", 0, 0, NULL},
+    {"stiffness", 96, 72, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.06, 0, whole, "mixed", 0, 1, NULL},
+    {"stiffness, interval, periodic", 64, 64, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.03, 0, whole, "mixed", 0, 2, NULL},
+    {"stiffness, interval, hardness", 64, 80, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.06, 0.15, holes, "double", 0, 2, NULL},
+    {"kernel galerkin", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.04, 0, whole, "mixed", 0, 1, "galerkin"},
+    {"kernel disc", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.04, 0, whole, "mixed", 0, 0, "disc"},
+    {"kernel eq9", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.04, 0, whole, "mixed", 0, 0, "eq9"},
+    {"kernel punch", 64, 48, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.04, 0, whole, "mixed", 0, 0, "punch"},
+    {"few pieces of rows", 36, 32, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.03, 0, whole, "mixed", 0, 2, NULL},
+    {"nothing touches", 64, 64, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, -0.1, 0, whole, "mixed", 0, 0, NULL},
+    {"few rows", 50, 5, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL},
+    {"one row", 40, 1, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.001, 0, whole, "mixed", 0, 0, NULL},
+    {"narrow", 2, 60, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.002, 0, whole, "mixed", 0, 0, NULL},
 };
 enum { scene_count = sizeof scenes / sizeof scenes[0] };
 

@@ -12,17 +12,18 @@ Every rank calls these functions, with its own rows in the arrays and the same v
 or on none. Answers have the same bits for every number of ranks and threads.
 """
 
+import contextlib
 import ctypes
 import weakref
 from dataclasses import dataclass
-from typing import Any, Dict, Optional
+from typing import Any, Callable, Dict, Optional, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _constants
 from ._answers import _needed
-from ._arrays import Doubles, Reals, as_doubles, as_mask, as_switch, given
+from ._arrays import Doubles, as_doubles, as_mask, as_switch, given
 from ._c import members_for
 from ._calls import check as check_status
 from ._errors import ArgumentError, error_for
@@ -35,6 +36,9 @@ from .contact import control_and_target
 from .context import Context, Options, OptionSet
 from .result import Grid, Result, result_from
 from .system import HalfSpace
+
+
+Made = TypeVar("Made")
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,19 @@ def _world(comm: Any) -> Any:
     return mpi.COMM_WORLD if comm is None else comm
 
 
+def _together(world: Any, make: Callable[[], Made]) -> Made:
+    """What `make` returns. Where it raises on a rank, every rank raises the same, so that none waits for the others."""
+    made, mine = None, None
+    try:
+        made = make()
+    except Exception as error:  # whatever a rank's own arguments lead to
+        mine = type(error), str(error)
+    for rank, told in enumerate(world.allgather(mine)):
+        if told:
+            raise told[0](f"rank {rank}: {told[1]}")
+    return cast(Made, made)
+
+
 def rows(system: HalfSpace, comm: Any = None) -> slice:
     """Which rows of the grid this rank has, of the first axis; it may have none. comm: an mpi4py communicator; None: all ranks."""
     handle = _world(comm).py2f()
@@ -70,7 +87,8 @@ def rows(system: HalfSpace, comm: Any = None) -> slice:
 
 def gap_from_heights(heights: ArrayLike, comm: Any = None) -> Doubles:
     """The undeformed gap of this rank's rows, of which the highest point of all ranks touches first [length]."""
-    world, mine = _world(comm), as_doubles(heights, "heights")
+    world = _world(comm)
+    mine = _together(world, lambda: as_doubles(heights, "heights"))
     bad = world.allreduce(int(np.isnan(mine).sum()))
     if bad:
         raise ArgumentError(f"heights have {bad} values that are NaN; make the gap yourself and give a mask")
@@ -92,13 +110,17 @@ class Contact(OwnsHandle):
     def __init__(
         self, system: HalfSpace, comm: Any = None, *, options: Options = None, context: Optional[Context] = None, **keywords: Any
     ) -> None:
-        world = _world(comm)
-        found: Dict[str, Any] = {_constants.RC_OPT_THREADS: 1, **dict(options_of(type(self), options, keywords, context) or {})}
-        self.system, self.rows = system, rows(system, comm)
-        self._mask: Any = None
-        self._handle = ctypes.c_void_p()
-        struct, _ = system.struct()
-        with OptionSet(found, context) as handle:
+        self._world = world = _world(comm)
+        self._handle, self._mask = ctypes.c_void_p(), None
+        with contextlib.ExitStack() as stack:
+
+            def made() -> Any:
+                found: Dict[str, Any] = {_constants.RC_OPT_THREADS: 1}
+                found.update(options_of(type(self), options, keywords, context) or {})
+                return rows(system, comm), system.struct()[0], stack.enter_context(OptionSet(found, context))
+
+            self.rows, struct, handle = _together(world, made)
+            self.system = system
             check_status(mpi_library().rc_mpi_contact_create_f(world.py2f(), struct, handle, self._handle))
         self._close = weakref.finalize(self, mpi_library().rc_mpi_contact_destroy, self._handle)
         self._close.atexit = False  # MPI is finalised by then
@@ -135,11 +157,14 @@ class Contact(OwnsHandle):
     ) -> Result:
         """Solves one step and certifies the answer. Arguments as in `roughcontact.Contact.solve`, arrays of this rank's rows; pressure:
         mean pressure over the whole grid. The answer's arrays and its grid are of this rank's rows, all numbers of the whole grid."""
-        step = self._step(displacement, load_of(load, pressure, displacement, self.system), undeformed_gap, mask)
-        given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
-        return self._run(
-            mpi_library().rc_mpi_contact_solve, step, np.zeros(self.shape) if want_pressure else None, want_gap, check
-        )
+
+
+        def prepared() -> Any:
+            step = self._step(displacement, load_of(load, pressure, displacement, self.system), undeformed_gap, mask)
+            given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
+            return step, np.zeros(self.shape) if want_pressure else None
+
+        return self._run(mpi_library().rc_mpi_contact_solve, prepared, want_gap, check)
 
     def certify(
         self,
@@ -153,9 +178,13 @@ class Contact(OwnsHandle):
         check: bool = True,
     ) -> Result:
         """Certifies given pressures [force/length^2] for this step; nothing is solved."""
-        judged = as_doubles(pressure, "pressure", self.shape).copy()
-        step = self._step(displacement, load, undeformed_gap, mask)
-        return self._run(mpi_library().rc_mpi_contact_certify, step, judged, want_gap, check)
+
+
+        def prepared() -> Any:
+            judged = as_doubles(pressure, "pressure", self.shape).copy()
+            return self._step(displacement, load, undeformed_gap, mask), judged
+
+        return self._run(mpi_library().rc_mpi_contact_certify, prepared, want_gap, check)
 
     def counts(self) -> Counts:
         """What this rank has sent and received."""
@@ -169,6 +198,7 @@ class Contact(OwnsHandle):
             raise ArgumentError("the contact is closed")
 
     def _step(self, displacement: Any, load: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
+        self._refuse_closed()
         control, target = control_and_target(displacement, load)
         gap = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", self.shape)
         chosen = as_mask(mask, "mask", self.shape)
@@ -177,8 +207,8 @@ class Contact(OwnsHandle):
             self._mask = chosen
         return given(rc_step(), control=control, target=float(target), undeformed_gap=gap, mask=chosen)
 
-    def _run(self, function: Any, step: rc_step, pressure: Optional[Reals], want_gap: bool, must_be_certified: bool) -> Result:
-        self._refuse_closed()
+    def _run(self, function: Any, prepared: Callable[[], Any], want_gap: bool, must_be_certified: bool) -> Result:
+        step, pressure = _together(self._world, prepared)
         deformed = np.zeros(self.shape) if want_gap else None
         struct = given(rc_result(), p=pressure, gap=deformed)
         status = int(function(self._handle, step, struct))

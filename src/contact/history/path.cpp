@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/ranks.h"
 
 namespace rc {
 
@@ -74,10 +75,10 @@ rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& comple
   if (path.stiffness) stiffness.emplace(contact);
 
   std::vector<double> p, gap;
-  if (path.fn) {
-    p.resize(static_cast<std::size_t>(contact.work().own_points()));
+  on_all(contact.work().ranks(), [&] {
+    p.resize(path.fn ? static_cast<std::size_t>(contact.work().own_points()) : 0);
     gap.resize(p.size());
-  }
+  });
   std::string within_goal;  // what the last step said that was within its goal
   for (std::int64_t i = 0; i < path.n; ++i) {
     const rc_step step = step_of(path, i);

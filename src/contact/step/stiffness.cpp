@@ -6,6 +6,7 @@
 
 #include "contact/step/subset_solve.h"
 #include "core/error.h"
+#include "core/ranks.h"
 
 namespace rc {
 
@@ -30,41 +31,49 @@ struct FlatPunch {
   }
 };
 
+// Of all ranks.
+std::int64_t count(const Workspace& work, std::span<const std::int64_t> points) {
+  return work.surface.united(static_cast<std::int64_t>(points.size()));
+}
+
 enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
 
 FlatPunch pressed(Workspace& work, Operator& op, std::span<const std::int64_t> set, std::vector<double> start, Wanted wanted) {
   SubsetSolve solve(work, op, set);
   FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
-  const std::vector<double> ones(set.size(), 1.0);
-  punch.rate.resize(set.size());
+  std::vector<double> ones;
+  on_all(work.ranks(), [&] {
+    ones.assign(set.size(), 1.0);
+    punch.rate.resize(set.size());
+  });
   const double tol = std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol);
   punch.status =
       wanted == Wanted::form ? solve.form(ones, tol, punch.rate, punch.bound) : solve(ones, tol, punch.rate, punch.bound);
   if (wanted == Wanted::proof && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
   if (solve.iterates())
-    work.options.context->log(RC_LOG_INFO,
-                              join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(ones.size()))));
+    work.options.context->log(
+        RC_LOG_INFO, join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(count(work, set)))));
   return punch;
 }
 
 double in_units(const System& system, double stiffness) { return stiffness * system.cell_area() / system.length_per_pressure; }
 
-bool all_of(const System& system, std::span<const std::int64_t> points) {
-  return static_cast<std::int64_t>(points.size()) == system.points();
-}
-
 // The punch on a set of points of the grid; those it starts from are a part of `from`, or hold it.
 FlatPunch pressed_at(Workspace& work, Operator& op, const std::vector<std::int64_t>& points, const Stiffness& from) {
   TrialSet trial;
-  trial.n = static_cast<std::int64_t>(points.size());
-  trial.index = points;
-  Pressures known;
-  known.on.index = from.points;
-  known.p = from.rate;
-  std::vector<double> start = known.at(trial);
-  std::optional<std::vector<std::int64_t>> positions = positions_in(op.trial(), points);
-  if (!positions) {
-    if (all_of(work.system, points)) trial.index.clear();
+  std::vector<double> start;
+  std::optional<std::vector<std::int64_t>> positions;
+  on_all(work.ranks(), [&] {
+    trial.n = static_cast<std::int64_t>(points.size());
+    trial.index = points;
+    Pressures known;
+    known.on.index = from.points;
+    known.p = from.rate;
+    start = known.at(trial);
+    positions = positions_in(op.trial(), points);
+  });
+  if (!positions) {  // not with ranks, whose operators have all points
+    if (trial.n == work.system.points()) trial.index.clear();
     op.bind(trial);
     positions = positions_in(trial, points);
   }
@@ -78,20 +87,23 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
   Stiffness result;
   result.value = 0;
   if (!answer.op) return result;
+  const bool interval = work.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
   std::vector<std::int64_t> contact;
-  for (std::size_t i = 0; i < answer.p.size(); ++i)
-    if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
-  if (contact.empty()) return result;
-  if (system.periodic() && all_of(system, contact)) {
+  std::vector<double> grown;
+  on_all(work.ranks(), [&] {
+    for (std::size_t i = 0; i < answer.p.size(); ++i)
+      if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
+    // Between points in contact at both approaches the pressures have grown as a flat punch's do.
+    for (const std::int64_t position : contact) {
+      const auto i = static_cast<std::size_t>(position);
+      if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.pressure_unit - answer.before[i]);
+    }
+  });
+  const std::int64_t contacts = count(work, contact);
+  if (contacts == 0) return result;
+  if (system.periodic() && contacts == system.points()) {
     result.value = unbounded;
     return result;
-  }
-  // Between points in contact at both approaches the pressures have grown as a flat punch's do.
-  const bool interval = work.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
-  std::vector<double> grown;
-  for (const std::int64_t position : contact) {
-    const auto i = static_cast<std::size_t>(position);
-    if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.pressure_unit - answer.before[i]);
   }
   FlatPunch punch = pressed(work, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
   result.value =
@@ -107,14 +119,15 @@ void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
   const System& system = work.system;
   if (!work.record.proven) return;
   const auto& [contacts, possible] = *work.record.proven;
-  double lower = 0, upper = possible.empty() ? 0 : unbounded;
-  if (op && !possible.empty() && !(system.periodic() && all_of(system, possible))) {
+  const std::int64_t least_points = count(work, contacts), most_points = count(work, possible);
+  double lower = 0, upper = most_points == 0 ? 0 : unbounded;
+  if (op && most_points > 0 && !(system.periodic() && most_points == system.points())) {
     const FlatPunch most = pressed_at(work, *op, possible, stiffness);
     if (most.status != RC_OK || std::isnan(most.bound.error)) return;
     upper = most.upper();
-    if (contacts == possible) lower = most.lower();
+    if (least_points == most_points) lower = most.lower();
   }
-  if (op && !contacts.empty() && contacts != possible) {
+  if (op && least_points > 0 && least_points != most_points) {
     const FlatPunch least = pressed_at(work, *op, contacts, stiffness);
     if (least.status != RC_OK || std::isnan(least.bound.error)) return;
     lower = least.lower();

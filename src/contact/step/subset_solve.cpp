@@ -33,13 +33,16 @@ SubsetSolve::SubsetSolve(Workspace& work, Operator& op, std::span<const std::int
   mean_ = op.trial().zero_mode / static_cast<double>(system.points());
   const double lowest = system.periodic() ? system.lambda_wave : system.lambda_min;
   if (!system.halfspace() || op.has_subset() || !(lowest > 0)) {
+    if (work.ranks())
+      fail(RC_ERR_INCOMPATIBLE, "option ", RC_OPT_STIFFNESS, " = ", work.options.integer(RC_OPT_STIFFNESS),
+           ": on ranks it needs a kernel with a lowest eigenvalue, which \"", system.kernel, "\" does not promise");
     lowest_ = lowest_eigenvalue(work, op.trial().zero_mode, set.size());
     return;
   }
   preconditioned_.emplace(op, set, work.grid(), lowest, work.team(), [&work](std::int64_t mx, std::int64_t my, auto& out) {
     out.resize(static_cast<std::size_t>(mx * my));
     raise_if_failed(work.coefficients(mx, my, out.data()), "the solve on the contact set");
-  });
+  }, work.ranks());
   mean_ += preconditioned_->mean();
   lowest_ = preconditioned_->lowest();
 }
