@@ -49,14 +49,14 @@ def write_gap(file, n):
     return 0.5 * np.sqrt(sum(np.mean(np.diff(tile.astype(float), axis=axis) ** 2) for axis in (0, 1)))
 
 
-def solve(file, n, slope, share, threads, interpreter):
+def solve(file, n, slope, share, threads, interpreter, want_pressure=False):
     """Bush, Gibson & Thomas (1975): area = sqrt(2 pi) p / (E* rms slope) at light loads."""
     gap = np.memmap(file, np.float32, 'r', shape=(n, n))
     options = {'tol': 1e-4, 'threads': threads, 'fft.precision': 'single'}
     begun, before = time.perf_counter(), cpu_seconds()
     with rc.Contact(rc.HalfSpace(shape=(n, n), pitch=1.0, modulus=1.0), options=options) as contact:
         result = contact.solve(undeformed_gap=gap, single=True, borrow=True, load=share * slope * n**2 / math.sqrt(2 * math.pi),
-                               want_pressure=False, check=False)
+                               want_pressure=want_pressure, check=False)
     peak = peak_memory() - interpreter
     return {'status': result.status.name, 'contact_percent': 100 * result.contacts / n**2, 'file_gigabytes': gap.nbytes / 1e9,
             'seconds': time.perf_counter() - begun, 'cpu_seconds': cpu_seconds() - before, 'products': result.applications,

@@ -1,27 +1,35 @@
-"""The rows that compare this library with itself alone, on one thread, each with its goal: processor time of a dense solve over its
-products, small grids, Gauss points, batches, histories. Products by size: `counts`. Mapped grids and their memory: `mapped`. Peers: `peers`."""
+"""What the library is measured by, each row with its goal. Against itself, in processor time of one thread: a dense solve over its products,
+products by size, small grids, Gauss points, batches, histories, odd scenes. With all threads: large grids and their memory, ASPHER."""
+import os
+import re
+import subprocess
 import sys
+import tempfile
 
 import numpy as np
 import roughcontact as rc
 
+import counts
+import mapped
 import native
-from case import checked, cpu_seconds, in_child
+from case import checked, cpu_seconds, in_child, interpreter_memory
 from contact import certified, find_load, unit_square
 from histories import ROUGH
 from limits import ColdSolve
-from options import listed, one_of, question, ranged, side
+from options import THREADS, folder, listed, one_of, percent, question, ranged, side
+from performance import against
 from samples import median
 from scaling import SLOPE, light_load
-from store import Store
+from store import Store, load
 from surfaces import below_highest, self_affine_gap
 from tables import show
 
 DOUBLE = 3  # products of a solve that are in double precision: two residuals and the certificate's
 GAUSS = 64
-TITLES = ('dense', 'small', 'gauss', 'batch', 'history')
-UNMEASURED = ('Not measured here: products by size (counts), mapped grids and memory (mapped, scaling), other programs (peers). Times are processor '
-              'times of one thread, the least of several runs; other work on the machine still lengthens them.')
+TITLES = ('dense', 'products', 'small', 'gauss', 'batch', 'history', 'odd', 'large', 'peers')
+PEERS = ('ours', 'ours-float', 'aspher-periodic', 'aspher-h2-float')
+REMARK = ('Times of one thread are processor times, the least of several runs; those of large grids and of ASPHER are by the clock, with all threads. '
+          'Other work on the machine lengthens both.')
 
 
 def least(call, repeats):
@@ -111,6 +119,70 @@ def history(request):
                    'more': f'CPU {warm_cpu / cold_cpu:.2f}; {sum(w > c for w, c in zip(warm, cold))} steps take more, {max(w - c for w, c in zip(warm, cold))} at most'}
 
 
+def products(request):
+    for n in request.counted:
+        for boundary in ('free', 'periodic'):
+            found = {share: checked(in_child(lambda: counts.measure(request, n, boundary, share / 100))) for share in (1, 10, 40)}
+            for control in ('displacement', 'load'):
+                each = {share: next(row['products'] for row in same if row['control'] == control) for share, same in found.items()}
+                yield {'row': f'{n}², {boundary}, {control}: most products to 1e-8', 'goal': '26', 'value': max(each.values()),
+                       'more': ', '.join(f'{share} %: {count}' for share, count in each.items())}
+
+
+def odd(request):
+    program = os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'test_odd_scenes')
+    if not os.path.exists(program):
+        yield {'row': 'odd scenes: above 1.5 times polonsky-keer', 'goal': '0', 'more': 'not built: the target test_odd_scenes'}
+        return
+    said = subprocess.run([program], capture_output=True, text=True, env={**os.environ, 'RC_TEST_QUICK': '1'}).stdout
+    scenes, most, above, astray = (int(re.search(pattern, said)[1]) for pattern in (r'(\d+) scenes:', r'most (\d+)', r'(\d+) scenes above', r'; (\d+) scenes above'))
+    yield {'row': 'odd scenes: above 1.5 times polonsky-keer', 'goal': '0', 'value': astray, 'more': f'of {scenes}'}
+    yield {'row': 'odd scenes: most products', 'goal': '600', 'value': most, 'more': f'{above} above it'}
+
+
+def large(request):
+    """Load control, single precision, certified 1e-4, in floats. First a dense contact, whose pressures are asked for, then mapped files."""
+    interpreter = interpreter_memory()
+    for n, share, time, memory in zip(request.large, request.large_percents, ('75', '12', ''), ('12', '12', '20')):
+        dense = share >= 1
+        with tempfile.TemporaryDirectory(dir=request.folder) as place:
+            file = os.path.join(place, 'gap.f32')
+
+            def write():
+                if not dense:
+                    return mapped.write_gap(file, n)
+                gap = self_affine_gap(n, rms_slope=SLOPE)
+                gap -= gap.min()
+                gap.astype(np.float32).tofile(file)
+                return SLOPE / n
+            slope = checked(in_child(write))
+            found = checked(in_child(lambda: mapped.solve(file, n, slope, share / 100, THREADS, interpreter, want_pressure=dense)))
+        row = f'{n}², {share:g} %, single, 1e-4'
+        more = f'{found["contact_percent"]:.3g} %, {found["products"]} products, CPU {found["cpu_seconds"]:.3g} s, {found["status"]}'
+        yield {'row': row + ' [s]', 'goal': time, 'value': found['seconds'], 'more': more}
+        yield {'row': row + ': memory in all [GB]', 'goal': memory, 'value': found['peak_gigabytes']}
+
+
+def peers(request):
+    """Where both are certified at the tightest level that both reach, the second solve of a process."""
+    with tempfile.TemporaryDirectory(dir=request.folder) as place:
+        for sizes, shares in ((request.against, request.against_percents), ([n for n in request.against if n <= 1024], [50])):
+            if not sizes or not shares:
+                continue
+            subprocess.run([os.path.join(os.environ['RC_BENCH_BUILD'], 'bin', 'roughcontact-bench'), 'peers', '--only', ','.join(PEERS),
+                            '--sizes', ','.join(map(str, sizes)), '--percents', ','.join(f'{share:g}' for share in shares), '--repeats', '2',
+                            '--threads', str(THREADS), '--json', os.path.join(place, 'peers.json')], check=True, stdout=sys.stderr)
+        document = load(place, 'peers')
+    for code, surface, words in (('aspher-periodic', 'wavy', 'periodic'), ('aspher-h2-float', 'rough', 'free, h2, single')):
+        for each in against(document, code, surface, 'load'):
+            share, periodic = each.case['percent'], code == 'aspher-periodic'
+            goal = ('5' if share <= 1 else '8') if periodic else ('7' if share <= 1 else '')
+            row = f'ASPHER, {words}, {each.label.replace(" load,", ",")}'
+            yield {'row': row + ': times slower', 'goal': goal, 'value': each.ratio, 'more': f'{1e3 * each.ours:.0f} ms, {1e3 * each.theirs:.0f} ms'}
+            if share >= 10 and not np.isnan(each.memory):
+                yield {'row': row + ': our memory over theirs', 'goal': '0.5', 'value': each.memory}
+
+
 def run(request):
     store, rows = Store(request.json, 'rows', 1), []
     for name in request.rows:
@@ -119,11 +191,20 @@ def run(request):
             print(row['row'], file=sys.stderr)
     store.save(rows=rows)
     show('row; measured={value:.3g}; goal; more', rows)
-    print(UNMEASURED)
+    print(REMARK)
 
 
-question('rows', 'what compares this library with itself alone, each row with its goal', run, {
+SHARES = listed(percent)
+question('rows', 'what the library is measured by, each row with its goal', run, {
     'rows': (listed(one_of(*TITLES)), list(TITLES), 'which'), 'sizes': (listed(side), [1024, 2048, 4096], 'points per side of dense solves'),
+    'counted': (listed(side), [512, 1024, 2048], 'points per side where products are counted'),
     'histories': (listed(side), [256, 512, 1024], 'points per side of histories'), 'surfaces': (ranged(int, 1, 1000), 40, 'of the batch'),
-    'trials': (ranged(int, 1, 100000), 200, 'of a Gauss point in a row'), 'repeats': (ranged(int, 1, 1000), 5, 'runs of which the least counts')},
-    {'sizes': [128], 'histories': [64], 'surfaces': 4, 'trials': 20, 'repeats': 1}, 'small sizes, one run each')
+    'trials': (ranged(int, 1, 100000), 200, 'of a Gauss point in a row'),
+    'large': (listed(ranged(int, 256, 131072)), [16384, 32768, 65536], 'points per side of large grids'),
+    'large_percents': (SHARES, [10, 0.04, 0.02], 'contact area of each, in percent of the grid'),
+    'against': (listed(side), [512, 1024], 'points per side against ASPHER'),
+    'against_percents': (SHARES, [0.1, 1, 10], 'contact areas there'), 'seed': (int, 1, 'of the surfaces'), 'tol': (float, 1e-8, 'of products'),
+    'folder': (folder, tempfile.gettempdir(), 'where large gaps are written'), 'threads': (ranged(int, 1, 1024), 1, 'for products'),
+    'repeats': (ranged(int, 1, 1000), 5, 'runs of which the least counts')},
+    {'rows': [name for name in TITLES if name not in ('odd', 'peers')], 'sizes': [128], 'counted': [128], 'histories': [64], 'surfaces': 4,
+     'trials': 20, 'large': [512], 'large_percents': [10], 'repeats': 1}, 'small sizes, one run each')

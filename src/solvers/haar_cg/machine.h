@@ -65,7 +65,8 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   { m.begin() } -> std::same_as<HaarStart>;
   // p *= number; with yes only where p is below the cap, and up to the cap.
   m.multiply(number, yes);
-  // p *= number where p is below the cap, and up to the cap; z is what that added to p; with yes it is added to z.
+  // p *= number where p is below the cap, and up to the cap; z is what that added to p; with yes it is added to z. Like advance()
+  // it is called while z is 0 off the free set, as apply_trees() leaves it.
   m.scale(number, yes);
   // t = z + number t on the free set, 0 elsewhere. Returns (w, t).
   { m.turn(number) } -> std::same_as<double>;

@@ -17,24 +17,41 @@ constexpr double many = 0.25;                   // of the points: within the len
 constexpr std::size_t few_loaded = 4;           // points that carry a load each by itself: then the others start without pressure
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
-// Every point takes the pressure of the coarse cell in which it lies.
-void spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressure, std::span<double> p) {
+// Whether any chunk's most(begin, count) is positive; of all ranks, where the problem is shared.
+template <class Most> bool some_positive(const Problem& problem, const Most& most) {
+  const auto positive = [&](std::int64_t begin, std::int64_t count) { return most(begin, count) > 0; };
+  return reduce<char>(problem.size(), problem.team(), positive, 0, std::logical_or<>(),
+                      Chunks::of(problem.ranks(), problem.grid()->nx)) != 0;
+}
+
+// Every point takes the pressure of the coarse cell in which it lies. Returns whether any is positive.
+bool spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressure, std::span<double> p) {
   const rc_grid& grid = *problem.grid();
   const double unit = problem.pressure_unit();
-  const auto n = static_cast<std::int64_t>(p.size());
-  each_chunk(n, problem.team(), [&](std::int64_t begin, std::int64_t count) {
+  return some_positive(problem, [&](std::int64_t begin, std::int64_t count) {
+    double most = 0;
+    std::int64_t row = -1, first = 0;
+    const double* coarse = nullptr;
     for (std::int64_t i = begin; i < begin + count; ++i) {
-      const std::int64_t point = problem.point(i), x = point % grid.nx, y = point / grid.nx;
-      p[static_cast<std::size_t>(i)] = pressure[static_cast<std::size_t>(y / 2 * coarse_nx + x / 2)] / unit;
+      const std::int64_t point = problem.point(i);
+      if (point >= first + grid.nx || row < 0) {
+        row = point / grid.nx;
+        first = row * grid.nx;
+        coarse = pressure.data() + row / 2 * coarse_nx;
+      }
+      const double value = coarse[(point - first) / 2] / unit;
+      p[static_cast<std::size_t>(i)] = value;
+      most = std::max(most, value);
     }
+    return most;
   });
 }
 
 // A start from the solution on a grid of half the resolution, which starts from a still coarser grid. p and d stay as they are
-// where the grid is too small, or its coarse problem cannot be solved.
-void start_nested(const Problem& problem, const char* solver, std::span<double> p, double& d) {
+// where the grid is too small, or its coarse problem cannot be solved. Returns whether some pressure is positive.
+bool start_nested(const Problem& problem, const char* solver, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
-  if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return;
+  if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return false;
   const Ranks* const ranks = problem.ranks();
   CoarseGrid coarse;
   Vector pressure;
@@ -58,14 +75,15 @@ void start_nested(const Problem& problem, const char* solver, std::span<double> 
   request.p = pressure.data();
   request.keep = !ranks && coarse.nx * coarse.ny <= remembered;
   request.tol = std::max(coarse_tol, problem.tol());
-  if (problem.coarse(request) < 0) return;
+  if (problem.coarse(request) < 0) return false;
 
-  spread(problem, coarse.nx, pressure, p);
-  if (!problem.load_control()) return;
+  const bool positive = spread(problem, coarse.nx, pressure, p);
+  if (!problem.load_control()) return positive;
   // The datum from u = (datum - gap) / length.
   const double datum =
       problem.u() ? problem.gap()[static_cast<std::size_t>(problem.point(0))] + problem.u()[0] * length : grid.approach;
   d = std::max(0.0, (request.approach - datum) / length);
+  return positive;
 }
 
 // Pressures that carry the load on few points, each as if it were alone: then others hardly matter. False where that takes more.
@@ -126,18 +144,16 @@ void start_cold(const Problem& problem, std::span<double> p) {
 }  // namespace
 
 bool any_positive(const Problem& problem, std::span<const double> p) {
-  const auto positive = [&](std::int64_t begin, std::int64_t count) {
+  return some_positive(problem, [&](std::int64_t begin, std::int64_t count) {
     double most = 0;
     for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, p[static_cast<std::size_t>(i)]);
-    return most > 0;
-  };
-  return reduce<char>(problem.size(), problem.team(), positive, 0, std::logical_or<>(),
-                      Chunks::of(problem.ranks(), problem.grid()->nx)) != 0;
+    return most;
+  });
 }
 
 void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d) {
-  if (solver && !any_positive(problem, p)) start_nested(problem, solver, p, d);
-  if (problem.load_control() && !any_positive(problem, p)) start_cold(problem, p);
+  if (solver && start_nested(problem, solver, p, d)) return;
+  if (problem.load_control()) start_cold(problem, p);
 }
 
 }  // namespace rc

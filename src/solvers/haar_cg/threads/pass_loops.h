@@ -11,13 +11,14 @@ namespace rc {
 enum class HaarUpdate { add, lower, replace, begin };
 
 // Runs of so many points. Idle: none of them is in the free set. Still: and t is 0 there; left: t may be something else.
-constexpr std::int64_t haar_run = 64;
+constexpr std::int64_t haar_run = 16;
 enum class HaarRun : std::uint8_t { busy, left, still };
 
 // What was found where pressures were cut.
 struct HaarCut {
-  bool any;     // some were
-  bool capped;  // some are at the cap
+  double load = 0;      // the sum of those kept
+  bool any = false;     // some were cut
+  bool capped = false;  // some are at the cap
 };
 
 // Loops over n values, with sums in a fixed order. `active` is the free set, `runs` [n/64] tell of its runs; off it p is 0 or the
@@ -36,12 +37,18 @@ template <class Real> struct HaarLoops {
   double (*inner)(std::int64_t n, const Real* a, const Real* b, const std::uint8_t* active);
   // p -= length t, w -= length q
   void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, const HaarRun* runs);
-  // The same, then p = min(max(p, 0), cap); cut: what that added to p.
+  // The same, then p = min(max(p, 0), cap); cut: what that added to p, and as it is, 0, in runs that are not busy.
   Cut advance_and_cut;
+  // p = min(number p, cap) below the cap; cut: what that added to p, and what it was before with yes; as it is, 0, in runs that
+  // are not busy. Returns whether some are at the cap.
+  bool (*scale)(std::int64_t n, double number, double* p, double cap, Real* cut, bool yes, const HaarRun* runs);
   // Without a cap add and lower read u only in runs that are busy.
   Measure add, lower, replace, begin;
   // active = p > 0 or w < -limit, and where p = cap: w > limit. Returns whether it changed.
   Choose choose;
+  // u = (approach - gap) * per_length
+  void (*compenetrate)(std::int64_t n, const double* gap, double approach, double per_length, double* u);
+  void (*compenetrate_single)(std::int64_t n, const float* gap, double approach, double per_length, double* u);
 };
 
 // capped: for values of which some are, or may come, at the cap. The others neither read the cap nor p off the free set.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "core/chunks.h"
@@ -70,7 +71,7 @@ void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Wante
   const double* const u = problem_.u();
   const rc_grid& grid = *problem_.grid();
   const GapValues gap = problem_.gap();
-  const double approach = grid.approach, length = problem_.length_unit();
+  const double approach = grid.approach, per_length = 1 / problem_.length_unit();
   double room[piece];
   for (std::int64_t i = begin; i < begin + n; i += piece) {
     const std::int64_t count = std::min(piece, begin + n - i);
@@ -79,9 +80,11 @@ void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Wante
       const std::int64_t to = std::min(from + haar_run, count);
       gap.visit([&](const auto* h) {
         if (grid.index)
-          for (std::int64_t k = from; k < to; ++k) room[k] = (approach - h[grid.index[i + k]]) / length;
+          for (std::int64_t k = from; k < to; ++k) room[k] = (approach - h[grid.index[i + k]]) * per_length;
+        else if constexpr (std::is_same_v<decltype(h), const float*>)
+          loops_.compenetrate_single(to - from, h + i + from, approach, per_length, room + from);
         else
-          for (std::int64_t k = from; k < to; ++k) room[k] = (approach - h[i + k]) / length;
+          loops_.compenetrate(to - from, h + i + from, approach, per_length, room + from);
       });
     }
     visit(i, count, u ? u + i : room);
@@ -169,16 +172,9 @@ template <class Real> void ThreadMachine<Real>::multiply(double factor, bool fre
 
 template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_cut) {
   pressures_.reset();
-  Real* const change = z();
-  each([&](std::int64_t from, std::int64_t n) {
-    double most = 0;
-    for (std::int64_t i = from; i < from + n; ++i) {
-      const double next = p_[i] < cap_ ? std::min(factor * p_[i], cap_) : cap_;
-      change[i] = (after_cut ? change[i] : Real{0}) + static_cast<Real>(next - p_[i]);
-      p_[i] = next;
-      most = std::max(most, next);
-    }
-    if (most >= cap_) reached_at(from) = 1;
+  const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
+  each([&](std::int64_t i, std::int64_t n) {
+    if (loops.scale(n, factor, p_ + i, cap_, z() + i, after_cut, runs_at(i))) reached_at(i) = 1;
   });
 }
 
@@ -197,23 +193,16 @@ template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut)
     each([&](std::int64_t i, std::int64_t n) { loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_at(i)); });
     return false;
   }
+  const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
   const auto cut_chunk = [&](std::int64_t i, std::int64_t n) {
-    const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
     const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
     if (found.capped) reached_at(i) = 1;
-    return found.any;
+    return found;
   };
-  if (!chunks_.ranks) return any(cut_chunk);
-  struct Part {
-    bool any = false;
-    double pressures = 0;
-    Part operator+(const Part& b) const { return {any || b.any, pressures + b.pressures}; }
-  };
-  const Part all = sum<Part>([&](std::int64_t i, std::int64_t n) {
-    const bool found = cut_chunk(i, n);
-    return Part{found, sum_in_chunk(p_, i, n)};
+  const HaarCut all = sum<HaarCut>(cut_chunk, {}, [](const HaarCut& a, const HaarCut& b) {
+    return HaarCut{a.load + b.load, a.any || b.any, a.capped || b.capped};
   });
-  pressures_ = all.pressures;
+  pressures_ = all.load;
   return all.any;
 }
 

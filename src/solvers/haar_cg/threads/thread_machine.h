@@ -87,9 +87,9 @@ template <class R> class ThreadMachine {
   // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
   // the free set.
   std::unique_ptr<std::byte[]> memory_;
+  std::optional<double> pressures_;  // the sum of p, once a cut has made it
   // With ranks: sums that come along with others, because each exchange has its latency.
   std::optional<HaarSlope<Real>> slope_;  // of the next direction
-  std::optional<double> pressures_;       // the sum of p
   Real *w_, *t_, *q_;
   std::uint8_t* active_;
 };
