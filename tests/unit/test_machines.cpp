@@ -23,6 +23,7 @@ using Field = std::vector<double>;
 
 static_assert(rc::Machine<rc::PlainMachine<float>> && rc::Machine<rc::PlainMachine<double>>);
 static_assert(rc::Machine<rc::ThreadMachine<float>> && rc::Machine<rc::ThreadMachine<double>>);
+static_assert(rc::Machine<rc::ThreadMachine<float, float>>);
 
 constexpr double tol = 1e-9, mean_pressure = 0.2, infinite = std::numeric_limits<double>::infinity();
 constexpr unsigned random_contacts = 2000;
@@ -153,7 +154,7 @@ class Solved {
     const rc_options options{};
     const rc::Problem problem(host, product, options);
     Field p = start;
-    rc::ThreadMachine<Real> machine(problem, p, rc::HaarTreePair(inputs_.cells, inputs_.table));
+    rc::ThreadMachine<Real> machine(problem, p.data(), rc::HaarTreePair(inputs_.cells, inputs_.table));
     Solution found = solved(machine, task_);
     found.p = std::move(p);
     return found;

@@ -254,6 +254,13 @@ std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep
   return estimate;
 }
 
+// Whether a step takes contact that is not sparse farther.
+bool grows_dense(const Workspace& work, const CertifiedStep& last, const rc_step& step) {
+  if (!step.warm_start || last.pressures.empty() || !last.same_gap) return false;
+  return step.target >= (step.control == RC_CONTROL_LOAD ? last.load : last.approach) &&
+         !few(count_positive(last.pressures.p), work.system.points());
+}
+
 // How often a grid is halved for its estimate: once, but the largest grids until little memory is needed.
 int halvings_of(std::int64_t points) {
   int halvings = 1;
@@ -261,8 +268,13 @@ int halvings_of(std::int64_t points) {
   return halvings;
 }
 
-// The estimate from a coarser grid. Where that grid is large itself, it has its own from a still coarser one.
-std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor) {
+struct CoarseEstimate {
+  Estimate estimate;
+  bool few;  // of the coarser grid's points are in contact
+};
+
+// The estimate from a coarser grid, which has its own from a still coarser one.
+std::optional<CoarseEstimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor) {
   const rc_system& system = work.system.given;
   if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
   rc_options options = coarse_options(work.options, monitor);
@@ -276,33 +288,45 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
   if (nothing_touches(at, half)) return std::nullopt;
 
   Monitor watch = monitor.silent();
+  std::optional<CoarseEstimate> coarser = coarse_estimate(half, at, monitor);
+  const std::optional<Choice> choice = choose_for_few(options, half.system, at.control);
   std::optional<Answer> answer;
-  if (const auto choice = choose_for_few(options, half.system, at.control)) {
-    std::optional<Estimate> estimate = coarse_estimate(half, at, monitor);
-    if (!estimate) return std::nullopt;
-    answer = solve_few(half, {}, at, *choice, std::move(*estimate), watch);
-    if (!answer) return std::nullopt;
-  } else {
-    answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, coarse_estimate(half, at, monitor))
-                                           : at_displacement(half, {}, at, watch);
+  if (choice && coarser && coarser->few) answer = solve_few(half, {}, at, *choice, coarser->estimate, watch);
+  if (!answer) {
+    if (choice && halvings > 1) return std::nullopt;
+    std::optional<Estimate> nearer;
+    if (coarser) nearer = std::move(coarser->estimate);
+    answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, std::move(nearer))
+                                           : at_displacement(half, {}, at, watch, nearer);
   }
-  if (!few(count_positive(answer->p), half.system.points())) return std::nullopt;
+  const std::int64_t contacts = count_positive(answer->p);
+  if (contacts == 0) return std::nullopt;
   const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
-  return Estimate{spread(answer->pressures(), blocks, work.surface, Cut::same_pressure),
-                  half.surface.lowest() + answer->compression};
+  return CoarseEstimate{
+      {spread(answer->pressures(), blocks, work.surface, Cut::same_pressure), half.surface.lowest() + answer->compression},
+      few(contacts, half.system.points())};
 }
 
 }  // namespace
 
 std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
-                                     std::optional<Estimate> estimate) {
+                                     std::optional<Estimate>& estimate) {
   if (work.ranks() || step.p0 || !work.record.failed.empty()) return std::nullopt;
   const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control);
   if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.control))) return std::nullopt;
   if (estimate && !few(count_positive(estimate->pressures.p), work.system.points())) return std::nullopt;
-  if (!estimate) estimate = last_estimate(work, memory.last, step);
-  if (!estimate) estimate = coarse_estimate(work, step, monitor);
-  if (!estimate) return std::nullopt;
-  return solve_few(work, memory, step, *choice, std::move(*estimate), monitor);
+  std::optional<Estimate> start = estimate ? estimate : last_estimate(work, memory.last, step);
+  if (!start) {
+    if (grows_dense(work, memory.last, step)) return std::nullopt;
+    const bool cold = !step.warm_start || memory.last.pressures.empty();
+    std::optional<CoarseEstimate> coarse = coarse_estimate(work, step, monitor);
+    if (!coarse) return std::nullopt;
+    if (!coarse->few) {
+      if (cold) estimate = std::move(coarse->estimate);
+      return std::nullopt;
+    }
+    start = std::move(coarse->estimate);
+  }
+  return solve_few(work, memory, step, *choice, std::move(*start), monitor);
 }
 }  // namespace rc

@@ -2,6 +2,7 @@
 // method, iteration.h its control flow. This file runs it on the threads of this process, and of others with which it shares the
 // grid.
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include "solvers/haar_cg/iteration.h"
 #include "solvers/haar_cg/regular_start.h"
+#include "solvers/haar_cg/single_pressures.h"
 #include "solvers/haar_cg/starts.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
 #include "solvers/haar_cg/tree_inputs.h"
@@ -41,7 +43,16 @@ bool worth_mixing(const Problem& problem) {
   return overlaps > few_overlaps;
 }
 
-template <class Real> rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
+// Products and pressures in single precision have errors of some 1e-6 of the largest compenetration, if no wave without
+// deflection can make the pressures large.
+bool single_suffices(const Problem& problem) {
+  constexpr double least_tol = 0.9e-5;
+  return problem.tol() >= least_tol && problem.cap() == std::numeric_limits<double>::infinity() && !problem.ranks() &&
+         problem.grid()->boundary == RC_BOUNDARY_FREE;
+}
+
+// q: null, or room for a vector.
+template <class Real, class Pressure> rc_status iterate(const Problem& problem, Pressure* p, double& d, Real* q = nullptr) {
   TreeInputs inputs = tree_inputs(*problem.grid(), problem.size(),
                                   [&](std::int64_t mx, std::int64_t my, Vector& out) { problem.coefficients(mx, my, out); });
   const HaarTask task{.by_load = problem.load_control(),
@@ -54,15 +65,22 @@ template <class Real> rc_status iterate(const Problem& problem, std::span<double
                       .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
                       .poll = [&](std::int64_t steps, double residual) { problem.poll(steps, residual); }};
   const Ranks* const ranks = problem.ranks();
-  std::unique_ptr<ThreadMachine<Real>> machine;
+  std::unique_ptr<ThreadMachine<Real, Pressure>> machine;
   on_all(ranks, [&] {
-    machine =
-        std::make_unique<ThreadMachine<Real>>(problem, p, HaarTreePair(std::move(inputs.cells), inputs.table, 1, ranks), ranks);
+    HaarTreePair trees(std::move(inputs.cells), inputs.table, 1, ranks);
+    machine = std::make_unique<ThreadMachine<Real, Pressure>>(problem, p, std::move(trees), ranks, q);
   });
   const HaarOutcome outcome = HaarIteration(*machine, task).run(d);
   if (outcome.ending == HaarEnding::not_finite) problem.fail("haar-cg: the operator returned values that are not finite");
   if (problem.load_control()) d = outcome.approach;
   return outcome.ending == HaarEnding::solved ? RC_OK : RC_STOP_STALLED;
+}
+
+rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
+  if (!worth_mixing(problem)) return iterate<double>(problem, p.data(), d);
+  if (!single_suffices(problem)) return iterate<float>(problem, p.data(), d);
+  const SinglePressures single(p, problem.team());
+  return iterate<float>(problem, single.values(), d, single.room());
 }
 
 }  // namespace
@@ -73,7 +91,7 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   // A regular surface shows in the values of the whole grid, which ranks do not have.
   if (!any_positive(problem, p) && (problem.ranks() || !start_regular(problem, p)))
     start_haar_cg(problem, problem.option_int("haar-cg.nested") != 0 ? "haar-cg" : nullptr, p, d);
-  const rc_status status = worth_mixing(problem) ? iterate<float>(problem, p, d) : iterate<double>(problem, p, d);
+  const rc_status status = iterate(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
   problem.note("haar-cg: stalled; nnls finished");
   return problem.by_nnls(p.data());

@@ -10,8 +10,8 @@ namespace rc {
 // Of all ranks, where the problem is shared.
 bool any_positive(const Problem& problem, std::span<const double> p);
 
-// For pressures of which none is positive: p and, by load, d from the solution on half the grid by this solver; null: not from there. Where
-// that is impossible too, pressures that carry the load in load control; else p stays as it is.
+// For pressures of which none is positive: p and, by load, d from the solution on half the grid by this solver; null: not from
+// there. Where that is impossible too, pressures that carry the load in load control; else p stays as it is.
 void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d);
 
 }  // namespace rc

@@ -195,7 +195,7 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
   }
 
   const bool parallel = worth_sharing(0);
-  const auto inner = best_haar_loops<Real>().inner;
+  const auto inner = best_haar_loops<Real, double>().inner;
   std::int64_t piece = chunk;  // unknowns of a partial sum
   if (tree_[0].full()) {
     piece = (ranks_ ? ranks_->piece_rows() : HaarTree::rows_per_part(tree_[0].columns())) * tree_[0].columns();

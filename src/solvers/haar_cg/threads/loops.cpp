@@ -103,14 +103,15 @@ Vectors best() {
 #define RC_BEST(...) (baseline::__VA_ARGS__)
 #endif
 
-template <class Real> HaarLoops<Real> best_haar_loops(bool capped) {
-  return capped ? RC_BEST(loops<Real, true>) : RC_BEST(loops<Real, false>);
+template <class Real, class Pressure> HaarLoops<Real, Pressure> best_haar_loops(bool capped) {
+  return capped ? RC_BEST(loops<Real, Pressure, true>) : RC_BEST(loops<Real, Pressure, false>);
 }
 HaarRows best_haar_rows() { return RC_BEST(rows); }
 template <class Real> HaarFinest<Real> best_haar_finest() { return RC_BEST(finest<Real>); }
 
-template HaarLoops<float> best_haar_loops(bool);
-template HaarLoops<double> best_haar_loops(bool);
+template HaarLoops<float, float> best_haar_loops(bool);
+template HaarLoops<float, double> best_haar_loops(bool);
+template HaarLoops<double, double> best_haar_loops(bool);
 template HaarFinest<float> best_haar_finest();
 template HaarFinest<double> best_haar_finest();
 

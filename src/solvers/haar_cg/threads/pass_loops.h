@@ -22,26 +22,26 @@ struct HaarCut {
 };
 
 // Loops over n values, with sums in a fixed order. `active` is the free set, `runs` [n/64] tell of its runs; off it p is 0 or the
-// cap.
-template <class Real> struct HaarLoops {
-  using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const double* product, double shift,
-                                  const double* u, const double* p, double cap, const HaarRun* runs);
-  using Choose = bool (*)(std::int64_t n, const double* p, double cap, const Real* w, Real limit, std::uint8_t* active,
+// cap. Pressure: the precision of p.
+template <class Real, class Pressure> struct HaarLoops {
+  using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const Pressure* product, double shift,
+                                  const double* u, const Pressure* p, double cap, const HaarRun* runs);
+  using Choose = bool (*)(std::int64_t n, const Pressure* p, double cap, const Real* w, Real limit, std::uint8_t* active,
                           HaarRun* runs);
-  using Cut = HaarCut (*)(std::int64_t n, double length, const Real* t, const Real* q, double* p, double cap, Real* w, Real* cut,
-                          const HaarRun* runs);
+  using Cut = HaarCut (*)(std::int64_t n, double length, const Real* t, const Real* q, Pressure* p, double cap, Real* w,
+                          Real* cut, const HaarRun* runs);
 
   // t = z + beta t where active, 0 elsewhere. Returns (w, t).
   double (*turn)(std::int64_t n, const Real* z, Real beta, Real* t, const Real* w, const std::uint8_t* active, HaarRun* runs);
   // Returns (a, b), where a is 0 off the free set.
   double (*inner)(std::int64_t n, const Real* a, const Real* b, const std::uint8_t* active);
   // p -= length t, w -= length q
-  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, double* p, Real* w, const HaarRun* runs);
+  void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, Pressure* p, Real* w, const HaarRun* runs);
   // The same, then p = min(max(p, 0), cap); cut: what that added to p, and as it is, 0, in runs that are not busy.
   Cut advance_and_cut;
   // p = min(number p, cap) below the cap; cut: what that added to p, and what it was before with yes; as it is, 0, in runs that
   // are not busy. Returns whether some are at the cap.
-  bool (*scale)(std::int64_t n, double number, double* p, double cap, Real* cut, bool yes, const HaarRun* runs);
+  bool (*scale)(std::int64_t n, double number, Pressure* p, double cap, Real* cut, bool yes, const HaarRun* runs);
   // Without a cap add and lower read u only in runs that are busy.
   Measure add, lower, replace, begin;
   // active = p > 0 or w < -limit, and where p = cap: w > limit. Returns whether it changed.
@@ -52,6 +52,6 @@ template <class Real> struct HaarLoops {
 };
 
 // capped: for values of which some are, or may come, at the cap. The others neither read the cap nor p off the free set.
-template <class Real> HaarLoops<Real> best_haar_loops(bool capped = false);
+template <class Real, class Pressure> HaarLoops<Real, Pressure> best_haar_loops(bool capped = false);
 
 }  // namespace rc

@@ -33,8 +33,8 @@ HaarMeasure sum_of_two(const HaarMeasure& a, const HaarMeasure& b) {
 
 }  // namespace
 
-template <class Real>
-ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees, const Ranks* ranks)
+template <class Real, class Pressure>
+ThreadMachine<Real, Pressure>::ThreadMachine(const Problem& problem, Pressure* p, HaarTreePair trees, const Ranks* ranks, Real* q)
     : problem_(problem),
       team_(problem.team()),
       trees_(std::move(trees)),
@@ -43,19 +43,20 @@ ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, 
       chunk_runs_((chunks_.values + haar_run - 1) / haar_run),
       margin_(ranks ? (static_cast<std::size_t>(problem.grid()->nx) * sizeof(Real) + line - 1) / line * line : 0),
       cap_(problem.cap()),
-      p_(p.data()),
+      p_(p),
       reached_(static_cast<std::size_t>(chunks_.count(n_))),
       runs_(static_cast<std::size_t>(chunks_.count(n_) * chunk_runs_), HaarRun::busy) {
   const auto count = static_cast<std::size_t>(n_);
-  const std::size_t shared = std::max({count * sizeof(double), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
+  const std::size_t shared =
+      std::max({count * sizeof(Pressure), 2 * count * sizeof(Real), count * sizeof(Real) + trees_.bytes()});
   const std::size_t spares = (shared + sizeof(double) - 1) / sizeof(double) * sizeof(double);  // so that all is aligned
-  const std::size_t bytes = spares + count * (3 * sizeof(Real) + 1) + 3 * margin_;
+  const std::size_t bytes = spares + count * ((q ? 2 : 3) * sizeof(Real) + 1) + 3 * margin_;
   memory_.reset(new std::byte[bytes]);
   prefer_large(memory_.get(), bytes);
   w_ = reinterpret_cast<Real*>(memory_.get() + spares + 2 * margin_);
   t_ = w_ + count;
-  q_ = t_ + count;
-  active_ = reinterpret_cast<std::uint8_t*>(q_ + count) + margin_;
+  q_ = q ? q : t_ + count;
+  active_ = reinterpret_cast<std::uint8_t*>(t_ + (q ? 1 : 2) * count) + margin_;
   each([&](std::int64_t i, std::int64_t length) {
     std::fill_n(t_ + i, length, Real{0});
     std::fill_n(active_ + i, length, std::uint8_t{1});
@@ -65,9 +66,9 @@ ThreadMachine<Real>::ThreadMachine(const Problem& problem, std::span<double> p, 
 
 // visit(first, count, u) for pieces of the unknowns that are short enough to compute u on the stack, where the problem has none:
 // in the runs that are wanted.
-template <class Real>
+template <class Real, class Pressure>
 template <class Wanted, class Visit>
-void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Wanted& wanted, const Visit& visit) const {
+void ThreadMachine<Real, Pressure>::with_u(std::int64_t begin, std::int64_t n, const Wanted& wanted, const Visit& visit) const {
   const double* const u = problem_.u();
   const rc_grid& grid = *problem_.grid();
   const GapValues gap = problem_.gap();
@@ -91,13 +92,13 @@ void ThreadMachine<Real>::with_u(std::int64_t begin, std::int64_t n, const Wante
   }
 }
 
-template <class Real> double ThreadMachine<Real>::apply_trees(Vector g, Vector q, double* level) {
+template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::apply_trees(Vector g, Vector q, double* level) {
   slope_.reset();
   if (chunks_.ranks && g == w_ && q) slope_ = HaarSlope<Real>{t_};
   return trees_.apply<Real>(g, active_, z(), q, level, team_, slope_ ? &*slope_ : nullptr);
 }
 
-template <class Real> HaarStart ThreadMachine<Real>::begin() {
+template <class Real, class Pressure> HaarStart ThreadMachine<Real, Pressure>::begin() {
   pressures_.reset();
   constexpr HaarStart none{-std::numeric_limits<double>::infinity(), false};
   const auto both = [](const HaarStart& a, const HaarStart& b) {
@@ -107,12 +108,13 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
   const auto body = [&](std::int64_t from, std::int64_t n) {
     HaarStart start = none;
     with_u(from, n, all, [&](std::int64_t first, std::int64_t count, const double* u) {
-      double* const p = p_ + first;
+      Pressure* const p = p_ + first;
       double highest = start.highest, most = 0;
       for (std::int64_t i = 0; i < count; ++i) {
         highest = std::max(highest, u[i]);
-        p[i] = p[i] >= nearly * cap_ ? cap_ : std::max(p[i], 0.0);
-        most = std::max(most, p[i]);
+        const auto given = static_cast<double>(p[i]), kept = given >= nearly * cap_ ? cap_ : std::max(given, 0.0);
+        p[i] = static_cast<Pressure>(kept);
+        most = std::max(most, kept);
       }
       if (most >= cap_) reached_at(first) = 1;
       start = both(start, {highest, most > 0});
@@ -122,16 +124,17 @@ template <class Real> HaarStart ThreadMachine<Real>::begin() {
   return sum<HaarStart>(body, none, both);
 }
 
-template <class Real> const HaarLoops<Real>& ThreadMachine<Real>::loops_at(std::int64_t begin) const {
+template <class Real, class Pressure>
+const HaarLoops<Real, Pressure>& ThreadMachine<Real, Pressure>::loops_at(std::int64_t begin) const {
   return reached_[static_cast<std::size_t>(begin / chunks_.values)] ? capped_loops_ : loops_;
 }
 
-template <class Real>
-HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change,
-                                         const double* product, double shift) {
-  const bool everywhere = loop == &HaarLoops<Real>::replace || loop == &HaarLoops<Real>::begin;
+template <class Real, class Pressure>
+HaarMeasure ThreadMachine<Real, Pressure>::measure(typename Loops::Measure Loops::*loop, const Real* change,
+                                                   const Pressure* product, double shift) {
+  const bool everywhere = loop == &Loops::replace || loop == &Loops::begin;
   const auto body = [&](std::int64_t begin, std::int64_t n) {
-    const HaarLoops<Real>& loops = loops_at(begin);
+    const Loops& loops = loops_at(begin);
     const HaarRun* const runs = runs_at(begin);
     const auto read = [&, all = everywhere || &loops == &capped_loops_](std::int64_t i) {
       return all || i + haar_run > begin + n || runs[(i - begin) / haar_run] == HaarRun::busy;
@@ -146,39 +149,40 @@ HaarMeasure ThreadMachine<Real>::measure(typename HaarLoops<Real>::Measure HaarL
   return sum<HaarMeasure>(body, {}, sum_of_two);
 }
 
-template <class Real> HaarMeasure ThreadMachine<Real>::add_and_measure(Vector change, double shift) {
-  return measure(change ? &HaarLoops<Real>::add : &HaarLoops<Real>::lower, change, nullptr, shift);
+template <class Real, class Pressure> HaarMeasure ThreadMachine<Real, Pressure>::add_and_measure(Vector change, double shift) {
+  return measure(change ? &Loops::add : &Loops::lower, change, nullptr, shift);
 }
 
-template <class Real> HaarMeasure ThreadMachine<Real>::replace_and_measure(Wide product, double shift) {
-  return measure(product ? &HaarLoops<Real>::replace : &HaarLoops<Real>::begin, nullptr, product, shift);
+template <class Real, class Pressure> HaarMeasure ThreadMachine<Real, Pressure>::replace_and_measure(Wide product, double shift) {
+  return measure(product ? &Loops::replace : &Loops::begin, nullptr, product, shift);
 }
 
-template <class Real> void ThreadMachine<Real>::multiply(double factor, bool free) {
+template <class Real, class Pressure> void ThreadMachine<Real, Pressure>::multiply(double factor, bool free) {
   pressures_.reset();
   each([&](std::int64_t from, std::int64_t n) {
     if (!free || cap_ == infinite) {
-      for (std::int64_t i = from; i < from + n; ++i) p_[i] *= factor;
+      for (std::int64_t i = from; i < from + n; ++i) p_[i] = static_cast<Pressure>(static_cast<double>(p_[i]) * factor);
       return;
     }
     double most = 0;
     for (std::int64_t i = from; i < from + n; ++i) {
-      p_[i] = p_[i] < cap_ ? std::min(p_[i] * factor, cap_) : cap_;
-      most = std::max(most, p_[i]);
+      const auto before = static_cast<double>(p_[i]), next = before < cap_ ? std::min(before * factor, cap_) : cap_;
+      p_[i] = static_cast<Pressure>(next);
+      most = std::max(most, next);
     }
     if (most >= cap_) reached_at(from) = 1;
   });
 }
 
-template <class Real> void ThreadMachine<Real>::scale(double factor, bool after_cut) {
+template <class Real, class Pressure> void ThreadMachine<Real, Pressure>::scale(double factor, bool after_cut) {
   pressures_.reset();
-  const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
+  const Loops& loops = cap_ < infinite ? capped_loops_ : loops_;
   each([&](std::int64_t i, std::int64_t n) {
     if (loops.scale(n, factor, p_ + i, cap_, z() + i, after_cut, runs_at(i))) reached_at(i) = 1;
   });
 }
 
-template <class Real> double ThreadMachine<Real>::turn(double beta) {
+template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::turn(double beta) {
   const auto body = [&](std::int64_t i, std::int64_t n) {
     return loops_.turn(n, z() + i, static_cast<Real>(beta), t_ + i, w_ + i, active_ + i, runs_at(i));
   };
@@ -187,13 +191,13 @@ template <class Real> double ThreadMachine<Real>::turn(double beta) {
   return slope_->along_z + beta * slope_->along_t;
 }
 
-template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut) {
+template <class Real, class Pressure> bool ThreadMachine<Real, Pressure>::advance(double length, bool cut) {
   pressures_.reset();
   if (!cut) {
     each([&](std::int64_t i, std::int64_t n) { loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_at(i)); });
     return false;
   }
-  const HaarLoops<Real>& loops = cap_ < infinite ? capped_loops_ : loops_;
+  const Loops& loops = cap_ < infinite ? capped_loops_ : loops_;
   const auto cut_chunk = [&](std::int64_t i, std::int64_t n) {
     const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
     if (found.capped) reached_at(i) = 1;
@@ -206,7 +210,7 @@ template <class Real> bool ThreadMachine<Real>::advance(double length, bool cut)
   return all.any;
 }
 
-template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
+template <class Real, class Pressure> bool ThreadMachine<Real, Pressure>::choose_set(double threshold) {
   const auto body = [&](std::int64_t i, std::int64_t n) {
     return loops_at(i).choose(n, p_ + i, cap_, w_ + i, static_cast<Real>(threshold), active_ + i, runs_at(i));
   };
@@ -215,31 +219,35 @@ template <class Real> bool ThreadMachine<Real>::choose_set(double threshold) {
   return true;  // to ask all ranks takes longer than to set up the trees once more
 }
 
-template <class Real> double ThreadMachine<Real>::nearest(bool unpressed) {
+template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::nearest(bool unpressed) {
   const auto body = [&](std::int64_t from, std::int64_t n) {
     double least = infinite;
     for (std::int64_t i = from; i < from + n; ++i)
-      if (unpressed ? p_[i] <= 0 : p_[i] >= cap_) least = std::min(least, std::abs(static_cast<double>(w_[i])));
+      if (unpressed ? p_[i] <= 0 : static_cast<double>(p_[i]) >= cap_)
+        least = std::min(least, std::abs(static_cast<double>(w_[i])));
     return least;
   };
   return sum<double>(body, infinite, [](double a, double b) { return std::min(a, b); });
 }
 
-template <class Real> double ThreadMachine<Real>::inner(Vector a, Vector b) {
+template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::inner(Vector a, Vector b) {
   return sum<double>([&](std::int64_t i, std::int64_t n) { return loops_.inner(n, a + i, b + i, active_ + i); });
 }
 
-template <class Real> template <class Value> double ThreadMachine<Real>::total(Value* x) {
+template <class Real, class Pressure> template <class Value> double ThreadMachine<Real, Pressure>::total(Value* x) {
   if (static_cast<void*>(x) == p_ && pressures_) return *pressures_;
   return sum<double>([&](std::int64_t begin, std::int64_t count) { return sum_in_chunk(x, begin, count); });
 }
 
-template <class Real> template <class Value> void ThreadMachine<Real>::raise(Value* x, double by) {
+template <class Real, class Pressure> template <class Value> void ThreadMachine<Real, Pressure>::raise(Value* x, double by) {
   each([&](std::int64_t begin, std::int64_t count) {
     for (std::int64_t i = begin; i < begin + count; ++i) x[i] += static_cast<Value>(by);
   });
 }
 
+template class ThreadMachine<float, float>;
+template double ThreadMachine<float, float>::total(float*);
+template void ThreadMachine<float, float>::raise(float*, double);
 template class ThreadMachine<float>;
 template class ThreadMachine<double>;
 template double ThreadMachine<float>::total(float*);

@@ -18,15 +18,16 @@
 
 namespace rc {
 
-template <class R> class ThreadMachine {
+// Pressure: the precision of the pressures and of the residual's products, double but where the tolerance asks for less.
+template <class R, class Pressure = double> class ThreadMachine {
  public:
   using Real = R;
   using Vector = Real*;
-  using Wide = double*;
+  using Wide = Pressure*;
 
-  // problem, the pressures p and the ranks must outlive it. With ranks, size, gap and products of the problem are those of this
-  // rank's rows, and the trees are made for them.
-  ThreadMachine(const Problem& problem, std::span<double> p, HaarTreePair trees, const Ranks* ranks = nullptr);
+  // problem, the pressures p [unknowns] and the ranks must outlive it. With ranks, size, gap and products of the problem are
+  // those of this rank's rows, and the trees are made for them. q: null, or room for a vector.
+  ThreadMachine(const Problem& problem, Pressure* p, HaarTreePair trees, const Ranks* ranks = nullptr, Real* q = nullptr);
   ThreadMachine(const ThreadMachine&) = delete;
   ThreadMachine& operator=(const ThreadMachine&) = delete;
 
@@ -36,7 +37,7 @@ template <class R> class ThreadMachine {
   Vector z() { return reinterpret_cast<Real*>(memory_.get() + margin_); }
   Vector y() { return z() + n_; }
   Wide p() { return p_; }
-  Wide wide_spare() { return reinterpret_cast<double*>(memory_.get() + margin_); }
+  Wide wide_spare() { return reinterpret_cast<Wide>(memory_.get() + margin_); }
 
   template <class Value> void product(Value* from, Value* to) { problem_.apply(static_cast<const Value*>(from), to); }
   template <class Value> void raise(Value* x, double by);
@@ -57,8 +58,10 @@ template <class R> class ThreadMachine {
   double nearest(bool unpressed);
 
  private:
+  using Loops = HaarLoops<Real, Pressure>;
+
   // The loops for the chunk that begins here, and its runs.
-  const HaarLoops<Real>& loops_at(std::int64_t begin) const;
+  const Loops& loops_at(std::int64_t begin) const;
   HaarRun* runs_at(std::int64_t begin) { return runs_.data() + begin / chunks_.values * chunk_runs_; }
   std::uint8_t& reached_at(std::int64_t i) { return reached_[static_cast<std::size_t>(i / chunks_.values)]; }
   template <class Act> void each(const Act& act) { each_chunk(n_, team_, act, chunks_); }
@@ -67,25 +70,24 @@ template <class R> class ThreadMachine {
     return reduce<Part>(n_, team_, body, total, combine, chunks_);
   }
   template <class Body> bool any(const Body& body) { return sum<char>(body, 0, std::logical_or<>()) != 0; }
-  HaarMeasure measure(typename HaarLoops<Real>::Measure HaarLoops<Real>::*loop, const Real* change, const double* product,
-                      double shift);
+  HaarMeasure measure(typename Loops::Measure Loops::*loop, const Real* change, const Pressure* product, double shift);
   template <class Wanted, class Visit>
   void with_u(std::int64_t begin, std::int64_t count, const Wanted& wanted, const Visit& visit) const;
 
   const Problem& problem_;
   const rc_team& team_;
   HaarTreePair trees_;
-  const HaarLoops<Real> loops_ = best_haar_loops<Real>(), capped_loops_ = best_haar_loops<Real>(true);
+  const Loops loops_ = best_haar_loops<Real, Pressure>(), capped_loops_ = best_haar_loops<Real, Pressure>(true);
   const std::int64_t n_;
   const Chunks chunks_;
   const std::int64_t chunk_runs_;  // of a chunk
   const std::size_t margin_;       // bytes of the previous rank's last row before w, z and the free set
   const double cap_;
-  double* const p_;
+  Pressure* const p_;
   std::vector<std::uint8_t> reached_;  // for each chunk: some of its pressures are, or were, at the cap
   std::vector<HaarRun> runs_;          // of the free set, [chunk][run]
-  // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q and
-  // the free set.
+  // First the spare memory, for two vectors of Real, or one of double, or one of Real and after it the trees; then w, t, q (where
+  // it has no room elsewhere) and the free set.
   std::unique_ptr<std::byte[]> memory_;
   std::optional<double> pressures_;  // the sum of p, once a cut has made it
   // With ranks: sums that come along with others, because each exchange has its latency.

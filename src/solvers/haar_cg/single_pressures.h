@@ -1,0 +1,54 @@
+// Pressures in single precision in the memory of those in double, whose other half is free meanwhile.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "core/chunks.h"
+
+namespace rc {
+
+// While it lives, p [n] holds n floats, and room for as many more. Then p has their values.
+class SinglePressures {
+ public:
+  SinglePressures(std::span<double> p, const rc_team& team)
+      : p_(reinterpret_cast<std::byte*>(p.data())), n_(static_cast<std::int64_t>(p.size())), team_(team) {
+    // What a range of values becomes lies before the range, but for the first value's.
+    for (std::int64_t begin = 0, end = std::min<std::int64_t>(1, n_); begin < n_; begin = end, end = std::min(2 * end, n_))
+      convert<double, float>(begin, end);
+  }
+  ~SinglePressures() {
+    std::int64_t end = n_;
+    while (end > 1) {
+      const std::int64_t begin = (end + 1) / 2;
+      convert<float, double>(begin, end);
+      end = begin;
+    }
+    convert<float, double>(0, end);
+  }
+  SinglePressures(const SinglePressures&) = delete;
+  SinglePressures& operator=(const SinglePressures&) = delete;
+
+  float* values() const { return reinterpret_cast<float*>(p_); }
+  float* room() const { return values() + n_; }
+
+ private:
+  template <class From, class To> void convert(std::int64_t begin, std::int64_t end) {
+    each_chunk(end - begin, team_, [&](std::int64_t first, std::int64_t count) {
+      for (std::int64_t i = begin + first; i < begin + first + count; ++i) {
+        From value;
+        std::memcpy(&value, p_ + i * static_cast<std::int64_t>(sizeof value), sizeof value);
+        const auto other = static_cast<To>(value);
+        std::memcpy(p_ + i * static_cast<std::int64_t>(sizeof other), &other, sizeof other);
+      }
+    });
+  }
+
+  std::byte* const p_;
+  const std::int64_t n_;
+  const rc_team& team_;
+};
+
+}  // namespace rc
