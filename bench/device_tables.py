@@ -30,6 +30,8 @@ def batches_table(batches):
 
 
 def passes_table(passes):
+    if not passes:
+        return []
     rate = {row['pass']: row['bytes'] / row['seconds'] for row in passes['passes']}
     text = [f"| pass over {passes['n']}² cells | seconds | bytes a second | share of a copy's |", '|---|---|---|---|']
     return text + [f"| {row['pass']} | {row['seconds']:.3g} | {rate[row['pass']]:.3g} | {rate[row['pass']] / rate['copy']:.2f} |"
@@ -39,12 +41,16 @@ def passes_table(passes):
 def main():
     lines, passes, output, commit, device, *document = sys.argv[1:]
     rows = [json.loads(line) for line in pathlib.Path(lines).read_text().splitlines()]
+    try:
+        measured = json.loads(pathlib.Path(passes).read_text())
+    except ValueError:  # it failed half-way, which a line says
+        measured = {}
     result = {'benchmark': 'device', 'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'commit': commit, 'device': device,
               'solves': [row for row in rows if 'control' in row], 'batches': [row for row in rows if 'batch' in row],
-              'missing': [row for row in rows if 'failed' in row or 'left_out' in row], **json.loads(pathlib.Path(passes).read_text())}
+              'missing': [row for row in rows if 'failed' in row or 'left_out' in row], **measured}
     pathlib.Path(output).write_text(json.dumps(result, indent=1) + '\n')
     text = [f'Measured by `bench/device.sh` on {device}, commit {commit}; transfers and the certificate are included, set-up is in the '
-            'first solve.', '', *solves_table(result['solves']), '', *batches_table(result['batches']), '', *passes_table(result), '',
+            'first solve.', '', *solves_table(result['solves']), '', *batches_table(result['batches']), '', *passes_table(measured), '',
             *(f"Not measured: {row.get('failed') or row['left_out']}." for row in result['missing'])]
     if document:
         page = pathlib.Path(document[0])

@@ -86,7 +86,6 @@ void Engine::multiply(const Spectrum& spectrum, const Window& from, const R* x, 
 }
 
 void Spectrum::begin(Engine& engine, Index values_at_once, double limit) {
-  engine.device().enter();
   const Window whole{torus_.width, torus_.height};
   engine.plan<double>(torus_, whole, whole);
   const std::size_t own = torus_.eigenvalues() * (sizeof(float) + sizeof(double));

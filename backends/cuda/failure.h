@@ -17,4 +17,10 @@ namespace rc_cuda {
        of_memory ? "use a smaller domain or another backend (\"fft\")" : "the contact can go on with another backend (\"fft\")");
 }
 
+// A caller's address that is elsewhere.
+[[noreturn]] inline void not_in_memory(const void* address, std::int64_t device) {
+  fail(RC_ERR_ARGUMENT, address, " is not an address in the memory of device ", device, "; option ", component.name,
+       ".index names the device");
+}
+
 }  // namespace rc_cuda

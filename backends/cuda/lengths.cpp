@@ -1,5 +1,7 @@
 #include "lengths.h"
 
+#include <algorithm>
+
 #include "failure.h"
 
 namespace rc_cuda {
@@ -7,7 +9,7 @@ namespace rc_cuda {
 namespace {
 
 constexpr Index longest_axis = Index{1} << 24;
-constexpr Index most_reals = (Index{1} << 32) - 1;  // of the torus: places are found by 32-bit divisions
+constexpr Index most_values = (Index{1} << 32) - 1;  // in one pass: places are found by 32-bit divisions
 
 Index fast_length(Index least) {
   for (Index length = least;; ++length) {
@@ -18,10 +20,12 @@ Index fast_length(Index least) {
   }
 }
 
+// A pass is over the reals of the box's rows, or over the complex numbers of the torus.
 Torus checked(Index nx, Index ny, const Torus& torus) {
-  if (2 * torus.pitch() > most_reals / torus.height)
-    fail(RC_ERR_SHAPE, "products between ", nx, "x", ny, " points take ", 2 * torus.pitch(), "x", torus.height,
-         " numbers, more than the limit ", most_reals, "; use a smaller domain or another backend (\"fft\")");
+  const Index complex_rows = std::max(torus.height, 2 * ny);
+  if (torus.pitch() > most_values / complex_rows)
+    fail(RC_ERR_SHAPE, "products between ", nx, "x", ny, " points take passes over ", torus.pitch(), "x", complex_rows,
+         " numbers, more than the limit ", most_values, "; use a smaller domain or another backend (\"fft\")");
   return torus;
 }
 

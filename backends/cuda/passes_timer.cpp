@@ -53,7 +53,7 @@ void measure(Index n) {
   const rc_host host = no_host();
   Engine engine(&host, 0);
   Device& device = engine.device();
-  device.enter();
+  const Current current(device);
   const Index cells = n * n;
   const Window box{n, n};
   const Torus torus = free_torus(n, n);

@@ -8,13 +8,20 @@ Settings::Settings(const rc_host* host, const rc_options* options)
     : index(roughcontact::option_int(host, options, names::index)),
       limit(1048576 * roughcontact::option_real(host, options, names::memory_limit)) {}
 
+namespace {
+
+std::unique_ptr<Engine> taken_or_made(const rc_host* host, const Settings& settings, Engines& pool) {
+  std::unique_ptr<Engine> engine = pool.take();
+  return engine ? std::move(engine) : std::make_unique<Engine>(host, settings.index);
+}
+
+}  // namespace
+
 Borrowed::Borrowed(const rc_host* host, const Settings& settings)
     : pool_(roughcontact::shared<Engines>(host, component,
                                           std::string(component.name) + " engines " + std::to_string(settings.index),
                                           [] { return std::make_unique<Engines>(); })),
-      engine_(pool_->take()) {
-  if (!engine_) engine_ = std::make_unique<Engine>(host, settings.index);
-  engine_->device().enter();
-}
+      engine_(taken_or_made(host, settings, *pool_)),
+      current_(engine_->device()) {}
 
 }  // namespace rc_cuda

@@ -35,6 +35,7 @@ class Borrowed {
  private:
   std::shared_ptr<Engines> pool_;
   std::unique_ptr<Engine> engine_;
+  Current current_;
 };
 
 // The spectrum of the system that the host stands for. coefficients(mx, my, out): H at the offsets below mx and my.

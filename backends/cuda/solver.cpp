@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "machine.h"
@@ -14,6 +15,11 @@
 namespace rc_cuda {
 
 namespace {
+
+// Whether the caller has the gap there. An older library's struct lacks the members.
+bool on_this_device(const rc_grid& grid) {
+  return grid.struct_size >= sizeof(rc_grid) && grid.gap_on_device && grid.memory == std::string_view(names::backend);
+}
 
 // The unknowns in their bounding box: the cells of the machine.
 class Cells {
@@ -40,13 +46,16 @@ class Cells {
   // spare: memory of the device for as many doubles.
   void upload_compenetration(Device& device, double* to, double* spare) const {
     const rc_grid& grid = *problem_.grid();
-    if (!problem_.u() && count() == grid.nx * grid.ny && place_.empty()) {
+    // Cells that are no unknowns may have any value.
+    const bool there = !problem_.u() && on_this_device(grid);
+    if (there || (!problem_.u() && place_.empty() && count() == grid.nx * grid.ny)) {
       const double length = problem_.length_unit();
       problem_.gap().visit([&](const auto* gap) {
         using Value = std::remove_const_t<std::remove_pointer_t<decltype(gap)>>;
-        auto* const there = reinterpret_cast<Value*>(spare);
-        device.upload(there, gap, static_cast<std::size_t>(count()) * sizeof(Value));
-        device.each(count(), Compenetration<Value>{there, to, grid.approach, length});
+        if (!there) device.upload(spare, gap, static_cast<std::size_t>(count()) * sizeof(Value));
+        const auto* const first = static_cast<const Value*>(there ? device.found(grid.gap_on_device) : spare);
+        device.each(count(),
+                    Compenetration<Value>{first + box_.y * grid.nx + box_.x, to, grid.approach, length, box_.nx, grid.nx});
       });
       return;
     }

@@ -1,5 +1,6 @@
 #include "tables.h"
 
+#include "arrays.h"
 #include "names.h"
 #include "operator.h"
 #include "solver.h"
@@ -44,7 +45,9 @@ const rc_backend backend = {.struct_size = sizeof(rc_backend),
                             .field = Functions::field,
                             .modelled = Functions::modelled,
                             .apply_float = Functions::apply_float,
-                            .score = Functions::score};
+                            .score = Functions::score,
+                            .fetch = fetch,
+                            .store = store};
 const rc_solver solver = {.struct_size = sizeof(rc_solver),
                           .name = names::solver,
                           .summary = "haar-cg with all its vectors on a CUDA device; options haar-cg.* are its own, too",

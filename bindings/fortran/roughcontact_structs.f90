@@ -22,17 +22,18 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_step
-    integer(c_size_t) :: struct_size = 64
+    integer(c_size_t) :: struct_size = 72
     integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
     type(c_ptr) :: undeformed_gap = c_null_ptr, p0 = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     integer(c_int32_t) :: borrow = 0, reserved = 0
     type(c_ptr) :: undeformed_gap_single = c_null_ptr  ! const float *
+    type(c_ptr) :: memory = c_null_ptr  ! const char *
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 568
+    integer(c_size_t) :: struct_size = 576
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
@@ -47,6 +48,7 @@ module roughcontact_structs
     real(c_double) :: plastic_volume = 0
     integer(c_int64_t) :: proven_capped = 0
     type(c_ptr) :: p_single = c_null_ptr, gap_single = c_null_ptr  ! float *
+    type(c_ptr) :: memory = c_null_ptr  ! const char *
   end type
 
   type, bind(c) :: rc_accuracy

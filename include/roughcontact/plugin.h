@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 9u /* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 10u/* grows when a vtable gets a new member at its end                            */
 
 #ifdef __cplusplus
 extern "C" {
@@ -205,6 +205,11 @@ typedef struct rc_backend {
   /** NULL where it would free nothing: a step is over. Memory that only products need may be freed, or lent to the operators of
    *  other contacts. Later products keep their bits. Since plugin ABI minor 7. */
   void (*rest)(void *self);
+  /** Both NULL where products need no device with a memory of its own. Copies so many bytes from the memory of the device that
+   *  the options name to the host's, and the reverse, once what the device was told to do before is done. RC_ERR_ARGUMENT: the
+   *  address is not in that memory. rc_step.memory names the backend. Since plugin ABI minor 10. */
+  rc_status (*fetch)(const rc_host *, const rc_options *, void *to_host, const void *from_device, int64_t bytes);
+  rc_status (*store)(const rc_host *, const rc_options *, void *to_device, const void *from_host, int64_t bytes);
 } rc_backend;
 
 /** Where the unknowns of a half-space problem lie, in the caller's units. */
@@ -221,6 +226,9 @@ typedef struct rc_grid {
   double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
   /* [nx*ny] in place of undeformed_gap, which is then NULL: only solvers with RC_READS_SINGLE_GAP get it. Since ABI minor 8 */
   const float *undeformed_gap_single;
+  /* The gap once more, of the same type, in the device's memory of this backend. NULL, both: not there. Since ABI minor 10 */
+  const void *gap_on_device;
+  const char *memory;
 } rc_grid;
 
 /** A problem on a coarser grid of the same surface. */

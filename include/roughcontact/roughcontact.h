@@ -153,9 +153,12 @@ typedef struct rc_step {
   int32_t reserved;    /* 0                                                                                          */
   const float *undeformed_gap_single; /* [n] in place of undeformed_gap: 4 bytes a point, copied or borrowed likewise. With
                           borrow it may be a file that is mapped into memory. NULL: none                             */
+  const char *memory;  /* where all arrays above lie. NULL: in the host's memory. "cuda" or another backend with a device:
+                          in that device's memory, from where they are copied to the host once what the device was told
+                          to do before is done; with borrow, solvers of that device read the gap where it is         */
 } rc_step;
 #define RC_STEP_INIT \
-  { sizeof(rc_step), 0, 1, 0.0, NULL, NULL, NULL, 0, 0, NULL }
+  { sizeof(rc_step), 0, 1, 0.0, NULL, NULL, NULL, 0, 0, NULL, NULL }
 
 /** The undeformed gap of n heights, of which the highest touches first: highest - height [length]. The highest is that of the
  *  points where the mask is not 0 (NULL: all) and the height is not NaN; NaN stays NaN, which only a masked point may have in
@@ -218,10 +221,12 @@ typedef struct rc_result {
   int64_t proven_capped; /* points proven to carry the hardness; counted in proven_contacts, too                     */
   float *p_single, *gap_single; /* [n] as p and gap, rounded to 4 bytes a point; all else is that of the values before. NULL: not
                           wanted                                                                                     */
+  const char *memory;  /* where p, gap, p_single and gap_single lie, as in rc_step.memory; they are written where the
+                          status is >= 0                                                                             */
 } rc_result;
 #define RC_RESULT_INIT                                                                                                         \
   { sizeof(rc_result), NULL, NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, \
-    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0, NULL, NULL }
+    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0, NULL, NULL, NULL }
 
 /** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
  *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the

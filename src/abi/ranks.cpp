@@ -51,6 +51,9 @@ rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step*
       today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
       if (today.borrow != 0 && today.borrow != 1) fail(RC_ERR_ARGUMENT, "rc_step.borrow = ", today.borrow, " is neither 0 nor 1");
       answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
+      if (today.memory || answer.memory)
+        fail(RC_ERR_INCOMPATIBLE, today.memory ? "rc_step" : "rc_result", ".memory = \"",
+             today.memory ? today.memory : answer.memory, "\": contacts shared by ranks take arrays in the host's memory alone");
     });
     const rc_status status = body(c, today, answer);
     write(result, answer);

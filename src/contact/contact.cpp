@@ -54,9 +54,12 @@ void Contact::begin(const rc_step& step) {
 }
 
 rc_status Contact::solve(const rc_step& step, rc_result& result) {
-  begin(step);
+  OnHost host(grid_.work(), held_, step, result, false);
+  begin(host.step);
   const Cancellation cancellation(*this);
-  return solve_begun(step, result);
+  const rc_status status = solve_begun(host.step, host.result);
+  host.give(result);
+  return status;
 }
 
 rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
@@ -74,7 +77,12 @@ rc_status Contact::solve_begun(const rc_step& step, rc_result& result) {
   return status;
 }
 
-rc_status Contact::certify(const rc_step& step, rc_result& result) { return grid_.certify(step, result); }
+rc_status Contact::certify(const rc_step& step, rc_result& result) {
+  OnHost host(grid_.work(), held_, step, result, true);
+  const rc_status status = grid_.certify(host.step, host.result);
+  host.give(result);
+  return status;
+}
 
 rc_status Contact::gradient(rc_gradient& gradient) {
   const Cancellation cancellation(*this);
@@ -96,11 +104,19 @@ const std::string& Contact::explain() {
 void Contact::reset() {
   grid_.reset();
   goal_.clear();
+  drop_copies();
 }
 
 void Contact::forget() {
   grid_.forget();
   goal_.forget();
+  drop_copies();
+}
+
+// After the surface has been cleared.
+void Contact::drop_copies() {
+  grid_.work().gap_on_device = {};
+  held_.clear();
 }
 
 void Contact::restore(const rc_state& state) {
@@ -117,6 +133,7 @@ void Contact::restore(const rc_state& state) {
   Memory memory = memory_of(state, surface, system.points());
   goal_.forget();
   grid_.restore(std::move(memory), std::move(surface), std::move(indentation));
+  drop_copies();
 }
 
 }  // namespace rc

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "contact/device_arrays.h"
 #include "contact/grid_contact.h"
 #include "contact/grids/accuracy_goal.h"
 #include "registry/options_handle.h"
@@ -26,6 +27,7 @@ class Contact {
   void set_options(const rc_options& options);
   void on_progress(const ProgressCallback& progress) { grid_.on_progress(progress); }
 
+  // These two take arrays on a device, too.
   rc_status solve(const rc_step& step, rc_result& result);
   rc_status certify(const rc_step& step, rc_result& result);
 
@@ -72,6 +74,9 @@ class Contact {
   bool inside() const { return user_.load(std::memory_order_relaxed) == std::this_thread::get_id(); }
 
  private:
+  void drop_copies();
+
+  HeldCopies held_;  // outlives what refers to it
   GridContact grid_;
   AccuracyGoal goal_;
   std::string explanation_;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/device_arrays.h"
 #include "contact/grids/solver_grids.h"
 #include "contact/proof/bounds.h"
 #include "contact/proof/spectrum.h"
@@ -90,6 +91,7 @@ class Workspace {
   rc_options options;
   Goal goal;  // set by Contact: the contact of a coarser grid has no goal
   StepSurface surface;
+  GapOnDevice gap_on_device;  // of the surface, where it is_of() that
   StepRecord record;
   ProofFacts facts;
   SolverGrids solver_grids;

@@ -55,6 +55,8 @@ template <class Vtable> void check_bit(const Vtable& component, std::uint64_t bi
 void check(const rc_backend& backend) {
   if (!backend.create || !backend.destroy || !backend.bind || !backend.apply || !backend.field || !backend.modelled)
     fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" lacks one of create, destroy, bind, apply, field, modelled");
+  if (!backend.fetch != !backend.store)
+    fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" has one of fetch and store; they go together");
   check_bit(backend, RC_CAP_SUBSET, backend.subset != nullptr, "subset");
   check_bit(backend, RC_CAP_SHIFTED, backend.shifted != nullptr, "shifted");
   check_bit(backend, RC_CAP_NORM, backend.norm != nullptr, "norm");

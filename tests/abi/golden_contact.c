@@ -68,7 +68,7 @@ AT(rc_system, apply, 72);
 AT(rc_system, user, 80);
 AT(rc_system, hardness, 88);
 
-SIZE(rc_step, 64);
+SIZE(rc_step, 72);
 AT(rc_step, struct_size, 0);
 AT(rc_step, control, 8);
 AT(rc_step, warm_start, 12);
@@ -79,8 +79,9 @@ AT(rc_step, mask, 40);
 AT(rc_step, borrow, 48);
 AT(rc_step, reserved, 52);
 AT(rc_step, undeformed_gap_single, 56);
+AT(rc_step, memory, 64);
 
-SIZE(rc_result, 568);
+SIZE(rc_result, 576);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -125,6 +126,7 @@ AT(rc_result, plastic_volume, 536);
 AT(rc_result, proven_capped, 544);
 AT(rc_result, p_single, 552);
 AT(rc_result, gap_single, 560);
+AT(rc_result, memory, 568);
 
 SIZE(rc_accuracy, 48);
 AT(rc_accuracy, struct_size, 0);

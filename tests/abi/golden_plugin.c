@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 9);
+VALUE(RC_PLUGIN_ABI_MINOR, 10);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -113,7 +113,7 @@ AT(rc_estimate, product, 24);
 AT(rc_estimate, field, 32);
 AT(rc_estimate, factor, 40);
 
-SIZE(rc_backend, 168);
+SIZE(rc_backend, 184);
 AT(rc_backend, struct_size, 0);
 AT(rc_backend, name, 8);
 AT(rc_backend, summary, 16);
@@ -135,8 +135,10 @@ AT(rc_backend, screen, 136);
 AT(rc_backend, forget, 144);
 AT(rc_backend, score, 152);
 AT(rc_backend, rest, 160);
+AT(rc_backend, fetch, 168);
+AT(rc_backend, store, 176);
 
-SIZE(rc_grid, 96);
+SIZE(rc_grid, 112);
 AT(rc_grid, struct_size, 0);
 AT(rc_grid, nx, 8);
 AT(rc_grid, ny, 16);
@@ -150,6 +152,8 @@ AT(rc_grid, boundary, 72);
 AT(rc_grid, reserved, 76);
 AT(rc_grid, softness, 80);
 AT(rc_grid, undeformed_gap_single, 88);
+AT(rc_grid, gap_on_device, 96);
+AT(rc_grid, memory, 104);
 
 SIZE(rc_coarse, 96);
 AT(rc_coarse, struct_size, 0);

@@ -22,6 +22,7 @@ void Answer::prepare() {
   result_.p = p_.data();
   result_.gap = gap_.data();
   result_.p_single = result_.gap_single = nullptr;
+  result_.memory = nullptr;
   std::memcpy(static_cast<void*>(&before_), &result_, sizeof result_);
 }
 

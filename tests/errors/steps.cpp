@@ -157,6 +157,11 @@ Section steps() {
              static const float gap[16] = {};
              s.step.undeformed_gap_single = gap;
            })},
+          {"memory = \"dense\", which has no device",
+           RC_ERR_INCOMPATIBLE,
+           {"rc_step.memory = \"dense\": this backend has no device with a memory of its own"},
+           step_with([](Scene& s) { s.step.memory = "dense"; })},
+          {"memory = \"nowhere\"", RC_ERR_NO_BACKEND, {"nowhere"}, step_with([](Scene& s) { s.step.memory = "nowhere"; })},
           {"borrow = 2", refused, {"rc_step.borrow = 2 is neither 0 nor 1"}, step_with([](Scene& s) { s.step.borrow = 2; })},
           {"approach at the lowest point: p = 0", RC_OK, {}, untouched_at(0)},
           {"approach below the lowest point: p = 0", RC_OK, {}, untouched_at(-1)},

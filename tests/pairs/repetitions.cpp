@@ -64,6 +64,7 @@ void result_is_written_in_full(std::int32_t boundary, const Pair& pair) {
       results[k].p = p[k].data();
       results[k].gap = gap[k].data();
       results[k].p_single = results[k].gap_single = nullptr;
+      results[k].memory = nullptr;
       const rc_step step = problem.step();
       check(rc_contact_reset(contact.handle()) == RC_OK, rc_last_error());
       check(rc_contact_solve(contact.handle(), &step, &results[k]) == RC_OK, rc_last_error());

@@ -166,12 +166,16 @@ template <class R> struct Nearest {
   }
 };
 
-// u from the gap of a grid that is the box.
+// u of a box from the gap of a grid.
 template <class T> struct Compenetration {
-  const T* gap;
+  const T* gap;  // at the box's first cell
   double* u;
   double approach, length;
-  RC_ANYWHERE void operator()(Index i) const { u[i] = (approach - static_cast<double>(gap[i])) / length; }
+  Index nx, grid_nx;
+  RC_ANYWHERE void operator()(Index i) const {
+    const Place at = place_of(i, nx);
+    u[i] = (approach - static_cast<double>(gap[at.row * grid_nx + at.column])) / length;
+  }
 };
 
 }  // namespace rc_cuda

@@ -38,7 +38,7 @@ Device::Device(const rc_host* host, Index index) : host_(host), index_(index) {
   checked(cudaGetDeviceCount(&devices), "cudaGetDeviceCount");
   if (index >= devices)
     fail(RC_ERR_OPTION, component.name, ".index = ", index, ": the driver has ", devices, " device(s), numbered from 0");
-  enter();
+  const Current device(index);
   try {
     checked(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "cudaStreamCreateWithFlags");
     checked(cudaMalloc(&result_, most_part), "cudaMalloc");
@@ -54,8 +54,12 @@ Device::Device(const rc_host* host, Index index) : host_(host), index_(index) {
 }
 
 Device::~Device() {
-  cudaSetDevice(static_cast<int>(index_));
-  give_back();
+  try {
+    const Current device(index_);
+    give_back();
+  } catch (const roughcontact::Failure&) {
+    // a device that does not answer holds nothing
+  }
 }
 
 // What fails here is lost already.
@@ -70,7 +74,7 @@ void Device::give_back() noexcept {
 
 std::size_t free_bytes_of(Index index) {
   std::size_t free = 0, all = 0;
-  checked(cudaSetDevice(static_cast<int>(index)), "cudaSetDevice");
+  const Current device(index);
   checked(cudaMemGetInfo(&free, &all), "cudaMemGetInfo");
   return free;
 }
@@ -81,6 +85,14 @@ void* Device::allocate(std::size_t bytes) {
   if (error == cudaErrorMemoryAllocation) cudaGetLastError();  // the device goes on
   checked(error, "cudaMalloc");
   return memory;
+}
+
+const void* Device::found(const void* callers) const {
+  cudaPointerAttributes of{};
+  checked(cudaPointerGetAttributes(&of, callers), "cudaPointerGetAttributes");
+  const bool there = (of.type == cudaMemoryTypeDevice && of.device == index_) || of.type == cudaMemoryTypeManaged;
+  if (!there) not_in_memory(callers, index_);
+  return of.devicePointer;
 }
 
 void Device::make_parts(std::size_t bytes) {

@@ -74,6 +74,24 @@ template <class Work> __global__ void __launch_bounds__(together_lanes) together
 // Bytes that nobody has taken of the device of that number.
 std::size_t free_bytes_of(Index index);
 
+class Device;
+
+// Until its end the calling thread's device is that of this number; then the one before is again.
+class Current {
+ public:
+  explicit Current(Index index) {
+    checked(cudaGetDevice(&before_), "cudaGetDevice");
+    checked(cudaSetDevice(static_cast<int>(index)), "cudaSetDevice");
+  }
+  explicit Current(const Device& device);
+  ~Current() { cudaSetDevice(before_); }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  int before_ = 0;
+};
+
 class Device {
  public:
   Device(const rc_host* host, Index index);
@@ -84,7 +102,6 @@ class Device {
   const rc_host* host() const { return host_; }
   Index index() const { return index_; }
   cudaStream_t stream() const { return stream_; }
-  void enter() { checked(cudaSetDevice(static_cast<int>(index_)), "cudaSetDevice"); }
   std::size_t free_bytes() { return free_bytes_of(index_); }
   void* allocate(std::size_t bytes);
   void release(void* memory) noexcept { cudaFree(memory); }
@@ -92,6 +109,10 @@ class Device {
   void download(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyDeviceToHost); }
   void clear(void* memory, std::size_t bytes) { checked(cudaMemsetAsync(memory, 0, bytes, stream_), "cudaMemsetAsync"); }
   void wait() { checked(cudaStreamSynchronize(stream_), "cudaStreamSynchronize"); }
+  // For all that anybody told the device to do.
+  void wait_for_all() { checked(cudaDeviceSynchronize(), "cudaDeviceSynchronize"); }
+  // Where kernels find what a caller has there. Fails where that is not in this device's memory.
+  const void* found(const void* callers) const;
 
   template <class F> void each(Index n, const F& f) { launch(each_kernel<F>, (n + lanes - 1) / lanes, lanes, f, n); }
   template <class Part, class F> Part reduce(Index n, const F& f) {
@@ -128,6 +149,8 @@ class Device {
   void* seen_ = nullptr;  // on the host, where copies need no staging
   std::size_t parts_bytes_ = 0;
 };
+
+inline Current::Current(const Device& device) : Current(device.index()) {}
 
 // As in host_device.h.
 template <class Real> class Lines {

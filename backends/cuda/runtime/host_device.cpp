@@ -33,6 +33,13 @@ void Device::call(const char* what) {
     driver_failed(what, faults.fault == Fault::once ? "the kernel failed" : "the device is lost", false);
 }
 
+void Device::count(std::size_t to_device, std::size_t to_host) {
+  HostFaults& faults = host_faults();
+  if (!faults.counts) return;
+  faults.to_device += static_cast<std::int64_t>(to_device);
+  faults.to_host += static_cast<std::int64_t>(to_host);
+}
+
 std::size_t Device::free_bytes() {
   call("free_bytes");
   const HostFaults& faults = host_faults();
@@ -58,6 +65,12 @@ void Device::release(void* memory) noexcept {
   HostFaults& faults = host_faults();
   if (faults.memory > 0) faults.allocated -= std::min(faults.allocated, bytes);
   ::operator delete (block, std::align_val_t{header});
+}
+
+const void* Device::found(const void* callers) const {
+  const auto address = reinterpret_cast<std::uintptr_t>(callers);
+  if ((address & device_addresses) == 0) not_in_memory(callers, index_);
+  return reinterpret_cast<const void*>(address - device_addresses);
 }
 
 template <class Real> Lines<Real>::Lines(Device& device, const Shape& shape) : shape_(shape) {

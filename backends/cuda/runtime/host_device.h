@@ -20,16 +20,17 @@ class Device {
 
   const rc_host* host() const { return host_; }
   Index index() const { return index_; }
-  void enter() { call("enter"); }
   std::size_t free_bytes();
   void* allocate(std::size_t bytes);
   void release(void* memory) noexcept;
   void upload(void* to, const void* from, std::size_t bytes) {
     call("upload");
+    count(bytes, 0);
     std::memcpy(to, from, bytes);
   }
   void download(void* to, const void* from, std::size_t bytes) {
     call("download");
+    count(0, bytes);
     std::memcpy(to, from, bytes);
   }
   void clear(void* memory, std::size_t bytes) {
@@ -37,6 +38,8 @@ class Device {
     std::memset(memory, 0, bytes);
   }
   void wait() { call("wait"); }
+  void wait_for_all() { call("wait_for_all"); }
+  const void* found(const void* callers) const;
 
   template <class F> void each(Index n, const F& f) {
     call("each");
@@ -55,6 +58,7 @@ class Device {
       for (Index i = 0; i < work.count(phase); ++i) work(phase, i);
   }
   void call(const char* what);  // fails where a test asks for it
+  void count(std::size_t to_device, std::size_t to_host);
 
  private:
   template <class Part, class F> static Part by_lanes(Index begin, Index end, const F& f) {
@@ -68,6 +72,11 @@ class Device {
 
   const rc_host* host_;
   Index index_;
+};
+
+class Current {
+ public:
+  explicit Current(Device& device) { device.call("enter"); }
 };
 
 // `rows` lines of `length` reals in rows of 2 (length/2 + 1), transformed in place to length/2 + 1 complex numbers and back; or

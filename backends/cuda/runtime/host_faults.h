@@ -1,4 +1,4 @@
-// Lets calls of the host build's runtime fail, as those of a driver may. Tests alone set it.
+// Lets calls of the host build's runtime fail, as those of a driver may, and counts what travels. Tests alone set it.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,13 @@ struct HostFaults {
   const char* device = "";    // why there is no device; "": there is one
   std::size_t memory = 0;     // of the device; 0: the host's
   std::size_t allocated = 0;  // of it
+  bool counts = false;        // the bytes that travel
+  std::int64_t to_device = 0, to_host = 0;
 };
 
 HostFaults& host_faults();
+
+// What callers have on the device lies so far above the host's memory that they cannot take the one for the other.
+constexpr std::uintptr_t device_addresses = std::uintptr_t{1} << 62;
 
 }  // namespace rc_cuda

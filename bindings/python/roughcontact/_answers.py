@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Dict, Optional, Tuple, Type, Union
 
 import numpy as np
 
+from ._device import on_host
 from ._errors import ArgumentError
 from ._status import Status
 
@@ -92,7 +93,7 @@ class Answer(Stored):
                 attributes[name] = value
         for name, value in self._fields().items():
             if name in MAPS and value is not None:
-                variables[name] = (self.steps[: value.ndim - len(across)] + across, value)
+                variables[name] = (self.steps[: value.ndim - len(across)] + across, on_host(value))
             elif self._counts() and isinstance(value, (int, float, str, Status)):
                 attributes[name] = _plain(value)
         if grid.mask is not None:
@@ -125,6 +126,7 @@ class Answer(Stored):
 
 def _packed(value: Any, path: str, arrays: Dict[str, Any]) -> Any:
     """value as JSON has it; arrays go into `arrays`."""
+    value = on_host(value)
     if isinstance(value, np.ndarray):
         arrays[path] = value
         return {"array": path}

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._c import S, bytes_, ctype, doubles, integers, singles, statuses
+from ._device import on_host
 from ._errors import ArgumentError, RoughContactError, ShapeError
 
 Doubles = NDArray[np.float64]
@@ -63,7 +64,8 @@ def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> D
 
 
 def as_reals(values: ArrayLike, name: str, shape: Optional[Shape], single: bool) -> Any:
-    """values as a C-ordered array of doubles, or of float32; the same memory if they are one already."""
+    """values as a C-ordered array of doubles, or of float32; the same memory if they are one already. From a device: a copy."""
+    values = on_host(values)
     if np.ma.isMaskedArray(values) and np.ma.getmaskarray(values).any():
         raise ArgumentError(
             f"{name} is a masked array with {int(np.ma.getmaskarray(values).sum())} masked values: pass mask=, which "
@@ -90,7 +92,7 @@ def as_mask(values: Optional[ArrayLike], name: str, shape: Optional[Shape] = Non
     """1 where a value is true."""
     if values is None:
         return None
-    array = np.asarray(values)
+    array = np.asarray(on_host(values))
     if array.dtype.kind not in "biu":
         raise TypeError(f"{name} holds {array.dtype}; bool or integers are needed: 0 where a point takes no part")
     array = np.ascontiguousarray(array != 0).view(np.uint8)

@@ -5,6 +5,7 @@ from typing import Any, Callable, Optional, Tuple
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, refuse_one_row
+from ._device import device_array
 from ._errors import ArgumentError
 from ._handle import Watch
 from ._history import path_on
@@ -27,13 +28,14 @@ def system_for(
     boundary: Optional[str],
     unit: Optional[str],
     hardness: Optional[float],
-) -> Tuple[System, Doubles, Optional[Mask]]:
-    """(system, undeformed_gap, mask) from what one-shot functions are given."""
+    devices: bool = False,
+) -> Tuple[System, Any, Optional[Mask]]:
+    """(system, undeformed_gap, mask) from what one-shot functions are given. devices: a gap on a device stays there."""
     if (heights is None) == (undeformed_gap is None):
         raise ArgumentError("exactly one of heights and undeformed_gap is needed")
     if system is not None:
         refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, unit=unit, hardness=hardness)
-        found, mask_array = gap_and_mask(system, heights, undeformed_gap, mask, missing)
+        found, mask_array = gap_and_mask(system, heights, undeformed_gap, mask, missing, devices=devices)
         assert found is not None
         return system, found, mask_array
     if modulus is None:
@@ -45,7 +47,8 @@ def system_for(
         return half_space, surface.undeformed_gap(), surface.mask
     if pitch is None:
         raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
-    array = as_doubles(undeformed_gap, "undeformed_gap")  # type: ignore[arg-type]
+    there = device_array(undeformed_gap, "undeformed_gap") if devices else None
+    array: Any = as_doubles(undeformed_gap, "undeformed_gap") if there is None else there  # type: ignore[arg-type]
     refuse_one_row(array, "undeformed_gap", pitch)
     half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
@@ -86,7 +89,7 @@ def solve(
     displacement: approach of the bodies [length]
     load: normal force [force]
     pressure: load over the area of the grid [force/length^2]
-    undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]
+    undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]; also an array on a device, see `Contact.solve`
     mask: [ny, nx], 0 where a point carries no pressure; its height may then be anything. None: every point may
     missing: what is done with masked or NaN heights: "reject", "exclude" (they carry no pressure) or "fill" (interpolated)
     start: pressures [ny, nx] to begin with [force/length^2]; None: the solver's
@@ -112,7 +115,7 @@ def solve(
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
     system, undeformed_gap, mask = system_for(
-        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, devices=True
     )
     load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:

@@ -18,7 +18,7 @@ class rc_system(Sized):
 @struct
 class rc_step(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; double target; doubles undeformed_gap p0; bytes_ mask;
-    int32_t borrow reserved; singles undeformed_gap_single"""
+    int32_t borrow reserved; singles undeformed_gap_single; text memory"""
 
 
 @struct
@@ -29,7 +29,7 @@ class rc_result(Sized):
     double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper;
     int64_t proven_contacts proven_open undecided levels; double tolerance stiffness_lower stiffness_upper;
-    int64_t capped; double plastic_volume; int64_t proven_capped; singles p_single gap_single"""
+    int64_t capped; double plastic_volume; int64_t proven_capped; singles p_single gap_single; text memory"""
 
 
 @struct

@@ -1,6 +1,7 @@
 """One system, many steps."""
 
 import ctypes
+import dataclasses
 from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from . import _constants
 from ._arrays import Doubles, Mask, Reals, as_doubles, as_mask, as_reals, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
+from ._device import DeviceArray, alike, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
 from ._history import path_on
@@ -46,11 +48,16 @@ def gap_and_mask(
     mask: Optional[ArrayLike],
     missing: str,
     single: bool = False,
-) -> Tuple[Optional[Reals], Optional[Mask]]:
-    """What a step presses: from heights, whose highest point touches first, or from a gap; neither: (None, mask)."""
+    devices: bool = False,
+) -> Tuple[Any, Optional[Mask]]:
+    """What a step presses: from heights, whose highest point touches first, or from a gap; neither: (None, mask). devices: a gap on
+    a device stays there."""
     if heights is not None and undeformed_gap is not None:
         raise ArgumentError("heights and undeformed_gap are both given; give one of them")
     if heights is None:
+        there = device_array(undeformed_gap, "undeformed_gap") if devices else None
+        if there is not None:
+            return in_shape(there, "undeformed_gap", system.shape), as_mask(mask, "mask", system.shape)
         array = None if undeformed_gap is None else as_reals(undeformed_gap, "undeformed_gap", system.shape, single)
         return array, as_mask(mask, "mask", system.shape)
     surface = as_surface(heights, mask=mask, missing=missing, otherwise=system.pitch)
@@ -59,6 +66,28 @@ def gap_and_mask(
     refuse_another_pitch(surface, system)
     gap = surface.undeformed_gap()
     return gap.astype(np.float32) if single else gap, surface.mask
+
+
+def _on_device(step: rc_step, gap: DeviceArray, mask: Optional[Mask], first: Optional[Doubles]) -> Tuple[DeviceArray, ...]:
+    """Gives the step its arrays; mask and start go to the gap's device. Returns what must be kept."""
+    if gap.dtype not in ("float64", "float32"):
+        raise TypeError(f"undeformed_gap holds {gap.dtype} on its device; float64 or float32 is needed")
+    package_of(gap.like)  # before the step is solved in vain
+    names = {"undeformed_gap" if gap.dtype == "float64" else "undeformed_gap_single": gap}
+    for name, array in (("mask", mask), ("p0", first)):
+        if array is not None:
+            there = device_array(alike(array, gap.like), name)
+            assert there is not None
+            names[name] = there
+    kinds = {"float64": ctypes.c_double, "float32": ctypes.c_float, "uint8": ctypes.c_uint8}
+    given(step, memory=gap.memory, **{name: array.pointer(kinds[array.dtype]) for name, array in names.items()})
+    return tuple(names.values())
+
+
+def _alike(answer: Result, gap: Any) -> Result:
+    """Its arrays as those of the gap's package."""
+    maps = {name: getattr(answer, name) for name in ("pressure", "gap")}
+    return dataclasses.replace(answer, **{name: alike(array, gap) for name, array in maps.items() if array is not None})
 
 
 class Contact(Handle):
@@ -96,7 +125,8 @@ class Contact(Handle):
 
         heights: a `Surface`, a topography, or an array of the system's shape; the highest point touches at approach 0
             [length]
-        undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step
+        undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step. An array of CuPy, PyTorch or JAX on a
+            CUDA device, float64 or float32, is handed over where it is, and the result's arrays are of the same kind there
         displacement: approach of the bodies [length], or load: normal force [force]
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
@@ -111,25 +141,30 @@ class Contact(Handle):
             status. Status.WITHIN_GOAL never raises
         """
         control, target = control_and_target(displacement, load)
-        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single)
+        gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single, devices=True)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
-        step = given(rc_step(), control=control, target=float(target), mask=mask_array, p0=first)
-        given(step, **{"undeformed_gap_single" if single else "undeformed_gap": gap_array})
+        there = gap_array if isinstance(gap_array, DeviceArray) else None
+        single = single if there is None else there.dtype == "float32"
+        step = given(rc_step(), control=control, target=float(target))
         given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
+        sent: Tuple[Any, ...] = (gap_array, mask_array, first)
+        if there is not None:
+            sent = _on_device(step, there, mask_array, first)
+        else:
+            given(step, mask=mask_array, p0=first, **{"undeformed_gap_single" if single else "undeformed_gap": gap_array})
         width = np.float32 if single else np.float64
         pressure = np.zeros(self.system.shape, width) if want_pressure else None
         deformed = np.zeros(self.system.shape, width) if want_gap else None
         with self._holding(), self._bar("iterations"):
             if borrow:
-                self._borrowed.append((gap_array, mask_array))
+                self._borrowed.append(sent)
             with self._pressing(gap_array, mask_array):
-                inputs = (gap_array, mask_array, first)
-                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, *inputs)
+                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, *sent)
             if gap_array is not None:
                 self._borrowed = self._borrowed[-1:] if borrow else []
             elif borrow:  # the gap stays that of the step which brought one; of masks, the last one is looked at
                 self._borrowed = self._borrowed[:1] + self._borrowed[1:][-1:]
-        return answer
+        return answer if there is None else _alike(answer, there.like)
 
     def certify(
         self,

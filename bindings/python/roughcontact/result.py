@@ -10,6 +10,7 @@ from . import analysis
 from ._answers import Answer, Stored
 from ._arrays import Doubles, Mask, Reals, Shape
 from ._c import members_for
+from ._device import on_host
 from ._errors import as_status
 from ._library import contact_library
 from ._pictures import curve, pressure_image
@@ -51,7 +52,8 @@ class Result(Answer):
     """Answer of one step. All numbers are those of rc_result in <roughcontact/roughcontact.h>.
 
     pressure: of the grid's shape [force/length^2]; None if not wanted
-    gap: deformed gap, of the grid's shape [length]; None if not wanted
+    gap: deformed gap, of the grid's shape [length]; None if not wanted. Where the undeformed gap was on a device, both are arrays
+        there, of the same package
     status, message: how it ended; the message is empty for Status.OK
     """
 
@@ -167,14 +169,14 @@ class Result(Answer):
             "load": f"{self.load:.6g} ({self.load_lower:.6g} to {self.load_upper:.6g})",
             "approach": f"{self.approach:.6g}",
             "contact": f"{self.contacts} of {self.points} points, {self.contacts / self.points:.2%}",
-            "largest pressure": "" if self.pressure is None else f"{np.max(self.pressure, initial=0):.6g}",
+            "largest pressure": "" if self.pressure is None else f"{np.max(on_host(self.pressure), initial=0):.6g}",
             "mean pressure": f"{self.mean_pressure:.6g}",
             "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
             **({"note": self.note} if self.note else {}),
         }
 
     def _picture(self) -> Optional[str]:
-        return None if self.pressure is None else pressure_image(self.pressure)
+        return None if self.pressure is None else pressure_image(on_host(self.pressure))
 
     def __repr__(self) -> str:
         return (

@@ -137,6 +137,10 @@ rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, doubl
   const GapValues& gap = surface.gap_for_solver();
   if (problem.where.nx > 0) problem.where.undeformed_gap = in_single ? gap.in_double() : surface.gap_in_double();
   problem.where.undeformed_gap_single = in_single ? gap.in_single() : nullptr;
+  if (const GapOnDevice& there = problem.run.work.gap_on_device; there.is_of(gap) && (in_single || gap.in_double())) {
+    problem.where.gap_on_device = there.at;
+    problem.where.memory = there.memory.c_str();
+  }
   op_for(problem);
   return solver.solve(&problem.run.work.host, &problem, &options, p, d);
 }

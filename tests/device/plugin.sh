@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# plugin.sh SOURCE FOLDER: the plugin for devices itself, made by nvcc: without a warning, with one symbol for others and no mutable
+# data beyond .ci/globals.allow. With a device it solves; without one it is refused in the driver's words. Exit status 77 without nvcc.
+# ARCHITECTURES: those to compile for.
+set -euo pipefail
+source=$1 build=$2
+command -v nvcc >/dev/null || { echo "skipped: nvcc is not found"; exit 77; }
+mkdir -p "$build"
+cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA_ARCHITECTURES="${ARCHITECTURES:-80-real;90-real;100}" \
+  -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_SURFACE=OFF \
+  -DRC_BUILD_MPI=OFF -DRC_BUILD_DEVICE_BENCH=ON -DRC_BUILTIN_BACKENDS= -DRC_MODULE_BACKENDS= >"$build/build.log" 2>&1 ||
+  { tail -20 "$build/build.log"; exit 1; }
+cmake --build "$build" --parallel 2 --target roughcontact rcb_cuda device_solves >>"$build/build.log" 2>&1 ||
+  { tail -20 "$build/build.log"; exit 1; }
+! grep -i warning "$build/build.log" || exit 1
+plugin=$(echo "$build"/lib/roughcontact/*/rcb_cuda.so)
+symbols=$(nm -D --defined-only "$plugin" | awk '{ print $3 }')
+[ "$symbols" = rc_plugin_query ] || { echo "others can see: $symbols"; exit 1; }
+"$source/.ci/globals.sh" "$build"
+answer=$("$build/bin/device_solves" 64 load 1e-8 haar-cuda cuda 1 1)
+echo "$answer"
+if nvidia-smi -L >/dev/null 2>&1; then
+  grep -q '"status": "RC_OK"' <<<"$answer"
+else
+  grep -q 'cuda: no device: .*; driver for CUDA .*, built with CUDA' <<<"$answer"
+fi
+echo "one symbol, $(cuobjdump --list-elf --list-ptx "$plugin" 2>/dev/null | grep -oE 'sm_[0-9]+\.(cubin|ptx)' | sort | uniq -c | tr -s '\n ' ' ')"
