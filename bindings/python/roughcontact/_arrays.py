@@ -60,7 +60,8 @@ def as_seed(value: Any) -> Optional[int]:
 
 def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> Doubles:
     """values as a C-ordered array of doubles; the same memory if they are one already."""
-    return as_reals(values, name, shape, single=False)
+    found: Doubles = as_reals(values, name, shape, single=False)
+    return found
 
 
 def as_reals(values: ArrayLike, name: str, shape: Optional[Shape], single: bool) -> Any:

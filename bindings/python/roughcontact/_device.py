@@ -123,7 +123,9 @@ def package_of(like: Any) -> Any:
         return like.__array_namespace__()
     module = importlib.import_module(type(like).__module__.partition(".")[0])
     if not hasattr(module, "asarray"):
-        raise ArgumentError(f"{module.__name__} has no asarray, by which answers would become its arrays; pass an array of CuPy")
+        raise ArgumentError(
+            f"{module.__name__} has no asarray, by which answers would become its arrays; pass an array of CuPy"
+        )
     return module
 
 

@@ -173,10 +173,10 @@ def path(
     the others: as in `solve`
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(path, options, keywords, context)
-    system, undeformed_gap, mask = system_for(
+    system, found_gap, mask = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
     )
     load = load_of(load, pressure, displacement, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         control, targets = control_and_target(displacement, load)
-        return path_on(contact, control, targets, undeformed_gap, mask, warm_start, stiffness, keep_pressure, each, check)
+        return path_on(contact, control, targets, found_gap, mask, warm_start, stiffness, keep_pressure, each, check)

@@ -59,8 +59,8 @@ class Result(Answer):
 
     status: Status
     message: str
-    pressure: Optional[Reals]
-    gap: Optional[Reals]
+    pressure: Optional[Any]
+    gap: Optional[Any]
     grid: Grid
     #: of the solver, all rounds together
     iterations: int
@@ -158,7 +158,7 @@ class Result(Answer):
     def _grid(self) -> Dict[str, Any]:
         return {"pitch": self.grid.pitch, "periodic": self.grid.periodic, "mask": self.grid.mask}
 
-    def _needed(self) -> Reals:
+    def _needed(self) -> Any:
         if self.pressure is None:
             raise ValueError("the result has no pressures; solve with want_pressure=True")
         return self.pressure

@@ -128,7 +128,9 @@ def test_masks_and_starts_go_to_the_device(sphere_gap, context):
     start = np.full(sphere_gap.shape, 1e6)
     here = solved(sphere_gap, context, mask=mask, start=start)
     assert np.array_equal(solved(Exported(sphere_gap), context, mask=mask, start=start).pressure.values, here.pressure)
-    assert np.array_equal(solved(Exported(sphere_gap), context, mask=Exported(mask), start=Exported(start)).pressure.values, here.pressure)
+    assert np.array_equal(
+        solved(Exported(sphere_gap), context, mask=Exported(mask), start=Exported(start)).pressure.values, here.pressure
+    )
 
 
 def test_a_contact_keeps_the_gap_of_a_step(half_space, sphere_gap, context):
