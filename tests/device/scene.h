@@ -19,15 +19,17 @@ namespace device {
 constexpr std::int64_t side = 24;
 constexpr double untouched = -7;
 
+inline std::vector<double> hills_of(std::int64_t n) {
+  std::vector<double> h;
+  for (std::int64_t i = 0; i < n * n; ++i) {
+    const double x = static_cast<double>(i % n), y = static_cast<double>(i / n);
+    h.push_back(2 - std::cos(0.9 * x) * std::cos(0.5 * y) - std::cos(0.2 * x + 0.1 * y));
+  }
+  return h;
+}
+
 inline const std::vector<double>& hills() {
-  static const std::vector<double> gap = [] {
-    std::vector<double> h;
-    for (std::int64_t i = 0; i < side * side; ++i) {
-      const double x = static_cast<double>(i % side), y = static_cast<double>(i / side);
-      h.push_back(2 - std::cos(0.9 * x) * std::cos(0.5 * y) - std::cos(0.2 * x + 0.1 * y));
-    }
-    return h;
-  }();
+  static const std::vector<double> gap = hills_of(side);
   return gap;
 }
 
@@ -39,20 +41,29 @@ inline rc_step cold_step() {
   return step;
 }
 
+inline const rc_plugin* plugin() {
+  const rc_plugin* plugin = nullptr;
+  assert_int_equal(rc_builtin_cuda_host(nullptr, &plugin), RC_OK);
+  return plugin;
+}
+
+inline rc_system grid_of(std::int64_t n) {
+  rc_system system = support::unit_system();
+  system.nx = system.ny = n;
+  return system;
+}
+
 // A context that has the plugin, and a contact on it.
 class Contact {
  public:
-  explicit Contact(double memory_limit = 1048576) {
+  explicit Contact(double memory_limit = 1048576, std::int64_t n = side, const rc_plugin* plugin = device::plugin()) {
     const rc_context_config config = {sizeof config, RC_CONTEXT_NO_PLUGINS, 0, nullptr, nullptr, nullptr};
     assert_int_equal(rc_context_create(&config, &context_), RC_OK);
-    const rc_plugin* plugin = nullptr;
-    assert_int_equal(rc_builtin_cuda_host(nullptr, &plugin), RC_OK);
     assert_int_equal(rc_context_register(context_, plugin), RC_OK);
     assert_int_equal(rc_options_create(context_, &options_), RC_OK);
     assert_int_equal(rc_options_set_real(options_, "cuda-host.memory_limit", memory_limit), RC_OK);
     use("haar-cuda-host", "cuda-host");
-    rc_system system = support::unit_system();
-    system.nx = system.ny = side;
+    const rc_system system = grid_of(n);
     assert_int_equal(rc_contact_create(&system, options_, &contact_), RC_OK);
   }
   ~Contact() {
@@ -83,6 +94,7 @@ class Contact {
     return status;
   }
   rc_contact* get() const { return contact_; }
+  const rc_options* options() const { return options_; }
   const std::string& words() const { return words_; }
 
  private:

@@ -1,5 +1,7 @@
 // What can go wrong with a device: each time a status, the driver's words, pressures that are not touched, and a contact that
 // goes on with another backend.
+#include <roughcontact/history.h>
+
 #include <cstdio>
 #include <roughcontact/plugin.hpp>
 
@@ -45,8 +47,8 @@ void any_call_may_fail(void**) {
 }
 
 void a_missing_device_is_told_in_the_drivers_words(void**) {
-  for (const char* reason :
-       {"no CUDA-capable device is detected", "CUDA driver version is insufficient for CUDA runtime version"}) {
+  for (const char* reason : {"no CUDA-capable device is detected", "CUDA driver version is insufficient for CUDA runtime version",
+                             "system not yet initialized", "all CUDA-capable devices are busy or unavailable"}) {
     Contact contact;
     std::vector<double> p;
     host_faults() = {.device = reason};
@@ -74,6 +76,132 @@ void too_little_memory_is_told_in_bytes(void**) {
   }
 }
 
+// A cold step begins on a coarser grid. Where that alone fails, it begins without.
+void coarser_grids_may_fail(void**) {
+  constexpr std::int64_t n = 130;
+  const std::vector<double> gap = hills_of(n);
+  std::vector<double> p(gap.size());
+  rc_step step = cold_step();
+  step.undeformed_gap = gap.data();
+  rc_result result = RC_RESULT_INIT;
+  result.p = p.data();
+  const auto solved = [&](Contact& contact, Fault fault, std::int64_t at) {
+    p.assign(gap.size(), untouched);
+    host_faults() = {.fault = fault, .at = at};
+    const rc_status status = contact.solve(step, result);
+    return status;
+  };
+  std::int64_t all = 0, without = 0;
+  {
+    Contact contact(1048576, n);
+    assert_int_equal(solved(contact, Fault::once, 0), RC_OK);
+    all = host_faults().calls;
+  }
+  const std::vector<double> wanted = p;
+  for (const Fault fault : {Fault::once, Fault::lost})
+    for (std::int64_t k = 1; k <= all; k += 23) {
+      Contact contact(1048576, n);
+      const rc_status status = solved(contact, fault, k);
+      host_faults() = {};
+      if (fault == Fault::once && status == RC_OK) {
+        for (std::size_t i = 0; i < p.size(); ++i) assert_true(std::abs(p[i] - wanted[i]) < 1e-6);
+        ++without;
+        continue;
+      }
+      assert_int_equal(status, RC_ERR_EXTERNAL);
+      expect_words(contact, fault == Fault::lost ? "the device is lost" : "the kernel failed");
+      expect_untouched(p);
+    }
+  assert_true(without > 0);
+}
+
+void a_history_goes_on_elsewhere(void**) {
+  Contact contact, healthy;
+  std::vector<double> p(hills().size()), wanted(p);
+  rc_step step = cold_step();
+  step.undeformed_gap = hills().data();
+  step.warm_start = 1;
+  rc_result result = RC_RESULT_INIT;
+  const auto at = [&](Contact& on, double target, std::vector<double>& to) {
+    step.target = target;
+    result.p = to.data();
+    return on.solve(step, result);
+  };
+  for (Contact* each : {&contact, &healthy}) assert_int_equal(at(*each, 0.4, p), RC_OK);
+  p.assign(p.size(), untouched);
+  host_faults() = {.fault = Fault::lost, .at = 40};
+  assert_int_equal(at(contact, 0.6, p), RC_ERR_EXTERNAL);
+  expect_untouched(p);
+  contact.use("haar-cg", "dense");  // the device stays lost
+  assert_int_equal(at(contact, 0.6, p), RC_OK);
+  host_faults() = {};
+  assert_int_equal(at(healthy, 0.6, wanted), RC_OK);
+  for (std::size_t i = 0; i < p.size(); ++i) assert_true(std::abs(p[i] - wanted[i]) < 1e-6);
+}
+
+void contacts_of_a_batch_fail_by_themselves(void**) {
+  constexpr std::int64_t n = 3;
+  Contact contact;
+  std::vector<double> gaps, p(n * hills().size(), untouched);
+  for (std::int64_t i = 0; i < n; ++i) gaps.insert(gaps.end(), hills().begin(), hills().end());
+  const double target = 0.6;
+  std::vector<rc_status> status(n, RC_OK);
+  rc_batch batch = RC_BATCH_INIT;
+  batch.control = RC_CONTROL_DISPLACEMENT;
+  batch.n = n;
+  batch.steps = 1;
+  batch.targets = &target;
+  batch.target_stride = RC_BATCH_SHARED;
+  batch.undeformed_gap = gaps.data();
+  batch.p = p.data();
+  batch.status = status.data();
+  const rc_system system = grid_of(side);
+  host_faults() = {.fault = Fault::once, .at = calls_of_a_solve() + 40};  // in the second contact
+  assert_int_equal(rc_batch_solve(&system, contact.options(), &batch), RC_ERR_EXTERNAL);
+  host_faults() = {};
+  const rc_status wanted[n] = {RC_OK, RC_ERR_EXTERNAL, RC_OK};
+  for (std::size_t i = 0; i < n; ++i) {
+    assert_int_equal(status[i], wanted[i]);
+    assert_true((p[i * hills().size()] == untouched) == (wanted[i] != RC_OK));
+  }
+}
+
+// The plugin with scores by which "auto" takes it.
+const rc_plugin* cheapest() {
+  const auto free = [](const rc_facts*, rc_estimate* estimate) -> rc_status {
+    estimate->seconds = 1e-12;
+    estimate->product = 1;  // other solvers make their products by it
+    return RC_OK;
+  };
+  static rc_backend backend = *plugin()->backends[0];
+  static rc_solver solver = *plugin()->solvers[0];
+  static const rc_backend* const backends[] = {&backend};
+  static const rc_solver* const solvers[] = {&solver};
+  static rc_plugin cheap = *plugin();
+  backend.score = solver.score = free;
+  cheap.backends = backends;
+  cheap.solvers = solvers;
+  return &cheap;
+}
+
+void auto_passes_over_a_device_that_fails(void**) {
+  for (const Fault fault : {Fault::none, Fault::once, Fault::lost}) {
+    Contact contact(1048576, side, cheapest());
+    contact.use("auto", "auto");
+    std::vector<double> p(hills().size());
+    rc_step step = cold_step();
+    step.undeformed_gap = hills().data();
+    rc_result result = RC_RESULT_INIT;
+    result.p = p.data();
+    host_faults() = {.fault = fault, .at = 60};
+    assert_int_equal(contact.solve(step, result), RC_OK);
+    host_faults() = {};
+    const bool on_device = std::string(result.backend) == "cuda-host" && std::string(result.solver) == "haar-cuda-host";
+    assert_true(on_device == (fault == Fault::none));
+    assert_true((std::string(result.note).find("cuda-host") != std::string::npos) == (fault != Fault::none));
+  }
+}
+
 // Places are found by 32-bit divisions: all numbers of a pass must have one.
 void grids_beyond_what_a_pass_counts_are_refused(void**) {
   constexpr rc_cuda::Index k = 1024;
@@ -94,8 +222,13 @@ void grids_beyond_what_a_pass_counts_are_refused(void**) {
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {
-      cmocka_unit_test(any_call_may_fail), cmocka_unit_test(a_missing_device_is_told_in_the_drivers_words),
-      cmocka_unit_test(too_little_memory_is_told_in_bytes), cmocka_unit_test(grids_beyond_what_a_pass_counts_are_refused)};
+  const CMUnitTest tests[] = {cmocka_unit_test(any_call_may_fail),
+                              cmocka_unit_test(a_missing_device_is_told_in_the_drivers_words),
+                              cmocka_unit_test(too_little_memory_is_told_in_bytes),
+                              cmocka_unit_test(coarser_grids_may_fail),
+                              cmocka_unit_test(a_history_goes_on_elsewhere),
+                              cmocka_unit_test(contacts_of_a_batch_fail_by_themselves),
+                              cmocka_unit_test(auto_passes_over_a_device_that_fails),
+                              cmocka_unit_test(grids_beyond_what_a_pass_counts_are_refused)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
