@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 10u/* grows when a vtable gets a new member at its end                            */
+#define RC_PLUGIN_ABI_MINOR 10u /* grows when a vtable gets a new member at its end                           */
 
 #ifdef __cplusplus
 extern "C" {
