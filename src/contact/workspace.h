@@ -41,6 +41,7 @@ struct StepRecord {
   bool warm = true;                         // the step may start from earlier steps
   Choice choice;                            // the latest
   std::vector<std::string> failed;          // components that "auto" passes over
+  bool by_solver = false;                   // the last failure was a solver's own, not its backend's
   std::vector<std::string> remarks;         // for rc_result.note
   std::int64_t look = 0;                    // most iterations of a look at the given grid; 0: this is a solve
   double setup_seconds = 0;                 // of operators

@@ -28,7 +28,7 @@ void Operator::bind(const TrialSet& trial) {
   TrialSet copy = trial;
   const rc_domain domain{sizeof(rc_domain), copy.n, copy.index.empty() ? nullptr : copy.index.data(), copy.zero_mode};
   clear_message();
-  raise_if_failed(backend_.bind(self_, &domain), "binding the trial set");
+  raise_if_failed(seen(backend_.bind(self_, &domain)), "binding the trial set");
   trial_ = std::move(copy);  // the backend keeps a pointer to the vector's storage, which moves along
   bound_ = true;
 }
@@ -43,7 +43,7 @@ template <class Real> rc_status Operator::product(rc_status (*multiply)(void*, c
     if (const rc_status stop = ask_(); stop != RC_OK) return stop;
   ++applications_;
   if (shared_.of) ++shared_.of->counts().products;
-  const rc_status status = multiply(self_, x, y);
+  const rc_status status = seen(multiply(self_, x, y));
   if (scale_ != 1)
     for (std::int64_t i = 0; i < trial_.n; ++i) y[i] /= static_cast<Real>(scale_);
   return status;
@@ -57,7 +57,7 @@ void Operator::field(std::span<const double> x, std::span<double> y) {
   ++applications_;
   if (shared_.of) ++shared_.of->counts().products;
   clear_message();
-  raise_if_failed(backend_.field(self_, x.data(), y.data()), "the product over all points");
+  raise_if_failed(seen(backend_.field(self_, x.data(), y.data())), "the product over all points");
   if (scale_ != 1)
     for (double& value : y) value /= scale_;
 }
@@ -66,7 +66,7 @@ void Operator::screen(std::span<const double> x, rc_screen& request) {
   ++applications_;
   clear_message();
   request.unit /= scale_;
-  raise_if_failed(backend_.screen(self_, x.data(), &request), "the search for overlapping points");
+  raise_if_failed(seen(backend_.screen(self_, x.data(), &request)), "the search for overlapping points");
   if (scale_ != 1)
     for (std::int64_t i = 0; i < trial_.n; ++i) request.y[i] /= scale_;
 }
@@ -74,14 +74,14 @@ void Operator::screen(std::span<const double> x, rc_screen& request) {
 rc_status Operator::subset(std::span<const std::int64_t> a, const double* b, double* x, double tol) {
   if (a.empty()) return RC_OK;
   if (!backend_.subset) return subset_by_products(a, b, x, tol);
-  const rc_status status = backend_.subset(self_, static_cast<std::int64_t>(a.size()), a.data(), b, x);
+  const rc_status status = seen(backend_.subset(self_, static_cast<std::int64_t>(a.size()), a.data(), b, x));
   if (scale_ != 1)
     for (std::size_t i = 0; i < a.size(); ++i) x[i] *= scale_;
   return status;
 }
 
 rc_status Operator::norm(double& out) {
-  const rc_status status = backend_.norm(self_, &out);
+  const rc_status status = seen(backend_.norm(self_, &out));
   out /= scale_;
   return status;
 }

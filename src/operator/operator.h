@@ -78,8 +78,14 @@ class Operator {
   std::int64_t applications() const { return applications_; }
   void count(std::int64_t products) { applications_ += products; }  // made elsewhere
   const char* name() const { return backend_.name; }
+  // Whether one of the backend's functions returned an error.
+  bool failed() const { return failed_; }
 
  private:
+  rc_status seen(rc_status status) {
+    failed_ = failed_ || status < 0;
+    return status;
+  }
   template <class Real> rc_status product(rc_status (*multiply)(void*, const Real*, Real*), const Real* x, Real* y);
   rc_status subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol);
 
@@ -98,6 +104,7 @@ class Operator {
   TrialSet trial_;
   bool bound_ = false;
   std::int64_t applications_ = 0;
+  bool failed_ = false;
 };
 
 }  // namespace rc

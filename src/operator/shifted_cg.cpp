@@ -23,7 +23,7 @@ rc_status Operator::shifted(double rho, double tol, const double* b, double* x) 
     // H = B / scale, so B + (scale rho) I is solved for scale b.
     std::vector<double> right(b, b + n);
     for (double& value : right) value *= scale_;
-    return backend_.shifted(self_, rho * scale_, right.data(), x);
+    return seen(backend_.shifted(self_, rho * scale_, right.data(), x));
   }
   const auto multiply = [&](const double* v, std::vector<double>& q) {
     const rc_status status = apply(v, q.data());

@@ -171,6 +171,7 @@ void Context::open_plugins(std::int64_t points) {
     try {
       if (!knows(name)) load(name);
     } catch (const Error& error) {
+      refused_[name] = error.what();
       log(RC_LOG_WARNING, error.what());
     } catch (...) {
       closed_.insert(closed_.begin(), std::move(name));  // there is room for it
@@ -212,7 +213,10 @@ const Component<Vtable>& Context::get(const std::deque<Component<Vtable>>& compo
              : "this program is linked statically (-static) and loads no plugins; build the backend into "
                "the library (RC_BUILTIN_BACKENDS)",
          "; available: ", list);
-  fail(missing, kind, " \"", name, "\" not found", suggestion(name, known), "; available: ", list);
+  std::string refused;  // a plugin of which it may be
+  for (const auto& [plugin, why] : refused_)
+    if (name.find(plugin) != std::string_view::npos) refused = "; " + why;
+  fail(missing, kind, " \"", name, "\" not found", refused.empty() ? suggestion(name, known) : refused, "; available: ", list);
 }
 
 const rc_backend& Context::backend(std::string_view name) { return get(backends_, name, RC_ERR_NO_BACKEND, "backend").vtable; }

@@ -116,6 +116,7 @@ class Context {
   std::vector<std::string> loaded_;
   Schema schema_;
   std::vector<std::string> closed_;  // names of plugins that "auto" has not tried to open
+  std::map<std::string, std::string> refused_;  // plugins, and why
   bool looked_ = false, all_loaded_ = false;
 };
 

@@ -308,6 +308,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
     if (const rc_status status = warm_up(problem, p.data(), &d); status != RC_OK) return status;
   }
   const rc_status status = solve(solver, problem, p.data(), &d);
+  work.record.by_solver = status < 0 && !op.failed();
   raise_if_failed(status, solver.name);
   op_for(problem);
   return status;

@@ -40,6 +40,7 @@ Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, 
   bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows
   for (;;) {
     work.record.choice = {};
+    work.record.by_solver = false;
     try {
       Finished finished = certified_result(work, step, answer_of(work, memory, step, monitor, nearer), monitor, result);
       const rc_status status = finished.status;
@@ -52,8 +53,13 @@ Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, 
       const bool device = error.code() == RC_ERR_EXTERNAL && work.system.halfspace();  // which calls nothing of the caller's
       const bool lacking =
           device || error.code() == RC_ERR_MEMORY || error.code() == RC_ERR_PLUGIN || error.code() == RC_ERR_INCOMPATIBLE;
-      if (lacking && choice.backend && pass_over(work, choice.backend->name, RC_OPT_BACKEND, error.what())) {
-        work.drop_operator(choice.backend->name);
+      // A solver that has a device of its own may fail with every backend.
+      const bool by_solver = work.record.by_solver && (device || work.options.text(RC_OPT_SOLVER) == "auto");
+      const bool passed = lacking && choice.backend &&
+                          (by_solver ? pass_over(work, choice.solver->name, RC_OPT_SOLVER, error.what())
+                                     : pass_over(work, choice.backend->name, RC_OPT_BACKEND, error.what()));
+      if (passed) {
+        if (!by_solver) work.drop_operator(choice.backend->name);
         if (!first) first = error;
         continue;
       }
