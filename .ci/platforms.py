@@ -6,7 +6,7 @@ import re
 import sys
 
 SYSTEM = re.compile(r'_WIN(32|64)|__MINGW|_MSC_VER|__CYGWIN__|__linux|__unix|__APPLE__|__FreeBSD__|__ANDROID__|__GLIBC__')
-FOLDERS = ('src', 'include', 'backends', 'formats', 'surface', 'tools', 'bindings', 'examples', 'bench', 'fuzz', 'tests')
+FOLDERS = ('src', 'include', 'backends', 'formats', 'surface', 'mpi', 'tools', 'bindings', 'examples', 'bench', 'fuzz', 'tests')
 ALLOWED = ('include/roughcontact/roughcontact.h',)
 
 
@@ -15,7 +15,7 @@ def main():
     lines, found = 0, []
     for folder in FOLDERS:
         for file in sorted((root / folder).rglob('*')):
-            if not re.search(r'\.(c|cpp|h|hpp|def|in)$', file.name):
+            if not re.search(r'\.(c|cpp|cu|h|hpp|inc|def|in)$', file.name):
                 continue
             name = str(file.relative_to(root))
             for number, line in enumerate(file.read_text().splitlines(), 1):

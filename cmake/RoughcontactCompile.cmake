@@ -4,6 +4,7 @@ target_compile_definitions(rc_compile INTERFACE _FILE_OFFSET_BITS=64)  # files a
 target_compile_options(rc_compile INTERFACE $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow>
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>  # by a neighbour file's constant
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>  # GNU takes included files for headers
   $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wno-missing-field-initializers>  # members that a designated initialiser leaves out are null
   $<$<AND:$<BOOL:${WIN32}>,$<COMPILE_LANGUAGE:C,CXX>>:-Wno-format>  # MinGW checks them as those of Microsoft's older functions, which it does not call
   $<$<AND:$<BOOL:${RC_WERROR}>,$<COMPILE_LANGUAGE:C,CXX>>:-Werror>)

@@ -7,6 +7,8 @@ namespace errors {
 
 namespace {
 
+constexpr bool countable = sizeof(void*) == 8;  // 1e15 points, by addresses
+
 template <class Spoil> auto refuse(const Spoil& spoil) {
   return [spoil] {
     Scene scene;
@@ -52,16 +54,16 @@ Section shapes() {
               {"nx = INT64_MIN", refused, {"nx = -9223372036854775808"}, grid(INT64_MIN, side)},
               {"nx = ny = INT64_MAX",
                refused,
-               {"nx*ny = 9223372036854775807 * 9223372036854775807 is more than 9007199254740991 points"},
+               {"nx*ny = 9223372036854775807 * 9223372036854775807 is more than", "points"},
                grid(INT64_MAX, INT64_MAX)},
-              {"nx = INT64_MAX, ny = 1", refused, {"nx*ny = 9223372036854775807 * 1 is more than"}, grid(INT64_MAX, 1)},
+              {"nx = PTRDIFF_MAX, ny = 1", refused, {"nx*ny =", "* 1 is more than"}, grid(PTRDIFF_MAX, 1)},
               {"nx = ny = 2^32, whose product wraps to 0",
                refused,
                {"nx*ny = 4294967296 * 4294967296 is more than"},
                grid(INT64_C(1) << 32, INT64_C(1) << 32)},
               {"1e9 by 1e6 points: the gap cannot be stored",
-               RC_ERR_MEMORY,
-               {"rc_solve: out of memory"},
+               countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+               {countable ? "rc_solve: out of memory" : "is more than"},
                [] {
                  Scene scene;
                  scene.system.nx = 1000000000;
@@ -69,8 +71,8 @@ Section shapes() {
                  return solve(scene);
                }},
               {"callback for 1e9 by 1e6 points",
-               RC_ERR_MEMORY,
-               {"rc_contact_create: out of memory"},
+               countable ? RC_ERR_MEMORY : RC_ERR_SHAPE,
+               {countable ? "rc_contact_create: out of memory" : "is more than"},
                [] {
                  Scene scene = callback_scene([](const double*, double*, std::int64_t, void*) { return std::int32_t{0}; });
                  scene.system.nx = 1000000000;
@@ -194,10 +196,11 @@ Section dense_matrices() {
            })},
           {"n*dense_ld overflows",
            RC_ERR_SHAPE,
-           {"n*dense_ld = 1000000000 * 1000000000 is more than 9007199254740991 entries"},
+           {"n*dense_ld = 1000000 * 1000000000000 is more than", "entries"},
            spoilt_matrix([](rc_system& s) {
-             s.nx = s.dense_ld = 1000000000;
+             s.nx = 1000000;
              s.ny = 1;
+             s.dense_ld = 1000000000000;
            })},
           {"entry is NaN", RC_ERR_ARGUMENT, {"dense matrix: entry (0, 1) is nan"}, matrix({1, nan, 0, 1})},
           {"entry is infinite", RC_ERR_ARGUMENT, {"dense matrix: entry (1, 1) is inf"}, matrix({1, 0, 0, infinity})},

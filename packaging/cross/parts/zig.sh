@@ -14,9 +14,19 @@ flock 9  # several systems may begin at once
   mkdir "$venv/ready"
 }
 zig=$(echo "$venv"/lib/python3*/site-packages/ziglang/zig)
+version=$(echo "$venv"/lib/python3*/site-packages/ziglang-*.dist-info)
 for tool in cc c++ ar ranlib; do
-  target=''
-  [[ $tool != c* ]] || target="-target $2 -O2"  # one build of the C++ library, whatever the flags
-  printf '#!/bin/sh\nZIG_LOCAL_CACHE_DIR=%q exec %q %s %s "$@"\n' "$folder/cache" "$zig" $tool "$target" >"$folder/$2-$tool"
+  {
+    echo "#!/bin/sh"
+    echo "# ${version##*/}"  # compiler caches compare this text
+    echo 'here=${0%/*} last='
+    target=''
+    if [[ $tool == c* ]]; then
+      # Without -g0 it writes what debuggers need, folders of the build among it. It checks for undefined behaviour where -O0 is asked for.
+      target="-target $2 -O2 -g0 -fno-sanitize=undefined"
+      echo "case \" \$* \" in *' -c '*) ;; *) last=-O2 ;; esac"  # one build of the C++ library, whatever the flags
+    fi
+    echo "ZIG_LOCAL_CACHE_DIR=\$here/cache exec \"\$here/${zig#"$folder"/}\" $tool $target \"\$@\" \$last"
+  } >"$folder/$2-$tool"
   chmod +x "$folder/$2-$tool"
 done
