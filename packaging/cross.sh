@@ -60,11 +60,11 @@ use() {
 }
 
 smoke() {
-  local build=build-cross/$1-smoke kind=() targets=()
+  local build=build-cross/$1-smoke kind=("-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG") targets=()
   # Nothing is linked where nothing runs: zig would build its C++ library for that.
-  [ -n "$emulator" ] || kind=(-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY -DCMAKE_CXX_FLAGS=-c) \
+  [ -n "$emulator" ] || kind=(-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_FLAGS=-c -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY) \
     targets=(--target roughcontact_static rcb_fft_objects)
-  configure "$1" "$build" "${core[@]}" "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG" "${kind[@]}"
+  configure "$1" "$build" "${core[@]}" "${kind[@]}"
   quietly "$build.log" cmake --build "$build" -j "$(nproc)" "${targets[@]}"
   [ -n "$emulator" ] || { echo "compiled; nothing runs it here"; return; }
   rm -rf "$build-root"

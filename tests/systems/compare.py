@@ -22,7 +22,8 @@ def cases_of(file):
         if found:
             numbers[found[1]].append(struct.unpack('>d', bytes.fromhex(found[2]))[0])
         else:
-            text.append(re.sub('; available: .*|after [0-9]+ iterations', '', line))  # the backends that are built; counts may differ
+            # The backends that are built, counts of iterations, and how many points addresses can count may differ.
+            text.append(re.sub('; available: .*|after [0-9]+ iterations|[0-9]+ points$', '', line))
     return cases
 
 
