@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -11,7 +12,7 @@ namespace rc_platform {
 double machine_bytes() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
   if (pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(pages) * static_cast<double>(page);
+  return std::min(static_cast<double>(pages) * static_cast<double>(page), static_cast<double>(PTRDIFF_MAX));
 }
 
 void prefer_large_pages(void* begin, std::size_t bytes) {
