@@ -10,6 +10,3 @@ set(CMAKE_AR ${zig}/${target}-ar)
 set(CMAKE_RANLIB ${zig}/${target}-ranlib)
 set(CMAKE_Fortran_COMPILER "")  # zig has none
 include(${CMAKE_CURRENT_LIST_DIR}/search.cmake)
-foreach(kind EXE SHARED MODULE)
-  set(CMAKE_${kind}_LINKER_FLAGS_INIT -s)  # the compiler's own libraries name folders
-endforeach()

@@ -22,9 +22,10 @@ for tool in cc c++ ar ranlib; do
     echo 'here=${0%/*} last='
     target=''
     if [[ $tool == c* ]]; then
-      # Without -g0 it writes what debuggers need, folders of the build among it. It checks for undefined behaviour where -O0 is asked for.
+      # Without -g0 and -s it writes what debuggers need, folders of the build among it. It checks for undefined behaviour where -O0 is
+      # asked for.
       target="-target $2 -O2 -g0 -fno-sanitize=undefined"
-      echo "case \" \$* \" in *' -c '*) ;; *) last=-O2 ;; esac"  # one build of the C++ library, whatever the flags
+      echo "case \" \$* \" in *' -c '*) ;; *) last='-O2 -s' ;; esac"  # one build of the C++ library, whatever the flags
     fi
     echo "ZIG_LOCAL_CACHE_DIR=\$here/cache exec \"\$here/${zig#"$folder"/}\" $tool $target \"\$@\" \$last"
   } >"$folder/$2-$tool"
