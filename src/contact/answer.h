@@ -56,6 +56,7 @@ struct Answer {
 struct Estimate {
   Pressures pressures;  // on the points in contact
   double approach = 0;  // [length]
+  bool dense = false;   // contact is not sparse: to look only at points near this approach would save nothing
 };
 
 }  // namespace rc

@@ -127,10 +127,17 @@ void one_asperity() {
   check_near(by_load.result.approach, 0.4, 1e-7, "approach");
 }
 
+// The look for sparse contact serves as its start: the solver needs no grids of its own.
 void dense_contact_is_left_to_transforms() {
   Problem problem = rough_problem(side, side);
   problem.target += 3 * (problem.target - problem.lowest_gap());
-  check(sparse_contact::solved(problem, "fft").result.contacts > side * side / 10, "contact is dense");
+  const Sparse dense = sparse_contact::solved(problem, "fft");
+  check(dense.result.contacts > side * side / 10, "contact is dense");
+  check_equal(dense.result.levels, 0, "grids of the solver");
+  check_near(dense.everywhere(), pairs::solved(problem, everywhere, {{RC_OPT_TOL, "1e-9"}}).p, 1e-6, "pressures");
+  const Sparse by_load = sparse_contact::solved(at_load_of(problem, dense), "fft");
+  check_equal(by_load.result.levels, 0, "grids of the solver in load control");
+  check_near(by_load.everywhere(), dense.everywhere(), 1e-5, "pressures in load control");
 }
 
 void arrays_over_all_points_on_request() {

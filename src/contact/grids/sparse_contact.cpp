@@ -268,13 +268,8 @@ int halvings_of(std::int64_t points) {
   return halvings;
 }
 
-struct CoarseEstimate {
-  Estimate estimate;
-  bool few;  // of the coarser grid's points are in contact
-};
-
-// The estimate from a coarser grid, which has its own from a still coarser one.
-std::optional<CoarseEstimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor) {
+// The estimate from a coarser grid, which has its own from a still coarser one. dense: wanted even where contact is not sparse.
+std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor, bool dense) {
   const rc_system& system = work.system.given;
   if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
   rc_options options = coarse_options(work.options, monitor);
@@ -288,23 +283,20 @@ std::optional<CoarseEstimate> coarse_estimate(const Workspace& work, const rc_st
   if (nothing_touches(at, half)) return std::nullopt;
 
   Monitor watch = monitor.silent();
-  std::optional<CoarseEstimate> coarser = coarse_estimate(half, at, monitor);
+  std::optional<Estimate> coarser = coarse_estimate(half, at, monitor, dense);
   const std::optional<Choice> choice = choose_for_few(options, half.system, at.control);
   std::optional<Answer> answer;
-  if (choice && coarser && coarser->few) answer = solve_few(half, {}, at, *choice, coarser->estimate, watch);
+  if (choice && coarser && !coarser->dense) answer = solve_few(half, {}, at, *choice, *coarser, watch);
   if (!answer) {
-    if (choice && halvings > 1) return std::nullopt;
-    std::optional<Estimate> nearer;
-    if (coarser) nearer = std::move(coarser->estimate);
-    answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, std::move(nearer))
-                                           : at_displacement(half, {}, at, watch, nearer);
+    if (choice && (halvings > 1 || !dense)) return std::nullopt;
+    answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, std::move(coarser))
+                                           : at_displacement(half, {}, at, watch, std::move(coarser));
   }
   const std::int64_t contacts = count_positive(answer->p);
   if (contacts == 0) return std::nullopt;
   const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
-  return CoarseEstimate{
-      {spread(answer->pressures(), blocks, work.surface, Cut::same_pressure), half.surface.lowest() + answer->compression},
-      few(contacts, half.system.points())};
+  return Estimate{spread(answer->pressures(), blocks, work.surface, Cut::same_pressure),
+                  half.surface.lowest() + answer->compression, !few(contacts, half.system.points())};
 }
 
 }  // namespace
@@ -319,14 +311,14 @@ std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, cons
   if (!start) {
     if (grows_dense(work, memory.last, step)) return std::nullopt;
     const bool cold = !step.warm_start || memory.last.pressures.empty();
-    std::optional<CoarseEstimate> coarse = coarse_estimate(work, step, monitor);
-    if (!coarse) return std::nullopt;
-    if (!coarse->few) {
-      if (cold) estimate = std::move(coarse->estimate);
+    start = coarse_estimate(work, step, monitor, cold);
+    if (!start) return std::nullopt;
+    if (start->dense) {
+      if (cold) estimate = std::move(start);
       return std::nullopt;
     }
-    start = std::move(coarse->estimate);
   }
   return solve_few(work, memory, step, *choice, std::move(*start), monitor);
 }
+
 }  // namespace rc

@@ -9,7 +9,7 @@
 namespace rc {
 
 Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
-                       const std::optional<Estimate>& nearer) {
+                       std::optional<Estimate> nearer) {
   TrialSet trial = trial_below(step.target, work);
   const double depth = compression_of(step, work);
   Answer answer = prepared(trial, step.control, depth, work);
@@ -18,6 +18,7 @@ Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& ste
   on_all(work.ranks(), [&] {
     answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr);
   });
+  nearer.reset();
   if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(step, trial);
   answer.compression = answer.limit = depth;
   const std::vector<double> u = compenetrations(answer, step.target, work);

@@ -12,6 +12,6 @@ namespace rc {
 
 // nearer: the estimate of a coarser grid.
 Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
-                       const std::optional<Estimate>& nearer = std::nullopt);
+                       std::optional<Estimate> nearer = std::nullopt);
 
 }  // namespace rc

@@ -100,7 +100,8 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   const double lowest = surface.lowest(), load = step.target / system.cell_area();
   const double ratio = last.load > 0 ? step.target / last.load : infinite;
   const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last.same_gap;
-  double height = estimate             ? growth * (estimate->approach - lowest)
+  const bool narrow = estimate && !estimate->dense;
+  double height = narrow               ? growth * (estimate->approach - lowest)
                   : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
                                        : surface.highest() - lowest;
   if (!(height > 0)) height = load * system.length_per_pressure;
@@ -134,6 +135,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     on_all(work.ranks(),
            [&] { answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr); });
+    nearer.reset();
     if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
     const double wanted = load / answer.pressure_unit;
     const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());

@@ -25,10 +25,12 @@ bool pass_over(Workspace& work, const char* name, const char* option, const std:
   return true;
 }
 
-Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, std::optional<Estimate>& nearer) {
-  if (std::optional<Answer> sparse = sparse_contact(work, memory, step, monitor, nearer)) return std::move(*sparse);
-  return step.control == RC_CONTROL_LOAD ? at_load(work, memory, step, monitor, nearer)
-                                         : at_displacement(work, memory, step, monitor, nearer);
+Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                 const std::optional<Estimate>& nearer) {
+  std::optional<Estimate> estimate = nearer;
+  if (std::optional<Answer> sparse = sparse_contact(work, memory, step, monitor, estimate)) return std::move(*sparse);
+  return step.control == RC_CONTROL_LOAD ? at_load(work, memory, step, monitor, std::move(estimate))
+                                         : at_displacement(work, memory, step, monitor, std::move(estimate));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // method, iteration.h its control flow. This file runs it on the threads of this process, and of others with which it shares the
 // grid.
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -47,8 +46,7 @@ bool worth_mixing(const Problem& problem) {
 // deflection can make the pressures large.
 bool single_suffices(const Problem& problem) {
   constexpr double least_tol = 0.9e-5;
-  return problem.tol() >= least_tol && problem.cap() == std::numeric_limits<double>::infinity() && !problem.ranks() &&
-         problem.grid()->boundary == RC_BOUNDARY_FREE;
+  return problem.tol() >= least_tol && !problem.ranks() && problem.grid()->boundary == RC_BOUNDARY_FREE;
 }
 
 // q: null, or room for a vector.
@@ -79,7 +77,7 @@ template <class Real, class Pressure> rc_status iterate(const Problem& problem, 
 rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
   if (!worth_mixing(problem)) return iterate<double>(problem, p.data(), d);
   if (!single_suffices(problem)) return iterate<float>(problem, p.data(), d);
-  const SinglePressures single(p, problem.team());
+  const SinglePressures single(p, problem.cap(), problem.team());
   return iterate<float>(problem, single.values(), d, single.room());
 }
 

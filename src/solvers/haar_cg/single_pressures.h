@@ -10,11 +10,12 @@
 
 namespace rc {
 
-// While it lives, p [n] holds n floats, and room for as many more. Then p has their values.
+// While it lives, p [n] holds n floats, and room for as many more. Then p has their values, and the cap itself where a float is
+// no less than the one next to it.
 class SinglePressures {
  public:
-  SinglePressures(std::span<double> p, const rc_team& team)
-      : p_(reinterpret_cast<std::byte*>(p.data())), n_(static_cast<std::int64_t>(p.size())), team_(team) {
+  SinglePressures(std::span<double> p, double cap, const rc_team& team)
+      : p_(reinterpret_cast<std::byte*>(p.data())), n_(static_cast<std::int64_t>(p.size())), cap_(cap), team_(team) {
     // What a range of values becomes lies before the range, but for the first value's.
     for (std::int64_t begin = 0, end = std::min<std::int64_t>(1, n_); begin < n_; begin = end, end = std::min(2 * end, n_))
       convert<double, float>(begin, end);
@@ -35,12 +36,14 @@ class SinglePressures {
   float* room() const { return values() + n_; }
 
  private:
+  static float other_of(double value) { return static_cast<float>(value); }
+  double other_of(float value) const { return value >= static_cast<float>(cap_) ? cap_ : static_cast<double>(value); }
   template <class From, class To> void convert(std::int64_t begin, std::int64_t end) {
     each_chunk(end - begin, team_, [&](std::int64_t first, std::int64_t count) {
       for (std::int64_t i = begin + first; i < begin + first + count; ++i) {
         From value;
         std::memcpy(&value, p_ + i * static_cast<std::int64_t>(sizeof value), sizeof value);
-        const auto other = static_cast<To>(value);
+        const To other = other_of(value);
         std::memcpy(p_ + i * static_cast<std::int64_t>(sizeof other), &other, sizeof other);
       }
     });
@@ -48,6 +51,7 @@ class SinglePressures {
 
   std::byte* const p_;
   const std::int64_t n_;
+  const double cap_;
   const rc_team& team_;
 };
 

@@ -42,7 +42,7 @@ ThreadMachine<Real, Pressure>::ThreadMachine(const Problem& problem, Pressure* p
       chunks_(Chunks::of(ranks, problem.grid()->nx)),
       chunk_runs_((chunks_.values + haar_run - 1) / haar_run),
       margin_(ranks ? (static_cast<std::size_t>(problem.grid()->nx) * sizeof(Real) + line - 1) / line * line : 0),
-      cap_(problem.cap()),
+      cap_(static_cast<Pressure>(problem.cap())),  // the largest pressure that there is
       p_(p),
       reached_(static_cast<std::size_t>(chunks_.count(n_))),
       runs_(static_cast<std::size_t>(chunks_.count(n_) * chunk_runs_), HaarRun::busy) {
