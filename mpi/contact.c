@@ -32,8 +32,7 @@ static void release(rc_mpi_contact* contact) {
   MPI_Finalized(&over);
   if (!over && contact->link.comm != MPI_COMM_NULL) MPI_Comm_free(&contact->link.comm);
   free(contact->link.counts);
-  free(contact->link.open);
-  free(contact->link.done);
+  free(contact->link.places);
   free(contact);
 }
 
@@ -52,9 +51,8 @@ rc_status rc_mpi_contact_create(MPI_Comm comm, const rc_system* system, const rc
     made->link.ranks = ranks;
     MPI_Comm_rank(comm, &made->link.rank);
     made->link.counts = calloc((size_t)ranks, 2 * sizeof(int));
-    made->link.open = calloc((size_t)ranks, 2 * sizeof(MPI_Request));
-    made->link.done = calloc((size_t)ranks, 2 * sizeof(MPI_Status));
-    enough = made->link.counts && made->link.open && made->link.done;
+    made->link.places = calloc((size_t)ranks, 2 * sizeof(int64_t));
+    enough = made->link.counts && made->link.places;
   }
   if (MPI_Allreduce(&enough, &enough_everywhere, 1, MPI_INT, MPI_MIN, comm) != MPI_SUCCESS || !enough_everywhere) {
     if (made) release(made);

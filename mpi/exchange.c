@@ -55,50 +55,39 @@ static const char* gather(void* user, const void* mine, const int64_t* bytes, vo
   return NULL;
 }
 
-/* Messages between pairs, as MPI_Alltoallv would send them: its counts in int are too small for large grids, and ranks would have
-   to agree on where they are. Each is cut into pieces of `most` bytes, whose number is known to both ranks. */
-static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
+/* Bytes to one rank and from another, in pieces of `most` bytes, whose numbers are known to all. After a failure the others are
+   still sent, because a rank waits for each. */
+static const char* shift(void* user, int64_t to, const void* from, int64_t sent, int64_t source, void* into, int64_t received) {
   struct rc_mpi_link* link = user;
-  const char* failed = NULL;
-  int more = 1;
-  for (int64_t at = 0; more; at += most) {
-    const char* give = from;
-    char* take = into;
-    int open = 0, code = MPI_SUCCESS;
-    more = 0;
-    for (int r = 0; r < link->ranks; take += received[r], give += sent[r], ++r) {
-      const int64_t in = received[r] - at, out = sent[r] - at;
-      if (r == link->rank) {
-        if (at == 0) memcpy(take, give, (size_t)in);
-        continue;
-      }
-      if (in > 0) code = MPI_Irecv(take + at, (int)(in < most ? in : most), MPI_BYTE, r, 1, link->comm, &link->open[open++]);
-      if (code != MPI_SUCCESS && !failed) failed = said(link, "MPI_Irecv", code);
-      if (out > 0) code = MPI_Isend(give + at, (int)(out < most ? out : most), MPI_BYTE, r, 1, link->comm, &link->open[open++]);
-      if (code != MPI_SUCCESS && !failed) failed = said(link, "MPI_Isend", code);
-      more = more || in > most || out > most;
-    }
-    code = MPI_Waitall(open, link->open, link->done);
-    if (code != MPI_SUCCESS && !failed) failed = said(link, "MPI_Waitall", code);
+  const char *give = from, *failed = NULL;
+  char* take = into;
+  for (; sent > 0 || received > 0; sent -= most, received -= most, give += most, take += most) {
+    const int out = (int)(sent > most ? most : sent > 0 ? sent : 0), in = (int)(received > most ? most : received > 0 ? received : 0);
+    const int code = MPI_Sendrecv(give, out, MPI_BYTE, out > 0 ? (int)to : MPI_PROC_NULL, 1, take, in, MPI_BYTE,
+                                  in > 0 ? (int)source : MPI_PROC_NULL, 1, link->comm, MPI_STATUS_IGNORE);
+    if (!failed) failed = said(link, "MPI_Sendrecv", code);
   }
   return failed;
 }
 
-static const char* shift(void* user, int64_t to, const void* from, int64_t sent, int64_t source, void* into, int64_t received) {
+/* One pair after the other, each rank with another one at a time. MPI_Alltoallv counts in int, which is too small for large grids,
+   and ranks would have to agree on where it is. */
+static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
   struct rc_mpi_link* link = user;
-  const int next = to < 0 ? MPI_PROC_NULL : (int)to, previous = source < 0 ? MPI_PROC_NULL : (int)source;
-  const char* give = from;
-  char* take = into;
-  do {
-    const int out = (int)(sent < most ? sent : most), in = (int)(received < most ? received : most);
-    const int code = MPI_Sendrecv(give, out, MPI_BYTE, next, 2, take, in, MPI_BYTE, previous, 2, link->comm, MPI_STATUS_IGNORE);
-    if (code != MPI_SUCCESS) return said(link, "MPI_Sendrecv", code);
-    give += out;
-    take += in;
-    sent -= out;
-    received -= in;
-  } while (sent > 0 || received > 0);
-  return NULL;
+  const int ranks = link->ranks, rank = link->rank;
+  int64_t *give = link->places, *take = link->places + ranks, given = 0, taken = 0;
+  const char* failed = NULL;
+  for (int r = 0; r < ranks; given += sent[r], taken += received[r], ++r) {
+    give[r] = given;
+    take[r] = taken;
+  }
+  memcpy((char*)into + take[rank], (const char*)from + give[rank], (size_t)sent[rank]);
+  for (int k = 1; k < ranks; ++k) {
+    const int to = (rank + k) % ranks, source = (rank - k + ranks) % ranks;
+    const char* why = shift(user, to, (const char*)from + give[to], sent[to], source, (char*)into + take[source], received[source]);
+    if (!failed) failed = why;
+  }
+  return failed;
 }
 
 rc_exchange rc_mpi_exchange(struct rc_mpi_link* link) {

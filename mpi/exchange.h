@@ -8,9 +8,8 @@
 struct rc_mpi_link {
   MPI_Comm comm;
   int rank, ranks;
-  int* counts;       /* [2 * ranks] of a collective call: counts and places */
-  MPI_Request* open; /* [2 * ranks] */
-  MPI_Status* done;  /* [2 * ranks] */
+  int* counts;     /* [2 * ranks] of a collective call: counts and places */
+  int64_t* places; /* [2 * ranks] of a transposition */
   char text[MPI_MAX_ERROR_STRING + 64];
 };
 

@@ -15,7 +15,6 @@ int MPI_Allgatherv(const void* from, int n, MPI_Datatype type, void* to, const i
                    MPI_Datatype to_type, MPI_Comm comm) {
   return reported(PMPI_Allgatherv(from, n, type, to, counts, places, to_type, comm));
 }
-int MPI_Waitall(int n, MPI_Request* requests, MPI_Status* statuses) { return reported(PMPI_Waitall(n, requests, statuses)); }
 int MPI_Sendrecv(const void* from, int n, MPI_Datatype type, int to, int tag, void* into, int m, MPI_Datatype into_type,
                  int source, int into_tag, MPI_Comm comm, MPI_Status* status) {
   return reported(PMPI_Sendrecv(from, n, type, to, tag, into, m, into_type, source, into_tag, comm, status));

@@ -54,7 +54,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
 
 namespace {
 
-constexpr std::int64_t most_gathered = std::int64_t{1} << 20;  // points of a grid that every rank solves alike
+constexpr std::int64_t most_gathered = std::int64_t{1} << 16;  // points of a grid that every rank solves alike
 
 rc_step step_of(const rc_coarse& request, std::int32_t warm, const double* gap, const std::uint8_t* mask) {
   rc_step step = RC_STEP_INIT;
@@ -74,7 +74,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const Workspace& work, c
   Level& level = levels_[system.nx * system.ny];
   if (!level.ranks) level.ranks = std::make_unique<Ranks>(all.halved());
   const Ranks& ranks = *level.ranks;
-  const bool alike = system.nx * system.ny <= most_gathered || ranks.halvings() < 2;
+  const bool alike = system.nx * system.ny <= most_gathered || ranks.halvings() < 1;
   if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one rank stops all, between iterations
   on_all(&all, [&] {
     if (level.contact)
