@@ -25,7 +25,7 @@ def one_of(*names):
 
 
 def listed(kind):
-    return lambda text: [kind(word) for word in text.split(',')]
+    return lambda text: [kind(word) for word in text.split(',') if word]
 
 
 def folder(text):

@@ -19,7 +19,7 @@ NETWORKS = {'fast': (12.5e9, 1.5e-6), 'slow': (1.25e9, 20e-6)}  # bytes a second
 GUESS_BYTES = 120  # a point, where nothing was measured
 WAYS = {'process': (1, 2), 'ranks': (2, 1)}  # ranks, threads of each
 ENVIRONMENT = {'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMPI_MCA_rmaps_base_oversubscribe': '1',
-               'OMPI_MCA_hwloc_base_binding_policy': 'none', 'OMPI_MCA_mpi_yield_when_idle': '1', 'OMPI_MCA_btl_vader_single_copy_mechanism': 'none'}
+               'OMPI_MCA_hwloc_base_binding_policy': 'none'}
 COLUMNS = 'kind; n; way; ranks; seconds={seconds:.3g}; CPU s={cpu_seconds:.3g}; iterations; products; GB={peak_gigabytes:.3g}; status'
 SIMULATED = 'kind; n; network; ranks; seconds={seconds:.3g}; iterations; products; status'
 
@@ -53,7 +53,7 @@ def simulated_command(network, n, ranks, folder):
     with open(hosts, 'w', encoding='utf-8') as out:
         out.write(''.join(f'node{k}\n' for k in range(ranks)))
     return [program('RC_BENCH_SMPIRUN', "SimGrid's SMPI"), '-np', str(ranks), '-platform', os.path.join(ROOT, 'platforms', f'{network}.xml'),
-            '-hostfile', hosts, '--cfg=smpi/host-speed:1Gf', '--log=root.thres:error',
+            '-hostfile', hosts, '--cfg=smpi/host-speed:1Gf', '--cfg=smpi/coll-selector:ompi', '--log=root.thres:error',
             program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed']
 
 
