@@ -17,6 +17,7 @@ from tables import show
 ROOT = os.path.dirname(os.path.abspath(__file__))
 NETWORKS = {'fast': (12.5e9, 1.5e-6), 'slow': (1.25e9, 20e-6)}  # bytes a second, seconds; as in platforms/*.xml
 EXACT = '--cfg=smpi/lat-factor:0:1', '--cfg=smpi/bw-factor:0:1'  # else SMPI has the corrections of another network
+MAPPED = str(1 << 20)  # bytes of a block from which on malloc gives it back, where memory is measured
 GUESS_BYTES = 120  # a point, where nothing was measured
 WAYS = {'process': (1, 2), 'ranks': (2, 1)}  # ranks, threads of each
 ENVIRONMENT = {'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMPI_MCA_rmaps_base_oversubscribe': '1',
@@ -32,10 +33,10 @@ def program(variable, what):
     return found
 
 
-def answer_of(command, limit):
+def answer_of(command, limit, **environment):
     """The line of JSON that rank_solver prints, or {'error': text}."""
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, env={**os.environ, **ENVIRONMENT}, check=False)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, env={**os.environ, **ENVIRONMENT, **environment}, check=False)
     except subprocess.TimeoutExpired:
         return {'error': f'not finished within {limit:.0f} s'}
     lines = [line for line in done.stdout.splitlines() if line.startswith('{')]
@@ -106,6 +107,9 @@ class Ranks:
                     if way not in best or answer.get('seconds', math.inf) < best[way].get('seconds', math.inf):
                         best[way] = answer
             wall = (time.monotonic() - begun) / 2
+            for way, answer in best.items():
+                memory = answer_of(measured_command(way, n, 'mixed'), max(self.left(), 60), MALLOC_MMAP_THRESHOLD_=MAPPED)
+                answer.update({name: memory[name] for name in ('peak_bytes', 'most_peak_bytes') if name in memory})
             for way, answer in best.items():
                 if 'error' not in answer:
                     answer.update(peak_gigabytes=answer['peak_bytes'] / 1e9, wall_seconds=wall)

@@ -1,19 +1,24 @@
 """What a solve on ranks takes: a model whose coefficients are fitted to measured and simulated solves.
 
-A solve of N x N points on P ranks makes K products. Each transposes the spectra of the rows twice: of N rows the N + 1 waves of the doubled
-length, complex, of s bytes a number. K products take
+A solve of N x N points on P ranks makes K products with the given grid. Each transposes the spectra of the rows twice: of N rows the N + 1
+waves of the doubled length, complex, of s bytes a number. The solve takes
 
-    seconds = a N^2 log2(N) / P  +  r  +  m (l messages)  +  b (bytes / w)
+    seconds = a K N^2 log2(N) / P  +  t K (N / 32)^2  +  r  +  m (l messages)  +  b (bytes / w)
 
-with a, r, m, b fitted: a is work on the rank's own rows, r what every rank does alike (the coarsest grids), l the network's latency and w its
-bandwidth. Messages of a rank: P - 1 in each transposition, of which large grids need several each way; log2(P) in each gather. Bytes of a rank: what it sends in transpositions and what it
-receives in gathers of sums and coarse grids. Memory: bytes a point, and of each rank what does not depend on its rows."""
+with a, t, r, m, b fitted: a is work on the rank's own rows; t that on the levels of the trees that every rank has whole, one value for each
+piece of 32 x 32 points; r all else that every rank does alike, as the coarsest grid; l the network's latency and w its bandwidth. Messages of
+a rank: P - 1 in each transposition, of which large grids need several each way; log2(P) in each gather. Bytes of a rank: what it sends in
+transpositions and what it receives in gathers of sums, levels and coarse grids. Memory: bytes a point, what a rank has whole, and of each
+rank what depends on nothing."""
 import math
 
 import numpy as np
 
-ROUND, MOST_ROUNDS = 2**24, 16  # bytes of a rank's spectra that a transposition carries, and the largest number of transpositions each way
+ROUND, MOST_ROUNDS = 2**23, 16  # bytes of a rank's spectra that a transposition carries, and the largest number of transpositions each way
 PIECE = 32  # rows of which a rank has at least so many or none
+COARSEST = 256  # points a side of the grid that every rank solves alike
+WHOLE_BYTES = 32  # for each value of the first level that every rank has whole: two trees from there up, and what is gathered
+TERMS = 'work on rows', 'levels that every rank has whole', 'what else every rank does alike', 'latencies', 'transfers'
 LARGE = [(n, ranks) for n in (65536, 262144) for ranks in (1024, 4096, 16384)]
 
 
@@ -27,19 +32,25 @@ def transposed(n, ranks, size):
     return 2 * n * (2 * waves(n) * size) * (1 - 1 / ranks)
 
 
+def counted_transposed(n, ranks, products):
+    """All that transpositions of a solve without coarser grids send, products in double precision; the eigenvalues are real, and sent once."""
+    return products * transposed(n, ranks, 8) + 8 * n * waves(n) * (1 - 1 / ranks)
+
+
 def rounds(n, ranks, size):
     """Parts in which a product's spectra are transposed, so that a rank needs no second copy of them."""
     return min(max(int(2 * n * waves(n) * size / ranks / ROUND), 1), MOST_ROUNDS)
 
 
 def terms(row, network):
-    """[work, constant, latencies, transfers], of a solve with its counters, in units of the coefficients."""
+    """Of a solve with its counters, in units of the coefficients; as in TERMS."""
     width, latency = network
     ranks = row['ranks']
     alone = ranks == 1
     messages = row['transpositions'] * (ranks - 1) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
     received = row['transposed'] / ranks + (row['reduced'] + row['gathered']) * (1 - 1 / ranks)
-    return [row['products'] * row['n']**2 * math.log2(row['n']) / ranks, 1.0, 0.0 if alone else latency * messages, received / width]
+    points = row['applications'] * row['n']**2
+    return [points * math.log2(row['n']) / ranks, points / PIECE**2, 1.0, 0.0 if alone else latency * messages, received / width]
 
 
 def positive_fit(rows, right):
@@ -66,12 +77,14 @@ def memory_of(measured):
 
 
 def scaled(last, n, ranks):
-    """The counters of a solve on another grid and other ranks, from those of the largest simulated one. Sums are gathered by pieces of
-    rows; the coarsest grids, which every rank has, do not grow."""
-    size = last['transposed'] / last['products'] / transposed(last['n'], last['ranks'], 1)
-    return {'n': n, 'ranks': ranks, 'products': last['products'], 'reductions': last['reductions'], 'gathers': last['gathers'],
-            'transpositions': 2 * last['products'] * rounds(n, ranks, size), 'transposed': last['products'] * transposed(n, ranks, size),
-            'reduced': last['reduced'] * n / last['n'], 'gathered': last['gathered']}
+    """The counters of a solve on another grid and other ranks, from those of the largest simulated one: as many products with the given grid,
+    calls for as many more coarser grids as there are. Sums are gathered by pieces of rows, levels of the trees by pieces of 32 x 32."""
+    size = last['transposed'] / last['applications'] / transposed(last['n'], last['ranks'], 1)
+    more, side = math.log2(n / COARSEST) / math.log2(last['n'] / COARSEST), n / last['n']
+    parts = rounds(n, ranks, size) / rounds(last['n'], last['ranks'], size)
+    return {'n': n, 'ranks': ranks, 'applications': last['applications'], 'reductions': more * last['reductions'], 'gathers': more * last['gathers'],
+            'transpositions': more * parts * last['transpositions'], 'transposed': last['applications'] * transposed(n, ranks, size),
+            'reduced': last['reduced'] * side, 'gathered': last['gathered'] * side**2}
 
 
 def computed(model, last, networks):
@@ -81,10 +94,11 @@ def computed(model, last, networks):
         for name, network in networks.items():
             found = np.asarray(terms(scaled(last, n, with_rows), network)) * model['coefficients']
             seconds = float(found.sum())
-            worst = ['work on rows', 'what every rank does alike', 'latencies', 'transfers'][int(np.argmax(found))]
+            worst = TERMS[int(np.argmax(found))]
+            whole = WHOLE_BYTES * (n / PIECE)**2
             rows.append({'kind': 'computed', 'n': n, 'ranks': ranks, 'with_rows': with_rows, 'network': name, 'seconds': seconds,
-                         'communication': float(found[2] + found[3]) / seconds, 'limit': worst,
-                         'gigabytes_a_rank': (model['bytes_a_point'] * n * n / with_rows + model['bytes_a_rank']) / 1e9})
+                         'communication': float(found[3] + found[4]) / seconds, 'limit': worst,
+                         'gigabytes_a_rank': (model['bytes_a_point'] * n * n / with_rows + whole + model['bytes_a_rank']) / 1e9})
     return rows
 
 

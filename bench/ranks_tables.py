@@ -2,7 +2,7 @@
 import os
 
 from charts import Panels, axes, decades, style
-from ranks_model import transposed
+from ranks_model import counted_transposed
 from samples import chosen, groups
 from store import load
 from tables import missing, provenance, records, seconds, table
@@ -11,8 +11,9 @@ COMMAND = 'roughcontact-bench ranks'
 PAIRS = ('kind=measured; grid={n}²; 1 process x 2 threads [s]={process[seconds]:s}; 2 ranks x 1 thread [s]={ranks[seconds]:s}; ratio={time:.2f}; '
          'CPU seconds, ratio={cpu:.2f}; memory [MB]={process_megabytes:.0f}; memory of both ranks [MB]={ranks_megabytes:.0f}; ratio={memory:.2f}; '
          'products={ranks[products]}; same pressures={same}')
-COUNTS = ('kind; products in={numbers}; grid={n}²; ranks; iterations={distributed_iterations}; reductions an iteration={a:.2f}; '
-          'transpositions a product={t:.2f}; sent in a product [MB]={sent:.3f}; by the model [MB]={model:.3f}; counted / model={ratio:.3f}; '
+COUNTS = ('kind; products in={numbers}; grid={n}²; ranks; iterations={distributed_iterations}; products; reductions={reductions}; '
+          'reductions an iteration={a:.2f}; transpositions a product, in parts={t:.2f}; sent [MB]={sent:.3f}; by the model [MB]={model:.3f}; '
+          'counted / model={ratio:.3f}; '
           'given to sums, an iteration [kB]={sums:.1f}; gathered, a product [kB]={gathers:.1f}')
 SIMULATED = ('kind; network; grid={n}²; ranks; points a rank={each:.3g}; seconds={seconds:s}; speed-up={speedup}; efficiency [%]={efficiency}; '
              'products; by the fitted model [s]={model:s}')
@@ -44,11 +45,11 @@ def counts(document):
     found = []
     for row in rows:
         products, iterations = max(row['products'], 1), max(row['distributed_iterations'], 1)
-        sent, model = row['transposed'] / products, transposed(row['n'], row['ranks'], 8)
+        sent, model = row['transposed'], counted_transposed(row['n'], row['ranks'], products)
         found.append({**row, 'kind': 'measured', 'a': row['reductions'] / iterations, 't': row['transpositions'] / products, 'sent': sent / 1e6,
                       'model': model / 1e6, 'ratio': sent / model, 'sums': row['reduced'] / iterations / 1e3,
                       'gathers': row['gathered'] / products / 1e3})
-        if row['numbers'] == 'mixed':  # part of the products are in single precision
+        if row['numbers'] == 'mixed':  # and on coarser grids as well
             del found[-1]['model'], found[-1]['ratio']
     return found
 
@@ -89,9 +90,9 @@ def failed(document):
 
 
 def coefficients(model):
-    a, r, m, b = model['coefficients']
+    a, t, r, m, b = model['coefficients']
     errors = [abs(error) for error in model['errors']]
-    return (f'a = {a:.3g} s, r = {seconds(r)} s, m = {m:.3g}, b = {b:.3g}; over {len(errors)} simulated solves the model is off by '
+    return (f'a = {a:.3g} s, t = {t:.3g} s, r = {seconds(r)} s, m = {m:.3g}, b = {b:.3g}; over {len(errors)} simulated solves the model is off by '
             f'{100 * sum(errors) / len(errors):.0f} % on the mean, {100 * max(errors):.0f} % at most. Memory: {model["bytes_a_point"]:.0f} bytes a point, '
             f'and {model["bytes_a_rank"] / 1e6:.0f} MB a rank.')
 

@@ -62,7 +62,12 @@ static const char* shift(void* user, int64_t to, const void* from, int64_t sent,
   const char *give = from, *failed = NULL;
   char* take = into;
   for (; sent > 0 || received > 0; sent -= most, received -= most, give += most, take += most) {
-    const int out = (int)(sent > most ? most : sent > 0 ? sent : 0), in = (int)(received > most ? most : received > 0 ? received : 0);
+    const int out = (int)(sent > most ? most
+                          : sent > 0  ? sent
+                                      : 0),
+              in = (int)(received > most ? most
+                         : received > 0  ? received
+                                         : 0);
     const int code = MPI_Sendrecv(give, out, MPI_BYTE, out > 0 ? (int)to : MPI_PROC_NULL, 1, take, in, MPI_BYTE,
                                   in > 0 ? (int)source : MPI_PROC_NULL, 1, link->comm, MPI_STATUS_IGNORE);
     if (!failed) failed = said(link, "MPI_Sendrecv", code);
@@ -70,8 +75,8 @@ static const char* shift(void* user, int64_t to, const void* from, int64_t sent,
   return failed;
 }
 
-/* One pair after the other, each rank with another one at a time. MPI_Alltoallv counts in int, which is too small for large grids,
-   and ranks would have to agree on where it is. */
+/* One pair after the other, each rank with another one at a time. MPI_Alltoallv counts in int, which is too small for large
+   grids, and ranks would have to agree on where it is. */
 static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
   struct rc_mpi_link* link = user;
   const int ranks = link->ranks, rank = link->rank;
@@ -84,7 +89,8 @@ static const char* transpose(void* user, const void* from, const int64_t* sent, 
   memcpy((char*)into + take[rank], (const char*)from + give[rank], (size_t)sent[rank]);
   for (int k = 1; k < ranks; ++k) {
     const int to = (rank + k) % ranks, source = (rank - k + ranks) % ranks;
-    const char* why = shift(user, to, (const char*)from + give[to], sent[to], source, (char*)into + take[source], received[source]);
+    const char* why =
+        shift(user, to, (const char*)from + give[to], sent[to], source, (char*)into + take[source], received[source]);
     if (!failed) failed = why;
   }
   return failed;

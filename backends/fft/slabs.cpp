@@ -193,7 +193,8 @@ template <class Real> void SlabTransform<Real>::multiply(const Real* x, Real* y)
       sent_[static_cast<std::size_t>(rank)] = blocks(rank, round).count * own_rows_ * bytes;
       received_[static_cast<std::size_t>(rank)] = blocks(rows_.rank, round).count * count_rows(rank) * bytes;
     }
-    Real* const own = room_.spectra.template data<Real>() + round_begin_[static_cast<std::size_t>(round)] * own_rows_ * row_size<Real>;
+    Real* const own =
+        room_.spectra.template data<Real>() + round_begin_[static_cast<std::size_t>(round)] * own_rows_ * row_size<Real>;
     Real* const others = room_.columns.template data<Real>();
     rows_.transpose(&rows_, own, sent_.data(), others, received_.data());
     columns(round);

@@ -1,6 +1,7 @@
 /* rank_solver N THREADS ranks|process mixed|double: one cold solve of a rough surface of N x N points, about a tenth of them in
-   contact, by load control. The surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by
-   rc_contact, on one rank. Seconds are those of MPI_Wtime: of the clock, or of the simulation where SMPI runs the program. */
+   contact, by load control. double: products in double precision alone, and no coarser grids, so that counters can be told. The
+   surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by rc_contact, on one rank.
+   Seconds are those of MPI_Wtime: of the clock, or of the simulation where SMPI runs the program. */
 #include <math.h>
 #include <mpi.h>
 #include <roughcontact/mpi.h>
@@ -105,7 +106,8 @@ int main(int argc, char** argv) {
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
   if (rc_options_create(NULL, &options) != RC_OK || rc_options_parse(options, RC_OPT_THREADS, argv[2]) != RC_OK ||
       rc_options_parse(options, RC_OPT_SOLVER, "haar-cg") != RC_OK || rc_options_parse(options, RC_OPT_BACKEND, "fft") != RC_OK ||
-      rc_options_parse(options, "haar-cg.products", argv[4]) != RC_OK)
+      rc_options_parse(options, "haar-cg.products", argv[4]) != RC_OK ||
+      rc_options_parse(options, "haar-cg.nested", strcmp(argv[4], "double") == 0 ? "0" : "1") != RC_OK)
     stop("options");
   step.control = RC_CONTROL_LOAD;
   step.target =

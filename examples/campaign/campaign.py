@@ -9,10 +9,15 @@ import argparse
 import contextlib
 import datetime
 import importlib.metadata
+import multiprocessing.forkserver
 import os
 import platform
 import sys
 import time
+
+if __name__ == "__main__":  # while this process imports, so does the one from which workers will be forked
+    multiprocessing.set_forkserver_preload(["distributed", "pyarrow.parquet", "roughcontact"])
+    multiprocessing.forkserver.ensure_running()
 
 import dask
 import press
@@ -24,6 +29,7 @@ from distributed import Client, KilledWorker, LocalCluster, as_completed
 LOCAL = {  # of dask, for processes of this machine
     "distributed.scheduler.worker-saturation": 1.0,  # a process that dies takes along no chunk that it had not begun
     "distributed.nanny.pre-spawn-environ": {},  # what is set by default makes each solve ask the system for memory anew
+    "distributed.worker.multiprocessing-method": "forkserver",  # which imports once for all processes
     "distributed.worker.profile.enabled": False,  # nor does anybody look at what dask measures meanwhile
     "distributed.worker.memory.monitor-interval": "2s",
     "distributed.admin.system-monitor.interval": "10s",

@@ -22,10 +22,10 @@ static uint64_t digest(const void* data, size_t bytes, uint64_t hash) {
 
 /* What must not depend on the number of ranks: all but times. */
 static uint64_t digest_of(rc_result result) {
-  const double numbers[] = {result.load,        result.approach,    result.mean_pressure,  result.contact_area,
-                            result.energy,      result.kkt_primal,  result.kkt_dual,       result.kkt_complementarity,
-                            result.kkt_control, result.duality_gap, result.load_lower,     result.load_upper,
-                            result.area_lower,  result.area_upper,  result.plastic_volume, result.tolerance,
+  const double numbers[] = {result.load,        result.approach,        result.mean_pressure,  result.contact_area,
+                            result.energy,      result.kkt_primal,      result.kkt_dual,       result.kkt_complementarity,
+                            result.kkt_control, result.duality_gap,     result.load_lower,     result.load_upper,
+                            result.area_lower,  result.area_upper,      result.plastic_volume, result.tolerance,
                             result.stiffness,   result.stiffness_lower, result.stiffness_upper};
   const int64_t counts[] = {result.status,   result.iterations,      result.applications, result.points,    result.candidates,
                             result.modelled, result.contacts,        result.proven_open,  result.undecided, result.capped,
@@ -241,6 +241,38 @@ static void history(const scene* s) {
   free_rows(r);
 }
 
+/* What a solve of the first scene counts that ends after so many iterations. */
+static rc_ranks_counts counted(int64_t iterations) {
+  const scene* s = &scenes[0];
+  const rc_system system = system_of(s);
+  rc_options* options = options_of(s, 1);
+  rc_mpi_contact* contact = NULL;
+  rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
+  int64_t first = 0, count = 0;
+  rc_step step;
+  rc_result result;
+  rc_options_set_int(options, "haar-cg.nested", 0);
+  rc_options_set_int(options, RC_OPT_MAX_ITER, iterations);
+  rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+  const rows r = rows_of(s, first, count);
+  prepare(s, &r, &step, &result);
+  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) == RC_OK, s->name, "create");
+  check(rc_mpi_contact_solve(contact, &step, &result) == RC_STOP_MAX_ITER, s->name, "few iterations");
+  check(rc_mpi_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
+  rc_mpi_contact_destroy(contact);
+  rc_options_destroy(options);
+  free_rows(r);
+  return counts;
+}
+
+static void an_iteration_makes_a_product_and_three_sums(void) {
+  const rc_ranks_counts few = counted(4), more = counted(9);
+  const int64_t iterations = more.iterations - few.iterations;
+  check(iterations == 5, "five more iterations", "counts");
+  check(more.reductions - few.reductions <= 3 * iterations, "five more iterations", "three sums an iteration");
+  check(more.products - few.products <= iterations + 1, "five more iterations", "products");
+}
+
 int main(int argc, char** argv) {
   int worst = 0, provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
@@ -252,9 +284,9 @@ int main(int argc, char** argv) {
     for (int k = 2; k < argc; ++k) wanted = wanted || strcmp(argv[k], scenes[i].name) == 0;
     if (!wanted) continue;
     run(&scenes[i], threads);
-    if (scenes[i].control == RC_CONTROL_LOAD && !scenes[i].single && !scenes[i].kernel && scenes[i].nx < 200)
-      history(&scenes[i]);
+    if (scenes[i].control == RC_CONTROL_LOAD && !scenes[i].single && !scenes[i].kernel && scenes[i].nx < 200) history(&scenes[i]);
   }
+  if (argc < 3) an_iteration_makes_a_product_and_three_sums();
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();
   return worst > 0;

@@ -72,16 +72,11 @@ rc_step step_of(const rc_coarse& request, std::int32_t warm, const double* gap, 
 rc_status SolverGrids::solve_shared(rc_coarse& request, const Workspace& work, const rc_system& system, rc_options options) {
   const Ranks& all = *work.ranks();
   Level& level = levels_[system.nx * system.ny];
-  if (!level.ranks) level.ranks = std::make_unique<Ranks>(all.halved());
+  level.ranks = std::make_unique<Ranks>(all.halved());
   const Ranks& ranks = *level.ranks;
   const bool alike = system.nx * system.ny <= most_gathered || ranks.halvings() < 1;
   if (alike) options.set(RC_OPT_TIME_LIMIT, 0.0);  // a clock that stops one rank stops all, between iterations
-  on_all(&all, [&] {
-    if (level.contact)
-      level.contact->set_options(options);
-    else
-      level.contact = std::make_unique<GridContact>(system, options, &work.team(), alike ? nullptr : &ranks);
-  });
+  on_all(&all, [&] { level.contact = std::make_unique<GridContact>(system, options, &work.team(), alike ? nullptr : &ranks); });
   rc_result result{};
   rc_status status = RC_OK;
   if (!alike) {
@@ -106,7 +101,7 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const Workspace& work, c
     std::copy_n(p.data() + ranks.first_row() * system.nx, ranks.rows() * system.nx, request.p);
   }
   request.approach = result.approach;
-  level.current = false;
+  levels_.erase(system.nx * system.ny);  // the iteration that follows needs the memory
   return all.stop() != RC_OK ? all.stop() : status;
 }
 

@@ -7,8 +7,8 @@
 
 #include "core/conjugate_gradients.h"
 #include "core/error.h"
-#include "core/stall.h"
 #include "core/ranks.h"
+#include "core/stall.h"
 #include "core/sums.h"
 
 namespace rc {
@@ -92,15 +92,19 @@ ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::
   }
   for (const std::size_t at : place) active[at] = 1;
   const std::vector<float> none(active.size());
-  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, ranks_), std::move(place), std::move(active), none, none,
-              before, nullptr};
+  Trees trees{HaarTreePair(std::move(cells), inputs.table, sharp, ranks_),
+              std::move(place),
+              std::move(active),
+              none,
+              none,
+              before,
+              nullptr};
   trees.memory.reset(new std::byte[trees.pair.bytes()]);
   trees.pair.place(trees.memory.get());
   return trees;
 }
 
-template <class... Terms>
-std::array<double, sizeof...(Terms)> ContactSetSolve::sums(std::size_t n, const Terms&... terms) const {
+template <class... Terms> std::array<double, sizeof...(Terms)> ContactSetSolve::sums(std::size_t n, const Terms&... terms) const {
   if (!ranks_) return {sum_of(n, terms)...};
   struct Part {
     std::array<double, sizeof...(Terms)> sum;

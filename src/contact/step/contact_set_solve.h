@@ -54,8 +54,8 @@ class ContactSetSolve {
     HaarTreePair pair;
     std::vector<std::size_t> place;  // of each point of the set
     std::vector<std::uint8_t> active;
-    std::vector<float> g, p;    // what they are given, and what they make of it
-    std::size_t before = 0;     // values before the first, which belong to the previous rank
+    std::vector<float> g, p;  // what they are given, and what they make of it
+    std::size_t before = 0;   // values before the first, which belong to the previous rank
     std::unique_ptr<std::byte[]> memory;
   };
   template <class Real> struct Vectors {
@@ -85,7 +85,7 @@ class ContactSetSolve {
   const Ranks* ranks_;
   std::vector<std::int64_t> set_;
   std::vector<std::size_t> pieces_;  // of ranks: where in the set each of this rank's pieces begins, and the last ends
-  double mean_ = 0, lowest_ = 0;  // lowest_: bound of the eigenvalues of A
+  double mean_ = 0, lowest_ = 0;     // lowest_: bound of the eigenvalues of A
   std::vector<Trees> trees_;
   std::tuple<Vectors<float>, Vectors<double>> vectors_;
 };

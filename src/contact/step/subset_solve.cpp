@@ -39,10 +39,13 @@ SubsetSolve::SubsetSolve(Workspace& work, Operator& op, std::span<const std::int
     lowest_ = lowest_eigenvalue(work, op.trial().zero_mode, set.size());
     return;
   }
-  preconditioned_.emplace(op, set, work.grid(), lowest, work.team(), [&work](std::int64_t mx, std::int64_t my, auto& out) {
-    out.resize(static_cast<std::size_t>(mx * my));
-    raise_if_failed(work.coefficients(mx, my, out.data()), "the solve on the contact set");
-  }, work.ranks());
+  preconditioned_.emplace(
+      op, set, work.grid(), lowest, work.team(),
+      [&work](std::int64_t mx, std::int64_t my, auto& out) {
+        out.resize(static_cast<std::size_t>(mx * my));
+        raise_if_failed(work.coefficients(mx, my, out.data()), "the solve on the contact set");
+      },
+      work.ranks());
   mean_ += preconditioned_->mean();
   lowest_ = preconditioned_->lowest();
 }
