@@ -115,7 +115,7 @@ class Context {
   std::deque<Component<rc_kernel>> kernels_;
   std::vector<std::string> loaded_;
   Schema schema_;
-  std::vector<std::string> closed_;  // names of plugins that "auto" has not tried to open
+  std::vector<std::string> closed_;             // names of plugins that "auto" has not tried to open
   std::map<std::string, std::string> refused_;  // plugins, and why
   bool looked_ = false, all_loaded_ = false;
 };
