@@ -9,14 +9,16 @@ cd "$(dirname "$0")/.."
 build=${1:-build-device}
 read -r solver backend <<<"${RC_DEVICE_PAIR:-haar-cuda cuda}"
 passes=${RC_DEVICE_PASSES:-device_passes}
-lines=$(mktemp)
-trap 'rm -f "$lines" "$lines.passes"' EXIT
+lines=$build/device-lines  # what was measured, should anything fail later
+mkdir -p "$build"
+rm -f "$lines" "$lines.passes"
 ends=$((SECONDS + 540))
 fft=fft
 if [ -z "${RC_DEVICE_SHORT:-}" ]; then
-  mkdir -p "$build"
+  command -v nvcc >/dev/null || PATH=$PATH:/usr/local/cuda/bin
+  architecture=$(nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null | head -1 | tr -d . || true)
   pkg-config --exists fftw3 fftw3f 2>/dev/null || fft=''
-  cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA_ARCHITECTURES="${RC_DEVICE_ARCHITECTURE:-native}" \
+  cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA_ARCHITECTURES="${RC_DEVICE_ARCHITECTURE:-${architecture:-native}}" \
     -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_SURFACE=OFF \
     -DRC_BUILD_DEVICE_BENCH=ON -DRC_BUILTIN_BACKENDS= -DRC_MODULE_BACKENDS="$fft" >"$build/build.log" 2>&1 || { tail -20 "$build/build.log"; exit 1; }
   cmake --build "$build" -j "$(nproc)" --target roughcontact ${fft:+rcb_fft} rcb_cuda device_solves device_passes >>"$build/build.log" 2>&1 || {

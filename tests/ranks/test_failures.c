@@ -110,6 +110,10 @@ static void disagreements(const scene* s) {
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_ARGUMENT, "rc_step.p0[5]",
                "an infinite start on one rank");
   j.step.p0 = NULL;
+  if (rank == last) j.step.memory = "cuda";
+  check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_INCOMPATIBLE, "arrays in the host's memory alone",
+               "a device's memory on one rank");
+  j.step.memory = NULL;
   j.step.target = -1;
   j.step.control = RC_CONTROL_LOAD;
   check_failed(rc_mpi_contact_solve(contact, &j.step, &j.result), RC_ERR_INFEASIBLE, "negative", "a negative load");

@@ -81,9 +81,7 @@ std::size_t free_bytes_of(Index index) {
 
 void* Device::allocate(std::size_t bytes) {
   void* memory = nullptr;
-  const cudaError_t error = cudaMalloc(&memory, bytes);
-  if (error == cudaErrorMemoryAllocation) cudaGetLastError();  // the device goes on
-  checked(error, "cudaMalloc");
+  checked(cudaMalloc(&memory, bytes), "cudaMalloc");
   return memory;
 }
 

@@ -15,7 +15,9 @@
 namespace rc_cuda {
 
 inline void checked(cudaError_t error, const char* call) {
-  if (error != cudaSuccess) driver_failed(call, cudaGetErrorString(error), error == cudaErrorMemoryAllocation);
+  if (error == cudaSuccess) return;
+  cudaGetLastError();  // the program's next look at it finds none of ours
+  driver_failed(call, cudaGetErrorString(error), error == cudaErrorMemoryAllocation);
 }
 
 template <class F> __global__ void __launch_bounds__(lanes) each_kernel(const __grid_constant__ F f, Index n) {
