@@ -139,7 +139,7 @@ def fortran_member(name: str, kind: Type, struct: Struct, interface: Interface) 
     """((declaration, remark), text)"""
     function = interface.callback(kind)
     if name == "struct_size":
-        return ("integer(c_size_t)", ""), f"struct_size = {struct_size(struct)}"
+        return ("integer(c_size_t)", ""), f"struct_size = merge({struct_size(struct)}, {struct_size(struct, 4)}, c_intptr_t == 8)"
     if function:
         return ("type(c_funptr)", fortran_signature(name, function)), f"{name} = c_null_funptr"
     if kind.stars:

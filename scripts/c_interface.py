@@ -142,16 +142,17 @@ def read(headers: List[str], include: pathlib.Path, cc: str, before: Optional[In
     return found
 
 
-def size_of(kind: Type) -> Tuple[int, int]:
-    """(bytes, alignment) on a 64-bit (LP64) platform."""
-    sizes = {"int32_t": 4, "uint32_t": 4, "rc_status": 4, "uint8_t": 1, "char": 1}
-    size = 8 if kind.stars or kind.function else sizes.get(kind.base, 8)
-    return size * (kind.array or 1), size
+def size_of(kind: Type, address: int) -> Tuple[int, int]:
+    """(bytes, alignment) where addresses have so many bytes: 8, or 4, to which i686 aligns longer numbers, too."""
+    sizes = {"int64_t": 8, "uint64_t": 8, "double": 8, "int32_t": 4, "uint32_t": 4, "float": 4}
+    sizes.update({"rc_status": 4, "uint8_t": 1, "char": 1})  # others are size_t and names of functions
+    size = address if kind.stars or kind.function else sizes.get(kind.base, address)
+    return size * (kind.array or 1), min(size, address)
 
 
-def struct_size(struct: Struct) -> int:
+def struct_size(struct: Struct, address: int = 8) -> int:
     end = 0
     for _, kind in struct.members:
-        size, alignment = size_of(kind)
+        size, alignment = size_of(kind, address)
         end = -(-end // alignment) * alignment + size
-    return -(-end // 8) * 8
+    return -(-end // address) * address

@@ -8,13 +8,13 @@ module roughcontact_formats_interface
   integer(c_int32_t), parameter :: RC_SURFACE_FORM_MEAN = 1, RC_SURFACE_FORM_PLANE = 2, RC_SURFACE_FORM_QUADRIC = 3
 
   type, bind(c) :: rc_surface_read_spec
-    integer(c_size_t) :: struct_size = 40
+    integer(c_size_t) :: struct_size = merge(40, 28, c_intptr_t == 8)
     type(c_ptr) :: format = c_null_ptr, unit = c_null_ptr  ! const char *
     real(c_double) :: hx = 0, hy = 0
   end type
 
   type, bind(c) :: rc_surface_file
-    integer(c_size_t) :: struct_size = 504
+    integer(c_size_t) :: struct_size = merge(504, 492, c_intptr_t == 8)
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0
     type(c_ptr) :: heights = c_null_ptr  ! double *
@@ -25,7 +25,7 @@ module roughcontact_formats_interface
   end type
 
   type, bind(c) :: rc_surface_format
-    integer(c_size_t) :: struct_size = 48
+    integer(c_size_t) :: struct_size = merge(48, 28, c_intptr_t == 8)
     type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, suffixes = c_null_ptr, says = c_null_ptr  ! const char *
     integer(c_int32_t) :: by_contents = 0, reserved = 0
   end type

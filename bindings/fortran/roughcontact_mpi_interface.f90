@@ -6,7 +6,7 @@ module roughcontact_mpi_interface
   implicit none
 
   type, bind(c) :: rc_ranks_counts
-    integer(c_size_t) :: struct_size = 88
+    integer(c_size_t) :: struct_size = merge(88, 84, c_intptr_t == 8)
     integer(c_int64_t) :: products = 0, transpositions = 0, transposed = 0, reductions = 0, reduced = 0, gathers = 0, &
       gathered = 0, shifts = 0, shifted = 0, iterations = 0
   end type

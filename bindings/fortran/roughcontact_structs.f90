@@ -10,7 +10,7 @@ module roughcontact_structs
   implicit none
 
   type, bind(c) :: rc_system
-    integer(c_size_t) :: struct_size = 96
+    integer(c_size_t) :: struct_size = merge(96, 80, c_intptr_t == 8)
     integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = RC_BOUNDARY_FREE
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0, modulus = 0
@@ -22,7 +22,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_step
-    integer(c_size_t) :: struct_size = 72
+    integer(c_size_t) :: struct_size = merge(72, 48, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     real(c_double) :: target = 0
     type(c_ptr) :: undeformed_gap = c_null_ptr, p0 = c_null_ptr  ! const double *
@@ -33,7 +33,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = 576
+    integer(c_size_t) :: struct_size = merge(576, 552, c_intptr_t == 8)
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
@@ -52,19 +52,19 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_accuracy
-    integer(c_size_t) :: struct_size = 48
+    integer(c_size_t) :: struct_size = merge(48, 44, c_intptr_t == 8)
     integer(c_int64_t) :: model_nx = 0, model_ny = 0
     real(c_double) :: error_estimate = 0, area_estimate = 0, left_out = 0
   end type
 
   type, bind(c) :: rc_progress
-    integer(c_size_t) :: struct_size = 40
+    integer(c_size_t) :: struct_size = merge(40, 36, c_intptr_t == 8)
     integer(c_int64_t) :: iteration = 0, applications = 0
     real(c_double) :: kkt = 0, seconds = 0
   end type
 
   type, bind(c) :: rc_path
-    integer(c_size_t) :: struct_size = 120
+    integer(c_size_t) :: struct_size = merge(120, 72, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0
     type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
@@ -79,7 +79,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_state
-    integer(c_size_t) :: struct_size = 80
+    integer(c_size_t) :: struct_size = merge(80, 56, c_intptr_t == 8)
     type(c_ptr) :: undeformed_gap = c_null_ptr  ! const double *
     type(c_ptr) :: mask = c_null_ptr  ! const uint8_t *
     type(c_ptr) :: p = c_null_ptr  ! const double *
@@ -90,7 +90,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_batch
-    integer(c_size_t) :: struct_size = 200
+    integer(c_size_t) :: struct_size = merge(200, 136, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
     type(c_ptr) :: targets = c_null_ptr  ! const double *
@@ -111,7 +111,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_level
-    integer(c_size_t) :: struct_size = 88
+    integer(c_size_t) :: struct_size = merge(88, 80, c_intptr_t == 8)
     type(c_ptr) :: p = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
@@ -121,7 +121,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_gradient
-    integer(c_size_t) :: struct_size = 88
+    integer(c_size_t) :: struct_size = merge(88, 72, c_intptr_t == 8)
     type(c_ptr) :: dJ_dp = c_null_ptr, dJ_dgap = c_null_ptr  ! const double *
     real(c_double) :: dJ_dload = 0, dJ_dapproach = 0
     type(c_ptr) :: dJ_dundeformed_gap = c_null_ptr  ! double *
@@ -130,7 +130,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_tangent
-    integer(c_size_t) :: struct_size = 88
+    integer(c_size_t) :: struct_size = merge(88, 72, c_intptr_t == 8)
     type(c_ptr) :: dundeformed_gap = c_null_ptr  ! const double *
     real(c_double) :: dtarget = 0, dmodulus = 0
     type(c_ptr) :: dp = c_null_ptr, dgap = c_null_ptr  ! double *
@@ -139,7 +139,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_direct
-    integer(c_size_t) :: struct_size = 248
+    integer(c_size_t) :: struct_size = merge(248, 244, c_intptr_t == 8)
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
     integer(c_int64_t) :: iterations = 0, applications = 0, contacts = 0
@@ -148,13 +148,13 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_area
-    integer(c_size_t) :: struct_size = 40
+    integer(c_size_t) :: struct_size = merge(40, 36, c_intptr_t == 8)
     integer(c_int64_t) :: contacts = 0
     real(c_double) :: area = 0, perimeter = 0, corrected_area = 0
   end type
 
   type, bind(c) :: rc_patches
-    integer(c_size_t) :: struct_size = 96
+    integer(c_size_t) :: struct_size = merge(96, 60, c_intptr_t == 8)
     integer(c_int32_t) :: neighbours = 4, reserved = 0
     integer(c_int64_t) :: room = 0
     type(c_ptr) :: label = c_null_ptr, cells = c_null_ptr  ! int64_t *
@@ -166,7 +166,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_histogram
-    integer(c_size_t) :: struct_size = 80
+    integer(c_size_t) :: struct_size = merge(80, 68, c_intptr_t == 8)
     integer(c_int64_t) :: bins = 0
     real(c_double) :: upper = 0
     type(c_ptr) :: counts = c_null_ptr  ! int64_t *
@@ -177,7 +177,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_context_config
-    integer(c_size_t) :: struct_size = 40
+    integer(c_size_t) :: struct_size = merge(40, 24, c_intptr_t == 8)
     integer(c_int32_t) :: flags = 0, reserved = 0
     type(c_ptr) :: plugin_path = c_null_ptr  ! const char *
     type(c_funptr) :: log = c_null_funptr  ! subroutine log(level, message, user) bind(c)
@@ -185,12 +185,12 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_component
-    integer(c_size_t) :: struct_size = 40
+    integer(c_size_t) :: struct_size = merge(40, 20, c_intptr_t == 8)
     type(c_ptr) :: name = c_null_ptr, summary = c_null_ptr, license = c_null_ptr, origin = c_null_ptr  ! const char *
   end type
 
   type, bind(c) :: rc_option_spec
-    integer(c_size_t) :: struct_size = 64
+    integer(c_size_t) :: struct_size = merge(64, 44, c_intptr_t == 8)
     type(c_ptr) :: key = c_null_ptr, default_value = c_null_ptr, choices = c_null_ptr, help = c_null_ptr  ! const char *
     integer(c_int32_t) :: type = 0, fixed = 0
     real(c_double) :: minimum = 0, maximum = 0

@@ -13,28 +13,28 @@ module roughcontact_surface_interface
   integer(c_int32_t), parameter :: RC_SURFACE_SUBSAMPLE = 1, RC_SURFACE_MEAN = 2, RC_SURFACE_MAX = 3
 
   type, bind(c) :: rc_surface_rmd_spec
-    integer(c_size_t) :: struct_size = 48
+    integer(c_size_t) :: struct_size = merge(48, 44, c_intptr_t == 8)
     integer(c_int64_t) :: seed = 1
     integer(c_int32_t) :: levels = 8, additions = 0
     real(c_double) :: hurst = 0.7_c_double, sigma = 1, rms_height = 0
   end type
 
   type, bind(c) :: rc_surface_spectral_spec
-    integer(c_size_t) :: struct_size = 104
+    integer(c_size_t) :: struct_size = merge(104, 100, c_intptr_t == 8)
     integer(c_int64_t) :: seed = 1, nx = 256, ny = 256
     real(c_double) :: hx = 1, hy = 1, hurst = 0.8_c_double, q_low = 0, q_rolloff = 0, q_high = 0, rms_height = 1, rms_slope = 0
     integer(c_int32_t) :: fixed_amplitudes = 0, reserved = 0
   end type
 
   type, bind(c) :: rc_surface_shape_spec
-    integer(c_size_t) :: struct_size = 88
+    integer(c_size_t) :: struct_size = merge(88, 84, c_intptr_t == 8)
     integer(c_int32_t) :: shape = RC_SURFACE_PARABOLOID, reserved = 0
     integer(c_int64_t) :: seed = 1, nx = 256, ny = 256
     real(c_double) :: hx = 1, hy = 1, radius = 1, height = 1, period_x = 0, period_y = 0
   end type
 
   type, bind(c) :: rc_surface_map
-    integer(c_size_t) :: struct_size = 56
+    integer(c_size_t) :: struct_size = merge(56, 48, c_intptr_t == 8)
     integer(c_int64_t) :: nx = 1, ny = 1
     real(c_double) :: hx = 1, hy = 1
     type(c_ptr) :: heights = c_null_ptr  ! const double *
@@ -42,20 +42,20 @@ module roughcontact_surface_interface
   end type
 
   type, bind(c) :: rc_surface_statistics
-    integer(c_size_t) :: struct_size = 112
+    integer(c_size_t) :: struct_size = merge(112, 108, c_intptr_t == 8)
     real(c_double) :: rms_height = 0, skewness = 0, kurtosis = 0, highest = 0, lowest = 0, rms_slope = 0, rms_slope_x = 0, &
       rms_slope_y = 0, rms_curvature = 0, m0 = 0, m2 = 0, m4 = 0, nayak = 0
   end type
 
   type, bind(c) :: rc_surface_power_law
-    integer(c_size_t) :: struct_size = 176
+    integer(c_size_t) :: struct_size = merge(176, 172, c_intptr_t == 8)
     real(c_double) :: hurst = 0, hurst_error = 0, slope = 0, prefactor = 0, q_min = 0, q_max = 0, q_rolloff = 0, q_cutoff = 0
     integer(c_int64_t) :: peaks = 0
     real(c_double) :: peak_qx(4) = 0, peak_qy(4) = 0, peak_share(4) = 0
   end type
 
   type, bind(c) :: rc_surface_cmr
-    integer(c_size_t) :: struct_size = 472
+    integer(c_size_t) :: struct_size = merge(472, 468, c_intptr_t == 8)
     integer(c_int32_t) :: trustworthy = 0, levels = 0, safe_levels = 0, reserved = 0
     real(c_double) :: unresolved = 0, limit = 0, unresolved_overall = 0, peak_loss = 0, approach = 0, coarsest_pitch = 0
     character(kind=c_char) :: reason(400) = c_null_char
