@@ -73,9 +73,10 @@ class Campaign:
 
 
 def workers_of(process):
-    return [
-        child for child in psutil.Process(process.pid).children(recursive=True) if "spawn_main" in " ".join(child.cmdline())
-    ]
+    """They are forked by a process of the client's own."""
+    children = psutil.Process(process.pid).children(recursive=True)
+    servers = {child.pid for child in children if "forkserver" in " ".join(child.cmdline())}
+    return [child for child in children if child.ppid() in servers]
 
 
 class Killed(unittest.TestCase):
