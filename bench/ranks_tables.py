@@ -61,6 +61,8 @@ def simulations(document, weak):
     found = []
     for (network, n), same in sorted(groups(told, 'network', 'n').items()):
         first = min(same, key=lambda row: row['ranks'])
+        if not weak and len(same) < 2:
+            continue
         for row in sorted(same, key=lambda row: row['ranks']):
             each = n * n / row['ranks']
             if weak and each != 2**20:
