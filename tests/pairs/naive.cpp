@@ -1,5 +1,7 @@
 #include "naive.h"
 
+#include <gsl/gsl_sf_ellint.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,7 +38,8 @@ double galerkin(double x, double y, double hx, double hy) {
 // Johnson, Contact Mechanics (1985), eq. (3.42a), uniform pressure on a disc of the cell's width and load.
 double disc(double r, double h) {
   const double a = 0.5 * h, k = a / r;
-  return 4 * h * h / (pi * a * a) * r / pi * (std::comp_ellint_2(k) - (1 - k * k) * std::comp_ellint_1(k));
+  return 4 * h * h / (pi * a * a) * r / pi *
+         (gsl_sf_ellint_Ecomp(k, GSL_PREC_DOUBLE) - (1 - k * k) * gsl_sf_ellint_Kcomp(k, GSL_PREC_DOUBLE));
 }
 
 double periodic_coefficient(const rc_system& s, std::int64_t ix, std::int64_t iy) {

@@ -10,7 +10,7 @@ namespace {
 thread_local std::int64_t remaining = 0;
 thread_local bool failed = false, every_later = false;
 
-constexpr std::size_t absurd = std::size_t{1} << 42;
+constexpr std::size_t absurd = std::size_t{1} << (sizeof(std::size_t) > 4 ? 42 : 31);
 
 bool fails_now() {
   if (failed && every_later) return true;
