@@ -84,7 +84,8 @@ std::vector<std::string> names_in(const std::string& folder) {
 OpenedPlugin open_plugin(const std::string& path) {
   OpenedPlugin opened{nullptr, obstacle(path)};
   if (!opened.error.empty()) return opened;
-  // Never closed. RTLD_NODELETE would also keep what dlopen began and gave up for lack of memory, where exceptions end the program.
+  // Never closed. RTLD_NODELETE would also keep what dlopen began and gave up for lack of memory, where exceptions end the
+  // program.
   opened.code = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!opened.code) opened.error = "plugin " + path + " cannot be loaded: " + dlerror();
   return opened;
