@@ -55,6 +55,12 @@ static const char* gather(void* user, const void* mine, const int64_t* bytes, vo
   return NULL;
 }
 
+/* Of so many bytes that are left, those of the next message. */
+static int piece(int64_t left) {
+  if (left < 0) return 0;
+  return (int)(left < most ? left : most);
+}
+
 /* Bytes to one rank and from another, in pieces of `most` bytes, whose numbers are known to all. After a failure the others are
    still sent, because a rank waits for each. */
 static const char* shift(void* user, int64_t to, const void* from, int64_t sent, int64_t source, void* into, int64_t received) {
@@ -62,12 +68,7 @@ static const char* shift(void* user, int64_t to, const void* from, int64_t sent,
   const char *give = from, *failed = NULL;
   char* take = into;
   for (; sent > 0 || received > 0; sent -= most, received -= most, give += most, take += most) {
-    const int out = (int)(sent > most ? most
-                          : sent > 0  ? sent
-                                      : 0),
-              in = (int)(received > most ? most
-                         : received > 0  ? received
-                                         : 0);
+    const int out = piece(sent), in = piece(received);
     const int code = MPI_Sendrecv(give, out, MPI_BYTE, out > 0 ? (int)to : MPI_PROC_NULL, 1, take, in, MPI_BYTE,
                                   in > 0 ? (int)source : MPI_PROC_NULL, 1, link->comm, MPI_STATUS_IGNORE);
     if (!failed) failed = said(link, "MPI_Sendrecv", code);

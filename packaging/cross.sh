@@ -94,7 +94,8 @@ everything() {
   use "$1" "build-cross/$name.$suffix" dense fft split || return
   # Where the run-time library of Fortran is, for programs of another processor that this one runs as well.
   [ "$emulator" != env ] || [ -z "$fc" ] || LD_LIBRARY_PATH=$(dirname "$(realpath "$("$fc" -print-file-name=libgfortran.so)")")
-  LD_LIBRARY_PATH=${LD_LIBRARY_PATH:-} RC_TEST_QUICK=1 ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 600 -LE 'slow|full' -j "$(nproc)"
+  LD_LIBRARY_PATH=${LD_LIBRARY_PATH:-} RC_TEST_QUICK=1 ctest --test-dir "$build" --output-on-failure --no-tests=error --timeout 600 \
+    -LE 'slow|full' -j "$(nproc)"
 }
 
 core=(-DRC_BUILD_SURFACE=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_BENCH=OFF

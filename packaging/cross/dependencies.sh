@@ -14,25 +14,25 @@ export PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig
 
 unpack() {
   cd "$prefix"
-  rm -rf work
-  mkdir work
-  tar xf "$(ls "$folder/sources/$1"_*.orig.tar.* | grep -v "\.asc$")" -C "$prefix/work" --strip-components 1
+  rm -rf unpacked
+  mkdir unpacked
+  tar xf "$(ls "$folder/sources/$1"_*.orig.tar.* | grep -v "\.asc$")" -C "$prefix/unpacked" --strip-components 1
 }
 
 by_cmake() { # by_cmake NAME OPTION...
   unpack "$1"
-  cmake -S "$prefix/work" -B "$prefix/work/build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_INSTALL_PREFIX="$prefix" \
+  cmake -S "$prefix/unpacked" -B "$prefix/unpacked/build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_INSTALL_PREFIX="$prefix" \
     -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
     -DCMAKE_POSITION_INDEPENDENT_CODE=ON "${@:2}"
-  cmake --build "$prefix/work/build" -j "$jobs"
-  cmake --install "$prefix/work/build"
+  cmake --build "$prefix/unpacked/build" -j "$jobs"
+  cmake --install "$prefix/unpacked/build"
 }
 
 made() { [ -e "$prefix/lib/$1" ]; }
 
 made libz.a || {
   unpack zlib
-  cd "$prefix/work"
+  cd "$prefix/unpacked"
   CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CHOST=$host CFLAGS="-O2 -fPIC" ./configure --static --prefix="$prefix"
   make -j "$jobs" libz.a
   mkdir -p "$prefix/lib/pkgconfig"
@@ -47,7 +47,7 @@ made libzip.a || by_cmake libzip -DENABLE_COMMONCRYPTO=OFF -DENABLE_GNUTLS=OFF -
 made libcmocka.a || {
   by_cmake cmocka -DWITH_EXAMPLES=OFF -DWITH_STATIC_LIB=ON
   rm "$prefix"/lib/libcmocka*
-  cp "$prefix/work/build/src/libcmocka-static.a" "$prefix/lib/libcmocka.a"
+  cp "$prefix/unpacked/build/src/libcmocka-static.a" "$prefix/lib/libcmocka.a"
 }
 sse2=OFF
 [[ $host != x86_64-* ]] || sse2=ON
@@ -57,7 +57,7 @@ made libfftw3f.a || by_cmake fftw3 -DENABLE_FLOAT=ON -DENABLE_THREADS=ON -DENABL
 unset CFLAGS
 made libgsl.a || {
   unpack gsl
-  cd "$prefix/work"
+  cd "$prefix/unpacked"
   CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib ./configure --host="$host" --prefix="$prefix" --disable-shared --with-pic --quiet CFLAGS=-O2
   # The library of surfaces takes transforms, lines through points and the digamma function; these folders have them.
   parts=(err sys complex fft fit specfunc)
@@ -73,7 +73,7 @@ made libgsl.a || {
   cp libgsl.a "$prefix/lib"
 }
 cd "$prefix"
-rm -rf work
+rm -rf unpacked
 
 # Libraries that are headers alone come from this machine: their folder holds headers of this machine as well.
 for name in CLI nlohmann; do cp -r /usr/include/$name "$prefix/include"; done

@@ -16,9 +16,8 @@ class Device {
       : work_(work), backend_(work.options.context->backend(name)) {
     if (!backend_.fetch || !backend_.store)
       fail(RC_ERR_INCOMPATIBLE, member, " = \"", name,
-           "\": this backend has no device with a memory of its own; name one that has (\"cuda\"), or null for arrays in the "
-           "host's "
-           "memory");
+           "\": this backend has no device with a memory of its own; name one that has (\"cuda\"), or null for arrays in "
+           "the host's memory");
   }
 
   template <class Value> const Value* copied(const Value* from, std::unique_ptr<Value[]>& to) const {

@@ -21,8 +21,8 @@ struct HaarCut {
   bool capped = false;  // some are at the cap
 };
 
-// Loops over n values, with sums in a fixed order. `active` is the free set, `runs` [n/64] tell of its runs; off it p is 0 or the
-// cap. Pressure: the precision of p.
+// Loops over n values, with sums in a fixed order. `active` is the free set, `runs` [n / haar_run, rounded up] tell of its runs;
+// off it p is 0 or the cap. Pressure: the precision of p.
 template <class Real, class Pressure> struct HaarLoops {
   using Measure = HaarMeasure (*)(std::int64_t n, Real* w, const Real* change, const Pressure* product, double shift,
                                   const double* u, const Pressure* p, double cap, const HaarRun* runs);
