@@ -146,7 +146,7 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
                           .cap = problem.cap(),
                           .tol = problem.tol(),
                           .least_scale = problem.least_scale(),
-                          .periodic_mean = inputs.mean,
+                          .periodic_mean = inputs.table.mean,
                           .elongated = inputs.elongated,
                           .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
                           .poll = [&](std::int64_t steps, double residual) {

@@ -7,7 +7,6 @@ namespace rc_cuda {
 namespace {
 
 constexpr Index largest_summit = 64 * 64;  // blocks of its lowest level
-constexpr float least_top = 0.1F;          // of the surplus: least coupling of the whole with itself
 constexpr std::size_t alignment = 256;
 
 // Lays out one array after the other; without memory it counts their bytes.
@@ -43,7 +42,7 @@ void lay_out(Layout& layout, std::vector<Level>& levels) {
 
 }  // namespace
 
-Trees::Trees(Index mx, Index my, const rc::CouplingTable& table) {
+Trees::Trees(Index mx, Index my, const rc::CouplingTable& table) : least_top_(rc::haar_least_top(table)) {
   Layout layout(nullptr);
   for (int tree = 0; tree < 2; ++tree) {
     for (const rc::HaarTreeLevel& from : rc::haar_tree_levels(mx, my, table, tree == 1))
@@ -101,7 +100,7 @@ Summit Trees::summit() const {
 void Trees::set_up(Device& device, const std::uint8_t* state, double surplus) {
   on_level(device, 0, SolveFinest{state, table_on_device_});
   for (std::size_t level = 1; level < summit_; ++level) on_level(device, level, Solve{});
-  device.together(SolveSummit{summit(), static_cast<float>(surplus), least_top});
+  device.together(SolveSummit{summit(), static_cast<float>(surplus), least_top_});
 }
 
 template <class R>

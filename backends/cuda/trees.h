@@ -40,6 +40,7 @@ class Trees {
   std::size_t bytes_;
   Level* on_device_[2] = {};
   Patterns* table_on_device_ = nullptr;
+  const float least_top_;
   float* top_ = nullptr;
   double* level_of_w_ = nullptr;
 };

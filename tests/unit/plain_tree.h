@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <cstdlib>
+#include <numbers>
 #include <vector>
 
 #include "solvers/haar_cg/tree_inputs.h"
@@ -24,14 +26,19 @@ class PlainTree {
   using Values = std::vector<double>;
 
   // shifted: the blocks of every second level begin one cell earlier.
-  PlainTree(std::int64_t nx, std::int64_t ny, const CouplingTable& table, bool shifted) {
+  PlainTree(std::int64_t nx, std::int64_t ny, const CouplingTable& table, bool shifted) : least_top_(table.nx > 0 ? 0.03 : 0.1) {
     double hx = table.hx, hy = table.hy, scale = 1;
     std::int64_t wide = 1, high = 1;  // cells of the grid along the sides of a block
     for (int depth = 0; nx * ny > 1 || depth == 0; ++depth) {
       Level level{nx, ny};
-      level.x = scale * coupling(table, wide, high, 1, 0);
-      level.y = scale * coupling(table, wide, high, 0, 1);
-      level.xy = scale * coupling(table, wide, high, 1, 1);
+      const bool large = scale < 1 && table.nx > 0;  // against the period of a periodic surface
+      const auto between = [&](std::int64_t dx, std::int64_t dy) {
+        return large ? periodic_coupling(table, hx / table.hx, hy / table.hy, dx, dy)
+                     : scale * coupling(table, wide, high, dx, dy);
+      };
+      level.x = between(1, 0);
+      level.y = between(0, 1);
+      level.xy = between(1, 1);
       level.merge_x = nx > 1 && (hx <= anisotropy * hy || ny == 1);
       level.merge_y = ny > 1 && (hy <= anisotropy * hx || nx == 1);
       const bool shift = shifted && depth % 2 == 0;
@@ -76,7 +83,7 @@ class PlainTree {
       for (std::size_t b = 0; b < above.size(); ++b) above[b] = solve(level, self, level.blocks[b]);
       self = above;
     }
-    top_ = std::max(self.front() - surplus, least_top * surplus);
+    top_ = std::max(self.front() - surplus, least_top_ * surplus);
   }
 
   // z += part * M g
@@ -114,7 +121,6 @@ class PlainTree {
   static constexpr double anisotropy = 1.5;  // ratio of a cell's sides above which cells are joined along the short side only
   static constexpr std::int64_t least_blocks = 8;
   static constexpr double kept_detail = 0.5;
-  static constexpr double least_top = 0.1;  // of the surplus
 
   struct Block {
     std::array<int, 4> child{-1, -1, -1, -1};  // upper left, upper right, lower left, lower right; -1: none
@@ -140,6 +146,30 @@ class PlainTree {
                table.k[static_cast<std::size_t>(y * table.mx + x)];
       }
     return sum / static_cast<double>(wide * wide * high * high);
+  }
+
+  // The same by the waves of a periodic surface, up to the fourth lobe of a block's spectrum. Blocks of more than half a period
+  // count as that wide.
+  static double periodic_coupling(const CouplingTable& table, double wide, double high, std::int64_t dx, std::int64_t dy) {
+    const auto nx = static_cast<double>(table.nx), ny = static_cast<double>(table.ny);
+    if (2 * wide > nx) wide = nx;
+    if (2 * high > ny) high = ny;
+    // The mean over a block's cells of a wave, times that over another block's.
+    const auto between = [](std::int64_t k, double n, double side, std::int64_t offset) {
+      std::complex<double> mean = 0;
+      for (int cell = 0; cell < side; ++cell)
+        mean += std::polar(1 / side, 2 * std::numbers::pi * static_cast<double>(k) * cell / n);
+      return std::norm(mean) * std::cos(2 * std::numbers::pi * static_cast<double>(k * offset) * side / n);
+    };
+    double sum = 0;
+    for (std::int64_t l = -table.ny / 2; l <= table.ny / 2; ++l)
+      for (std::int64_t k = -table.nx / 2; k <= table.nx / 2; ++k) {
+        if (k == 0 && l == 0) continue;
+        if (std::abs(static_cast<double>(k)) * wide > 4 * nx || std::abs(static_cast<double>(l)) * high > 4 * ny) continue;
+        const double length = std::hypot(static_cast<double>(k) / (nx * table.hx), static_cast<double>(l) / (ny * table.hy));
+        sum += between(k, nx, wide, dx) * between(l, ny, high, dy) / (std::numbers::pi * length);
+      }
+    return table.softness * sum / (nx * ny * std::sqrt(table.hx * table.hy)) + table.mean;
   }
 
   // Sets a block's shares and details from the couplings of its children. Returns its coupling with itself, 0 without contact.
@@ -181,6 +211,7 @@ class PlainTree {
   }
 
   std::vector<Level> levels_;
+  const double least_top_;     // of the surplus
   double self_ = 0, top_ = 0;  // couplings with itself of a cell, and of the whole contact set
 };
 

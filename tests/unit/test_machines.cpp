@@ -116,7 +116,7 @@ class Solved {
              .cap = c.cap,
              .tol = tol,
              .least_scale = c.periodic && c.by_load ? 0.25 * mean_pressure : 0,
-             .periodic_mean = inputs_.mean,
+             .periodic_mean = inputs_.table.mean,
              .elongated = inputs_.elongated};
   }
 

@@ -46,9 +46,10 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
   on_all(ranks, [&] {
     set_.assign(set.begin(), set.end());
     TreeInputs inputs = tree_inputs(grid, grid.nx * grid.ny, coefficients);
-    if (inputs.mean > 0) {
-      mean_ = heavy * inputs.mean;
-      for (double& value : inputs.table.k) value += mean_ - inputs.mean;
+    if (inputs.table.mean > 0) {
+      mean_ = heavy * inputs.table.mean;
+      for (double& value : inputs.table.k) value += mean_ - inputs.table.mean;
+      inputs.table.nx = inputs.table.ny = 0;  // under so heavy a mean couplings in a period tell nothing more
       lowest_ = std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny));
     }
     trees_.push_back(trees_at(inputs, 0, 0));
@@ -68,7 +69,7 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
 
 // inputs: of the whole grid. x, y: where its first cell comes to lie; what is periodic comes back on the other side.
 ContactSetSolve::Trees ContactSetSolve::trees_at(const TreeInputs& inputs, std::int64_t x, std::int64_t y) const {
-  const bool around = inputs.mean > 0;
+  const bool around = inputs.table.mean > 0;
   const std::int64_t nx = inputs.cells.mx, ny = inputs.cells.my, width = around ? nx : nx + x, height = around ? ny : ny + y;
   const std::size_t before = ranks_ ? static_cast<std::size_t>(nx) : 0;
   std::vector<std::size_t> place;

@@ -58,7 +58,7 @@ template <class Real, class Pressure> rc_status iterate(const Problem& problem, 
                       .cap = problem.cap(),
                       .tol = problem.tol(),
                       .least_scale = problem.least_scale(),
-                      .periodic_mean = inputs.mean,
+                      .periodic_mean = inputs.table.mean,
                       .elongated = inputs.elongated,
                       .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
                       .poll = [&](std::int64_t steps, double residual) { problem.poll(steps, residual); }};

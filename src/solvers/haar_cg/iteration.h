@@ -45,10 +45,11 @@ template <Machine M> class HaarIteration {
   static constexpr double least_slope = 1e-4;                            // of the deflection that is missing
   static constexpr double most_share = 0.99;                 // of the deflection under a load: the added mean makes up less
   static constexpr int tolerated_rises = 2, most_rises = 8;  // troubles until the mean is dropped; until the load is sought
-  static constexpr double few = 2;      // points whose caps make up the missing load: then the nearest one is released
-  static constexpr double blur = 1e-5;  // of the compenetration: error of such a state's datum
-  static constexpr double drift = 0.1;  // of the tolerance: error of a kept load that is put right without a cut
-  static constexpr double known = 0.5;  // residual over the datum below which the datum of a load that is sought is known
+  static constexpr double few = 2;         // points whose caps make up the missing load: then the nearest one is released
+  static constexpr double blur = 1e-5;     // of the compenetration: error of such a state's datum
+  static constexpr double drift = 0.1;     // of the tolerance: error of a kept load that is put right without a cut
+  static constexpr double most_swing = 3;  // of the limit: by how much the datum of the trees may raise it
+  static constexpr double known = 0.5;     // residual over the datum below which the datum of a load that is sought is known
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
   static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
@@ -82,7 +83,13 @@ template <Machine M> class HaarIteration {
   // A point at an end of its pressures enters the free set where it violates its condition by more than this.
   double threshold() const {
     if (capped()) return pace_.admission(true) * now_.largest;
-    return follows() ? 0 : pace_.admission(false) * (keeps_load_ ? now_.largest : last_ * scale());
+    if (keeps_load_) {
+      // Measured from the datum at which the mean of w, weighted by p, vanishes. That of the trees swings about it, and sets with
+      // it.
+      const double limit = pace_.admission(false) * now_.largest;
+      return limit - std::clamp(now_.moment / now_.load, -(task_.elongated ? 1 : most_swing) * limit, limit);
+    }
+    return follows() ? 0 : pace_.admission(false) * last_ * scale();
   }
 
   void choose(double threshold) {

@@ -46,7 +46,7 @@ void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std:
 }
 
 HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest, const Ranks* ranks)
-    : full_(cells.full()), loops_(best_haar_rows()) {
+    : full_(cells.full()), loops_(best_haar_rows()), least_top_(haar_least_top(table)) {
   std::vector<std::int32_t> x = cells.x, y = cells.y;
   for (const HaarTreeLevel& shape : haar_tree_levels(cells.mx, cells.my, table, shifted)) {
     Level level{shape};

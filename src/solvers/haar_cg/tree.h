@@ -145,6 +145,7 @@ class HaarTree {
   Size size_;  // of the tree over all unknowns
   float* value_ = nullptr;
   HaarBlocks* block_ = nullptr;
+  const float least_top_;
   float top_ = 0;  // self coupling of the whole free set
 };
 

@@ -49,21 +49,28 @@ double mean_of(const rc_grid& grid) {
 }  // namespace
 
 TreeInputs tree_inputs(const rc_grid& grid, std::int64_t n, const Coefficients& coefficients) {
-  CouplingTable table{std::min(grid.nx, table_side), std::min(grid.ny, table_side), {}, grid.hx, grid.hy};
+  CouplingTable table{std::min(grid.nx, table_side), std::min(grid.ny, table_side), {}, grid.hx, grid.hy, 0, 0, 0, 0};
   coefficients(table.mx, table.my, table.k);
-  const double mean = grid.boundary == RC_BOUNDARY_PERIODIC ? mean_of(grid) : 0;
-  if (mean > 0)
-    for (double& value : table.k) value += mean;
+  const bool elongated = std::max(ratio(grid.hx, grid.hy), ratio(grid.hx * static_cast<double>(grid.nx),
+                                                                 grid.hy * static_cast<double>(grid.ny))) > most_square;
+  if (grid.boundary == RC_BOUNDARY_PERIODIC) {
+    table.mean = mean_of(grid);
+    if (!elongated) {
+      table.nx = grid.nx;
+      table.ny = grid.ny;
+      table.softness = grid.softness;
+    }
+    for (double& value : table.k) value += table.mean;
+  }
   Cells cells = cells_of(grid, n);
   // A single column is treated as a row, because trees take many cells of a row at a time.
   if (cells.full() && cells.mx == 1 && table.mx == 1) {
     std::swap(cells.mx, cells.my);
     std::swap(table.mx, table.my);
     std::swap(table.hx, table.hy);
+    std::swap(table.nx, table.ny);
   }
-  const bool elongated = std::max(ratio(grid.hx, grid.hy), ratio(grid.hx * static_cast<double>(grid.nx),
-                                                                 grid.hy * static_cast<double>(grid.ny))) > most_square;
-  return {std::move(cells), std::move(table), mean, elongated};
+  return {std::move(cells), std::move(table), elongated};
 }
 
 }  // namespace rc

@@ -9,11 +9,15 @@
 
 namespace rc {
 
-// Influence coefficients at small offsets, enough for the couplings of neighbours on every level.
+// Influence coefficients at small offsets. Couplings of neighbours on every level follow from them and, on a periodic surface,
+// from its softness.
 struct CouplingTable {
   std::int64_t mx, my;
   std::vector<double> k;  // [iy*mx + ix]
   double hx, hy;          // cell size
+  // Of a periodic surface: cells of a period, the dimensionless 1/E*, and what was added to every coefficient.
+  std::int64_t nx = 0, ny = 0;
+  double softness = 0, mean = 0;
 };
 
 // Where the unknowns lie: all cells of a box, or some of them.
@@ -27,7 +31,6 @@ struct Cells {
 struct TreeInputs {
   Cells cells;
   CouplingTable table;
-  double mean = 0;         // periodic: what was added to every coefficient of the table
   bool elongated = false;  // cells or grid are elongated: the trees may misjudge the load's slope by far
 };
 

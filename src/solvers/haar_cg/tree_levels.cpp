@@ -8,7 +8,6 @@ namespace rc {
 
 namespace {
 
-constexpr float least_top = 0.1F;  // of the surplus: least coupling of the whole with itself
 constexpr std::int64_t cells_per_part = 32768;
 constexpr std::int64_t groups_per_part = 64;  // where not every cell exists
 
@@ -173,7 +172,7 @@ void HaarTree::solve(std::size_t level, std::int64_t part) {
   });
 }
 
-void HaarTree::solve_top(float surplus) { top_ = std::max(*cells(levels()) - surplus, least_top * surplus); }
+void HaarTree::solve_top(float surplus) { top_ = std::max(*cells(levels()) - surplus, least_top_ * surplus); }
 
 template <class Real> void HaarTree::up_finest(std::int64_t part, const HaarFinestValues<Real>& values) {
   const HaarFinest<Real> finest = best_haar_finest<Real>();

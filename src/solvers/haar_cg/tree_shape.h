@@ -21,6 +21,10 @@ struct HaarTreeLevel {
   std::int64_t columns = 0, rows = 0;     // of blocks
 };
 
+// Of the surplus, which is taken off the coupling of the whole with itself: what must be left of that. Trees that know couplings
+// in periods come nearer.
+inline float haar_least_top(const CouplingTable& table) { return table.nx > 0 ? 0.03F : 0.1F; }
+
 // From the finest level up to the one whose block is the whole. `shifted`: the blocks of every second level begin one cell
 // earlier, so that two trees cut the surface at different places.
 std::vector<HaarTreeLevel> haar_tree_levels(std::int64_t mx, std::int64_t my, const CouplingTable& table, bool shifted);
