@@ -58,7 +58,7 @@ void ThreadTeam::stop() {
     stopping_ = true;
     ++round_;
   }
-  wake_.notify_all();
+  round_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
 
@@ -67,7 +67,6 @@ void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
     for (std::int64_t item = 0; item < items; ++item) task(argument, item, 0);
     return;
   }
-  bool wake = false;
   {
     const std::lock_guard lock(mutex_);
     task_ = task;
@@ -76,17 +75,15 @@ void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
     next_ = 0;
     open_ = true;
     ++round_;
-    wake = asleep_ > 0;
   }
-  if (wake) wake_.notify_all();
+  round_.notify_all();
   work(0);
   {
     const std::lock_guard lock(mutex_);
     open_ = false;  // a helper that comes later has nothing left to do and is not waited for
   }
   if (watch([&] { return busy_ == 0; })) return;
-  std::unique_lock lock(mutex_);
-  idle_.wait(lock, [this] { return busy_ == 0; });
+  for (std::int32_t busy = busy_; busy != 0; busy = busy_) busy_.wait(busy);
 }
 
 void ThreadTeam::work(std::int64_t thread) {
@@ -94,21 +91,17 @@ void ThreadTeam::work(std::int64_t thread) {
 }
 
 void ThreadTeam::help(std::int64_t thread) {
-  std::uint64_t seen = 0;
+  std::uint32_t seen = 0;
   for (;;) {
-    watch([&] { return round_ != seen; });
+    if (!watch([&] { return round_ != seen; })) round_.wait(seen);
     std::unique_lock lock(mutex_);
-    ++asleep_;
-    wake_.wait(lock, [&] { return stopping_ || round_ != seen; });
-    --asleep_;
     if (stopping_) return;
     seen = round_;
     if (!open_) continue;
     ++busy_;
     lock.unlock();
     work(thread);
-    lock.lock();
-    if (--busy_ == 0) idle_.notify_one();
+    if (--busy_ == 0) busy_.notify_one();
   }
 }
 

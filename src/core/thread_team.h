@@ -5,7 +5,6 @@
 #include <roughcontact/plugin.h>
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <mutex>
 #include <thread>
@@ -31,12 +30,11 @@ class ThreadTeam : public rc_team {
 
   std::vector<std::thread> helpers_;
   std::mutex mutex_;
-  std::condition_variable wake_, idle_;
-  // Written under mutex_; read without it by threads that watch for a change.
-  std::atomic<std::uint64_t> round_{0};
-  std::atomic<std::int64_t> busy_{0};  // helpers inside work()
+  // Written under mutex_; read without it by threads that wait for a change. They wait for the values themselves: a condition
+  // variable of glibc before 2.41 can lose a wake-up, and the process then stands still.
+  std::atomic<std::uint32_t> round_{0};
+  std::atomic<std::int32_t> busy_{0};  // helpers inside work()
   // Guarded by mutex_; task_, argument_ and items_ stay as they are while busy_ > 0.
-  std::int64_t asleep_ = 0;
   bool open_ = false;  // helpers may still join this round
   bool stopping_ = false;
   Task task_ = nullptr;
