@@ -54,8 +54,9 @@ use() {
   [ -n "$program" ] || { echo "$1: built; nothing runs it here"; return 0; }
   command -v "$program" >/dev/null || { echo "$1: built, not run: $program is not installed"; return 77; }
   answer_here "$answers" "${@:3}" || return
-  # Wine's server outlives a program and would keep the pipes open that it was started with.
-  [ "$system" != Windows ] || "$program" cmd /c exit </dev/null >/dev/null 2>&1
+  # Wine's services outlive a program by seconds and keep the pipes open that they were started with. This program, which ends with this
+  # shell, holds them for all others.
+  [ "$system" != Windows ] || exec {services}> >(exec "$program" cmd /c 'set /p end=' >/dev/null 2>&1)
   tests/systems/use.sh "$1" "$2" "$answers" "${@:3}"
 }
 

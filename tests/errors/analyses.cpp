@@ -94,7 +94,8 @@ Section analyses() {
            })},
           {"analysis: struct_size = 0",
            refused,
-           {"rc_histogram_fill: rc_histogram.struct_size = 0 is smaller than 80; set it to sizeof(rc_histogram)"},
+           {"rc_histogram_fill: rc_histogram.struct_size = " + too_small(0, &rc_histogram::max_pressure) +
+            "; set it to sizeof(rc_histogram)"},
            all_with([](Call& c) { c.area.struct_size = c.patches.struct_size = c.histogram.struct_size = 0; })},
           {"analysis: nx = 0", shape, {"rc_histogram_fill: nx = 0, ny = 4 must both be >= 1"}, all_with([](Call& c) {
              c.system.nx = 0;

@@ -19,7 +19,7 @@ struct Outcome {
 struct Case {
   const char* input;
   rc_status status;
-  std::vector<const char*> says;  // parts of the message, in this order
+  std::vector<std::string> says;  // parts of the message, in this order
   std::function<Outcome()> call;
   const char* plugin = nullptr;  // a backend that must be there as a plugin, else the case is skipped
 };
@@ -28,6 +28,19 @@ struct Section {
   const char* title;
   std::vector<Case> cases;
 };
+
+// The size of a struct whose first release ended with the member `last`. It follows the width of pointers; the document, which is
+// compared with this table where they have 64 bits, has the numbers.
+template <class Struct, class Member> std::size_t first_size(Member Struct::*last) {
+  static const Struct any{};
+  const auto end = reinterpret_cast<const char*>(&(any.*last) + 1) - reinterpret_cast<const char*>(&any);
+  return (static_cast<std::size_t>(end) + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);
+}
+
+// How a message goes on after "struct_size = ".
+template <class Struct, class Member> std::string too_small(std::size_t size, Member Struct::*last) {
+  return std::to_string(size) + " is smaller than " + std::to_string(first_size(last));
+}
 
 Section null_pointers();
 Section struct_sizes();

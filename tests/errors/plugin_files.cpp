@@ -166,7 +166,7 @@ Section plugins() {
           {"description without a name", refused, {"or it has no name"}, registering([](rc_plugin& plugin) {
              plugin.name = nullptr;
            })},
-          {"description with struct_size = 0", refused, {"struct_size 0 is smaller than 64"}, registering([](rc_plugin& plugin) {
+          {"description with struct_size = 0", refused, {"struct_size 0 is smaller than "}, registering([](rc_plugin& plugin) {
              plugin.struct_size = 0;
            })},
           {"kernel without the function that its caps name",

@@ -21,6 +21,14 @@ template <class Struct> struct Newer {
   }
 };
 
+template <class Struct> std::string unknown() {
+  return std::to_string(sizeof(Newer<Struct>)) + ": bytes beyond the " + std::to_string(sizeof(Struct)) + " known";
+}
+
+template <class Struct> std::string too_large() {
+  return std::to_string(SIZE_MAX) + " is larger than " + std::to_string(sizeof(Struct) + 4096);
+}
+
 Outcome system_of_size(std::size_t size) {
   Scene scene;
   scene.system.struct_size = size;
@@ -64,7 +72,7 @@ Outcome newer_result_with_content() {
 // A caller of the first release: what lies behind its struct is not the library's.
 Outcome oldest_result() {
   const Scene scene;
-  constexpr std::size_t first = 432;
+  const std::size_t first = first_size(&rc_result::note);
   rc_result result{};
   result.struct_size = first;
   std::memset(reinterpret_cast<unsigned char*>(&result) + first, 0x5a, sizeof result - first);
@@ -121,111 +129,113 @@ Outcome described_with_size(rc_status (*describe)(rc_context*, std::int64_t, rc_
 
 Section struct_sizes() {
   const rc_status refused = RC_ERR_ARGUMENT;
-  return {"Sized structs",
-          {
-              {"rc_system.struct_size = 0",
-               refused,
-               {"rc_contact_create: rc_system.struct_size = 0 is smaller than 88; set it to sizeof(rc_system)"},
-               [] { return system_of_size(0); }},
-              {"rc_system.struct_size one byte too small",
-               refused,
-               {"rc_system.struct_size = 87 is smaller than 88"},
-               [] { return system_of_size(87); }},
-              {"rc_system.struct_size = SIZE_MAX",
-               refused,
-               {"rc_system.struct_size = 18446744073709551615 is larger than 4192"},
-               [] { return system_of_size(SIZE_MAX); }},
-              {"rc_step.struct_size = 0",
-               refused,
-               {"rc_solve: rc_step.struct_size = 0 is smaller than 48"},
-               [] { return step_of_size(0); }},
-              {"rc_step.struct_size one byte too small",
-               refused,
-               {"rc_step.struct_size = 47 is smaller than 48"},
-               [] { return step_of_size(47); }},
-              {"rc_step.struct_size = SIZE_MAX",
-               refused,
-               {"rc_step.struct_size = 18446744073709551615 is larger than 4168"},
-               [] { return step_of_size(SIZE_MAX); }},
-              {"rc_result.struct_size = 0",
-               refused,
-               {"rc_solve: rc_result.struct_size = 0 is smaller than 432"},
-               [] { return result_of_size(0); }},
-              {"rc_result.struct_size one byte too small",
-               refused,
-               {"rc_result.struct_size = 431 is smaller than 432"},
-               [] { return result_of_size(431); }},
-              {"rc_result.struct_size = SIZE_MAX",
-               refused,
-               {"rc_result.struct_size = 18446744073709551615 is larger than 4672"},
-               [] { return result_of_size(SIZE_MAX); }},
-              {"rc_result of the first release", RC_OK, {}, oldest_result},
-              {"rc_path.struct_size = 0",
-               refused,
-               {"rc_contact_solve_path: rc_path.struct_size = 0 is smaller than 120; set it to sizeof(rc_path)"},
-               [] { return path_of_size(0); }},
-              {"rc_path.struct_size = SIZE_MAX",
-               refused,
-               {"rc_path.struct_size = 18446744073709551615 is larger than 4216"},
-               [] { return path_of_size(SIZE_MAX); }},
-              {"rc_batch.struct_size one byte too small",
-               refused,
-               {"rc_batch_solve: rc_batch.struct_size = 199 is smaller than 200; set it to sizeof(rc_batch)"},
-               [] { return batch_of_size(199); }},
-              {"rc_batch.struct_size = SIZE_MAX",
-               refused,
-               {"rc_batch.struct_size = 18446744073709551615 is larger than 4296"},
-               [] { return batch_of_size(SIZE_MAX); }},
-              {"rc_level.struct_size = 0",
-               refused,
-               {"rc_contact_level: rc_level.struct_size = 0 is smaller than 88; set it to sizeof(rc_level)"},
-               [] { return level_of_size(0); }},
-              {"rc_direct.struct_size = 0",
-               refused,
-               {"rc_nnls: rc_direct.struct_size = 0 is smaller than 248; set it to sizeof(rc_direct)"},
-               [] {
-                 const double H = 1, u = 1;
-                 double pressure = 0;
-                 rc_direct result{};
-                 return Outcome(rc_nnls(1, &H, 1, &u, &pressure, nullptr, 1e-8, 100, &result));
-               }},
-              {"structs of a newer header, the unknown part zero", RC_OK, {}, [] { return newer(0); }},
-              {"structs of a newer header, the unknown part set",
-               refused,
-               {"rc_system.struct_size = 160: bytes beyond the 96 known to this library are set; a newer library is needed"},
-               [] { return newer(1); }},
-              {"rc_result of a newer header, the unknown part set",
-               refused,
-               {"rc_result.struct_size = 640: bytes beyond the 576 known"},
-               newer_result_with_content},
-              {"rc_context_config.struct_size = 0",
-               refused,
-               {"rc_context_create: rc_context_config.struct_size = 0 is smaller than 40"},
-               [] { return config_of_size(0); }},
-              {"rc_context_config.struct_size = SIZE_MAX",
-               refused,
-               {"rc_context_config.struct_size = 18446744073709551615"},
-               [] { return config_of_size(SIZE_MAX); }},
-              {"rc_component.struct_size = 0 for a backend",
-               refused,
-               {"rc_backend_describe: rc_component.struct_size = 0 is smaller than 40"},
-               [] { return described_with_size(rc_backend_describe, 0); }},
-              {"rc_component.struct_size = 0 for a solver",
-               refused,
-               {"rc_solver_describe: rc_component.struct_size = 0 is smaller than 40"},
-               [] { return described_with_size(rc_solver_describe, 0); }},
-              {"rc_component.struct_size = 0 for a kernel",
-               refused,
-               {"rc_kernel_describe: rc_component.struct_size = 0 is smaller than 40"},
-               [] { return described_with_size(rc_kernel_describe, 0); }},
-              {"rc_option_spec.struct_size = 0",
-               refused,
-               {"rc_options_describe: rc_option_spec.struct_size = 0 is smaller than 64"},
-               [] {
-                 rc_option_spec spec{};
-                 return Outcome(rc_options_describe(nullptr, 0, &spec));
-               }},
-          }};
+  return {
+      "Sized structs",
+      {
+          {"rc_system.struct_size = 0",
+           refused,
+           {"rc_contact_create: rc_system.struct_size = " + too_small(0, &rc_system::user) + "; set it to sizeof(rc_system)"},
+           [] { return system_of_size(0); }},
+          {"rc_system.struct_size one byte too small",
+           refused,
+           {"rc_system.struct_size = " + too_small(first_size(&rc_system::user) - 1, &rc_system::user)},
+           [] { return system_of_size(first_size(&rc_system::user) - 1); }},
+          {"rc_system.struct_size = SIZE_MAX",
+           refused,
+           {"rc_system.struct_size = " + too_large<rc_system>()},
+           [] { return system_of_size(SIZE_MAX); }},
+          {"rc_step.struct_size = 0",
+           refused,
+           {"rc_solve: rc_step.struct_size = " + too_small(0, &rc_step::mask)},
+           [] { return step_of_size(0); }},
+          {"rc_step.struct_size one byte too small",
+           refused,
+           {"rc_step.struct_size = " + too_small(first_size(&rc_step::mask) - 1, &rc_step::mask)},
+           [] { return step_of_size(first_size(&rc_step::mask) - 1); }},
+          {"rc_step.struct_size = SIZE_MAX",
+           refused,
+           {"rc_step.struct_size = " + too_large<rc_step>()},
+           [] { return step_of_size(SIZE_MAX); }},
+          {"rc_result.struct_size = 0",
+           refused,
+           {"rc_solve: rc_result.struct_size = " + too_small(0, &rc_result::note)},
+           [] { return result_of_size(0); }},
+          {"rc_result.struct_size one byte too small",
+           refused,
+           {"rc_result.struct_size = " + too_small(first_size(&rc_result::note) - 1, &rc_result::note)},
+           [] { return result_of_size(first_size(&rc_result::note) - 1); }},
+          {"rc_result.struct_size = SIZE_MAX",
+           refused,
+           {"rc_result.struct_size = " + too_large<rc_result>()},
+           [] { return result_of_size(SIZE_MAX); }},
+          {"rc_result of the first release", RC_OK, {}, oldest_result},
+          {"rc_path.struct_size = 0",
+           refused,
+           {"rc_contact_solve_path: rc_path.struct_size = " + too_small(0, &rc_path::completed) + "; set it to sizeof(rc_path)"},
+           [] { return path_of_size(0); }},
+          {"rc_path.struct_size = SIZE_MAX",
+           refused,
+           {"rc_path.struct_size = " + too_large<rc_path>()},
+           [] { return path_of_size(SIZE_MAX); }},
+          {"rc_batch.struct_size one byte too small",
+           refused,
+           {"rc_batch_solve: rc_batch.struct_size = " + too_small(first_size(&rc_batch::first) - 1, &rc_batch::first) +
+            "; set it to sizeof(rc_batch)"},
+           [] { return batch_of_size(first_size(&rc_batch::first) - 1); }},
+          {"rc_batch.struct_size = SIZE_MAX",
+           refused,
+           {"rc_batch.struct_size = " + too_large<rc_batch>()},
+           [] { return batch_of_size(SIZE_MAX); }},
+          {"rc_level.struct_size = 0",
+           refused,
+           {"rc_contact_level: rc_level.struct_size = " + too_small(0, &rc_level::contacts) + "; set it to sizeof(rc_level)"},
+           [] { return level_of_size(0); }},
+          {"rc_direct.struct_size = 0",
+           refused,
+           {"rc_nnls: rc_direct.struct_size = " + too_small(0, &rc_direct::note) + "; set it to sizeof(rc_direct)"},
+           [] {
+             const double H = 1, u = 1;
+             double pressure = 0;
+             rc_direct result{};
+             return Outcome(rc_nnls(1, &H, 1, &u, &pressure, nullptr, 1e-8, 100, &result));
+           }},
+          {"structs of a newer header, the unknown part zero", RC_OK, {}, [] { return newer(0); }},
+          {"structs of a newer header, the unknown part set",
+           refused,
+           {"rc_system.struct_size = " + unknown<rc_system>() + " to this library are set; a newer library is needed"},
+           [] { return newer(1); }},
+          {"rc_result of a newer header, the unknown part set",
+           refused,
+           {"rc_result.struct_size = " + unknown<rc_result>()},
+           newer_result_with_content},
+          {"rc_context_config.struct_size = 0",
+           refused,
+           {"rc_context_create: rc_context_config.struct_size = " + too_small(0, &rc_context_config::log_user)},
+           [] { return config_of_size(0); }},
+          {"rc_context_config.struct_size = SIZE_MAX",
+           refused,
+           {"rc_context_config.struct_size = " + too_large<rc_context_config>()},
+           [] { return config_of_size(SIZE_MAX); }},
+          {"rc_component.struct_size = 0 for a backend",
+           refused,
+           {"rc_backend_describe: rc_component.struct_size = " + too_small(0, &rc_component::origin)},
+           [] { return described_with_size(rc_backend_describe, 0); }},
+          {"rc_component.struct_size = 0 for a solver",
+           refused,
+           {"rc_solver_describe: rc_component.struct_size = " + too_small(0, &rc_component::origin)},
+           [] { return described_with_size(rc_solver_describe, 0); }},
+          {"rc_component.struct_size = 0 for a kernel",
+           refused,
+           {"rc_kernel_describe: rc_component.struct_size = " + too_small(0, &rc_component::origin)},
+           [] { return described_with_size(rc_kernel_describe, 0); }},
+          {"rc_option_spec.struct_size = 0",
+           refused,
+           {"rc_options_describe: rc_option_spec.struct_size = " + too_small(0, &rc_option_spec::maximum)},
+           [] {
+             rc_option_spec spec{};
+             return Outcome(rc_options_describe(nullptr, 0, &spec));
+           }},
+      }};
 }
 
 }  // namespace errors

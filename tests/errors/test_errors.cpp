@@ -77,11 +77,11 @@ void run(void** state) {
                 outcome.message.c_str());
   assert_int_equal(outcome.status, each.status);
   std::size_t from = 0;
-  for (const char* part : each.says) {
+  for (const std::string& part : each.says) {
     const std::size_t found = outcome.message.find(part, from);
-    if (found == std::string::npos) print_error("message: %s\nlacks:   %s\n", outcome.message.c_str(), part);
+    if (found == std::string::npos) print_error("message: %s\nlacks:   %s\n", outcome.message.c_str(), part.c_str());
     assert_true(found != std::string::npos);
-    from = found + std::strlen(part);
+    from = found + part.size();
   }
   assert_int_equal(outcome.message.empty(), each.status == RC_OK);
   if (each.status < 0) assert_true(answer().untouched());
@@ -107,7 +107,7 @@ void print_document() {
     std::printf("\n## %s\n\n| input | status | message |\n|---|---|---|\n", section.title);
     for (const Case& each : section.cases) {
       std::string says;
-      for (const char* part : each.says) {
+      for (const std::string& part : each.says) {
         if (!says.empty()) says += " ... ";
         says += part;
       }

@@ -1,6 +1,7 @@
 // Plugins that must be refused: with RC_ERR_PLUGIN when named, with a line in the log when listed.
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "plugins/scratch.h"
@@ -75,18 +76,28 @@ void a_truncated_shared_object_is_refused(void**) {
     fs::resize_file(file, size);
     assert_refused(scratch, "toy",
                    "plugin refused: " + file +
-                       (size < 64     ? " is not a shared object"
+                       (size < 52     ? " is not a shared object"
                         : size < 1024 ? " is "
                                       : " is incomplete"));
   }
 }
 
-// The header is whole, the rest is not what it should be.
-void a_corrupt_shared_object_is_refused(void**) {
+void a_shared_object_of_another_processor_is_refused(void**) {
   const Scratch scratch;
   const std::string path = scratch.put({"toy"});
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   file.seekp(support::machine_in_library).write("\xff\xff", 2);
+  file.close();
+  assert_refused(scratch, "toy", "rcb_toy" RC_PLUGIN_SUFFIX " is not a shared object of this machine");
+}
+
+void a_plugin_that_needs_a_missing_library_is_refused(void**) {
+  const Scratch scratch;
+  std::fstream file(scratch.put({"toy"}), std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t name = bytes.find(support::needed_by_all);
+  assert_true(name != std::string::npos);
+  file.seekp(static_cast<std::streamoff>(name)).put('x');
   file.close();
   assert_refused(scratch, "toy", "rcb_toy" RC_PLUGIN_SUFFIX " cannot be loaded: ");
 }
@@ -185,7 +196,8 @@ const std::vector<CMUnitTest> refused_tests = {
     cmocka_unit_test(a_text_file_is_refused),
     cmocka_unit_test(an_empty_file_is_refused),
     cmocka_unit_test(a_truncated_shared_object_is_refused),
-    cmocka_unit_test(a_corrupt_shared_object_is_refused),
+    cmocka_unit_test(a_shared_object_of_another_processor_is_refused),
+    cmocka_unit_test(a_plugin_that_needs_a_missing_library_is_refused),
     cmocka_unit_test(a_directory_in_place_of_a_file_is_refused),
     cmocka_unit_test(a_pipe_is_refused_without_waiting_for_it),
     cmocka_unit_test(a_world_writable_file_is_refused),

@@ -10,6 +10,7 @@ namespace support {
 extern const char* const device;            // a path that is no file
 extern const char* const device_refused;    // what the readers of surfaces say of it
 extern const long machine_in_library;       // where the file of a shared object says what it runs on [bytes]
+extern const char* const needed_by_all;     // the name in there of a library that every shared object needs
 extern const char* const folder_separator;  // in a list of folders
 // How the same folder may be called that a path names, by words that plugins are not looked for by.
 std::vector<std::string> other_names(const std::string& path);

@@ -1,6 +1,7 @@
 // What ranks must give alike, on ranks that are threads of this process.
-#include <barrier>
+#include <condition_variable>
 #include <cstring>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -11,10 +12,29 @@
 namespace {
 
 // Between so many threads: what each gives lies where all can read it.
-struct Meeting {
-  explicit Meeting(int count) : barrier(count), given(static_cast<std::size_t>(count)) {}
-  std::barrier<> barrier;
+class Meeting {
+ public:
+  explicit Meeting(std::size_t count) : given(count) {}
+
+  // Returns when all have come. Not std::barrier: where GCC 12 has no futex, as on Windows, its waiters may miss that they are
+  // woken.
+  void wait() {
+    std::unique_lock lock(mutex_);
+    const std::size_t round = round_;
+    if (++here_ == given.size()) {
+      here_ = 0;
+      ++round_;
+      all_here_.notify_all();
+    }
+    all_here_.wait(lock, [&] { return round_ != round; });
+  }
+
   std::vector<const void*> given;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable all_here_;
+  std::size_t here_ = 0, round_ = 0;
 };
 
 struct Member {
@@ -25,17 +45,17 @@ struct Member {
 const char* gather(void* user, const void* mine, const std::int64_t* bytes, void* all) {
   const auto& [meeting, rank] = *static_cast<const Member*>(user);
   meeting->given[rank] = mine;
-  meeting->barrier.arrive_and_wait();
+  meeting->wait();
   auto* to = static_cast<char*>(all);
   for (std::size_t r = 0; r < meeting->given.size(); to += bytes[r++])
     if (bytes[r] > 0) std::memcpy(to, meeting->given[r], static_cast<std::size_t>(bytes[r]));
-  meeting->barrier.arrive_and_wait();
+  meeting->wait();
   return nullptr;
 }
 
 // What each rank is told where these are its facts: the error's message, or "".
 std::vector<std::string> told(const std::vector<std::vector<rc::Fact>>& facts) {
-  Meeting meeting(static_cast<int>(facts.size()));
+  Meeting meeting(facts.size());
   std::vector<std::string> result(facts.size());
   std::vector<std::thread> ranks;
   for (std::size_t rank = 0; rank < facts.size(); ++rank)

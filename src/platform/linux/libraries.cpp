@@ -9,17 +9,22 @@
 
 #include "platform/posix/system.h"
 
+// The linker's name for the header of the file that this code is in.
+extern "C" [[gnu::visibility("hidden")]] const ElfW(Ehdr) __ehdr_start;
+
 namespace rc_platform {
 
 const std::string_view library_suffix = ".so", own_library = "libroughcontact.so";
 
 const char* trusted_environment(const char* name) { return secure_getenv(name); }
 
-// The system's loader maps what the file header promises; touching a part that is missing would kill the process.
+// The system's loader maps what the file header promises; touching a part that is missing would kill the process. That of musl
+// takes files of other processors as well.
 std::string flaw(int file, std::int64_t size, const std::string& path) {
   ElfW(Ehdr) header{};
   if (pread(file, &header, sizeof header, 0) != static_cast<ssize_t>(sizeof header) ||
-      std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_phentsize != sizeof(ElfW(Phdr)))
+      std::memcmp(header.e_ident, __ehdr_start.e_ident, EI_VERSION) != 0 || header.e_machine != __ehdr_start.e_machine ||
+      header.e_type != ET_DYN || header.e_phentsize != sizeof(ElfW(Phdr)))
     return "plugin refused: " + path + " is not a shared object of this machine";
   for (int i = 0; i < header.e_phnum; ++i) {
     ElfW(Phdr) segment{};

@@ -11,6 +11,9 @@
 #include "platform/windows/rights.h"
 #include "platform/windows/text.h"
 
+// The linker's name for the beginning of the file that this code is in.
+extern "C" const IMAGE_DOS_HEADER __ImageBase;
+
 namespace rc_platform {
 
 const std::string_view library_suffix = ".dll", own_library = "libroughcontact-";
@@ -55,6 +58,10 @@ std::string distrust(const std::string& path) {
   return distrust(path, rights, user.read());
 }
 
+const IMAGE_NT_HEADERS& own_header() {
+  return *reinterpret_cast<const IMAGE_NT_HEADERS*>(reinterpret_cast<const char*>(&__ImageBase) + __ImageBase.e_lfanew);
+}
+
 // The parts that the headers of a library promise must be in the file.
 std::string flaw(HANDLE file, const std::string& path) {
   LARGE_INTEGER size{};
@@ -71,6 +78,7 @@ std::string flaw(HANDLE file, const std::string& path) {
   IMAGE_NT_HEADERS header{};
   if (!read(0, &dos, sizeof dos) || dos.e_magic != IMAGE_DOS_SIGNATURE || dos.e_lfanew < 0 ||
       !read(static_cast<std::uint64_t>(dos.e_lfanew), &header, sizeof header) || header.Signature != IMAGE_NT_SIGNATURE ||
+      header.FileHeader.Machine != own_header().FileHeader.Machine ||
       header.OptionalHeader.Magic != IMAGE_NT_OPTIONAL_HDR_MAGIC || (header.FileHeader.Characteristics & IMAGE_FILE_DLL) == 0)
     return "plugin refused: " + path + " is not a shared object of this machine";
   std::uint64_t at = static_cast<std::uint64_t>(dos.e_lfanew) + offsetof(IMAGE_NT_HEADERS, OptionalHeader) +

@@ -11,6 +11,7 @@ namespace support {
 const char* const device = "/dev/null";
 const char* const device_refused = "is a device";
 const long machine_in_library = 18;  // ELF
+const char* const needed_by_all = "libc.so";
 const char* const folder_separator = ":";
 const char* const writable_to_all = " is world-writable; chmod o-w it";
 const char* const owned_by_another = " is owned by user 12345, neither root nor the current user 0";

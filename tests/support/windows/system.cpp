@@ -14,6 +14,7 @@ namespace support {
 const char* const device = "NUL";
 const char* const device_refused = "unknown format";
 const long machine_in_library = 0x84;  // where linkers put it
+const char* const needed_by_all = "KERNEL32.dll";
 const char* const folder_separator = ";";
 const char* const writable_to_all = " can be written to by S-1-1-0; take that right away";
 const char* const owned_by_another = " is owned by S-1-5-7, neither the system, its administrators nor the current user";
