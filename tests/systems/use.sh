@@ -26,7 +26,7 @@ else
 fi
 mkdir -p "$root/bin"
 ! grep -rlF "$tree" "$root" || fail "these files name a folder of the build"
-export LD_LIBRARY_PATH=$root/lib PKG_CONFIG_LIBDIR=$root/lib/pkgconfig
+export LD_LIBRARY_PATH=$root/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} PKG_CONFIG_LIBDIR=$root/lib/pkgconfig
 ln -s "$root" plain  # compilers split what pkg-config says at spaces
 flags() { PKG_CONFIG_LIBDIR=$scratch/plain/lib/pkgconfig pkg-config "$@"; }
 
@@ -40,8 +40,7 @@ if command -v "$fc" >/dev/null && [ -e "$root/share/roughcontact/fortran" ]; the
   read -ra modules <<<"$(flags --variable=fortran_source roughcontact-fortran)"
   $fc -O2 -J. "${modules[@]}" "$tree/examples/press_sphere.f90" -o "$root/bin/fortran" "${contact[@]}"
   # Where the compiler's own libraries are, of which this program has no copy.
-  own=$(dirname "$(realpath "$($fc -print-file-name=libgfortran.so)")")
-  LD_LIBRARY_PATH=$LD_LIBRARY_PATH:$own WINEPATH="Z:$(dirname "$($fc -print-file-name=libgfortran.a)");Z:/usr/$host/lib" "${run[@]}" "$(program fortran)" >said.txt || fail "Fortran ended with $?"
+  WINEPATH="Z:$(dirname "$($fc -print-file-name=libgfortran.a)");Z:/usr/$host/lib" "${run[@]}" "$(program fortran)" >said.txt || fail "Fortran ended with $?"
   grep RC_OK said.txt || fail "Fortran: $(cat said.txt)"
 fi
 
