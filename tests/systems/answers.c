@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 40 * 24, SMALL = 30 };
+enum { MOST = 24 * 20, SMALL = 30 };
 
 static FILE* out;
 static double gap[MOST], p[MOST], deformed[MOST];
@@ -80,8 +80,8 @@ static void solve_all(const char* backend) {
       for (int hard = 0; hard < 2; ++hard) {
         rc_system system = RC_SYSTEM_INIT;
         system.boundary = periodic ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
-        system.nx = rough ? 40 : 24;
-        system.ny = 24;
+        system.nx = rough ? 24 : 16;
+        system.ny = rough ? 20 : 16;
         system.hx = 1;
         system.hy = rough ? 1.5 : 1;
         system.modulus = 2;
@@ -89,7 +89,7 @@ static void solve_all(const char* backend) {
         make_surface(&system, rough);
         for (size_t i = 0; i + (rough == 0) < sizeof solvers / sizeof *solvers; ++i) {
           solve(&system, solvers[i], backend, RC_CONTROL_DISPLACEMENT, periodic ? 0.3 : 0.5);
-          solve(&system, solvers[i], backend, RC_CONTROL_LOAD, 20);
+          solve(&system, solvers[i], backend, RC_CONTROL_LOAD, 10);
         }
       }
 }
