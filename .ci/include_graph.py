@@ -41,8 +41,10 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
     'solvers/haar_cg/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree_inputs.h'),
     'solvers/haar_cg/tree_shape.*': ('solvers/haar_cg/tree_inputs.h', 'solvers/haar_cg/tree_shape.h'),
     'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
-                        'core/chunks.h', 'kernel/'),
-    'contact/history/*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
+                        'core/chunks.h', 'core/certificate_terms.h', 'kernel/'),
+    'contact/history/many.*': ('roughcontact/', 'contact/workspace.h', 'contact/proof/certificate.h', 'contact/step/auto_choice.h',
+                               'contact/history/', 'core/'),
+    'contact/history/[bp]a*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
     'contact/step/*.h': ('roughcontact/', 'contact/answer.h', 'contact/memory.h', 'contact/system.h', 'contact/workspace.h',
                          'contact/step/', 'operator/', 'registry/', 'solvers/'),
 }
@@ -61,7 +63,7 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration.h', 'solvers/haar_cg/starts.h', 'solvers/haar_cg/tree_inputs.h',
         'solvers/haar_cg/tree_shape.h'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
-BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform'} | HAAR}
+BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice
 EXCEPTIONS = {('src/registry/builtin.cpp.in', 'backends/known.def')}  # a list of names
 

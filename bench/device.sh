@@ -25,9 +25,9 @@ if [ -z "${RC_DEVICE_SHORT:-}" ]; then
     tail -20 "$build/build.log"; exit 1; }
   commit=$(git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
   device=$(nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader 2>/dev/null | head -1 || echo unknown)
-  largest=8192 sizes="1024 4096" large="16384:1e-4 32768:1e-8" count=10000
+  largest=8192 sizes="1024 4096" large="16384:1e-4 32768:1e-8" count=20000 few_count=2000 batch_threads="1 2 4 $(nproc)"
 else
-  commit=test device=host largest=64 sizes=128 large=160:1e-4 count=20
+  commit=test device=host largest=64 sizes=128 large=160:1e-4 count=20 few_count=20 batch_threads=2
 fi
 status=0
 "$build/bin/$passes" 64 >"$lines.passes" || status=$?
@@ -55,8 +55,8 @@ for n in $sizes; do
     [ -z "$fft" ] || run 90 "$n" $control 1e-8 haar-cg fft 2 2
   done
 done
-run 60 batch $count "$solver" "$backend" "$(nproc)"
-run 60 batch $count auto auto 2
+for threads in $batch_threads; do run 60 batch $count "$solver" "$backend" "$threads"; done
+run 60 batch $few_count haar-cg "${fft:-auto}" 2
 timeout 60 "$build/bin/$passes" "$largest" >"$lines.passes" || echo "{\"failed\": \"$passes $largest: status $?\"}" >>"$lines"
 for each in $large; do run 200 "${each%:*}" load "${each#*:}" "$solver" "$backend" "$(nproc)" 2; done
 output=${RC_DEVICE_OUTPUT:-bench/results/device.json}

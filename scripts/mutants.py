@@ -4,7 +4,7 @@
 Usage: mutants.py BUILD [--jobs N] [--only TEXT] [--list]
 
 BUILD: a build folder of this tree with lib/libroughcontact.a; programs of the mutants are built in BUILD/mutants. Of every file
-listed below, each comparison, sign, product, constant, minimum, condition and single statement is changed alone: the file is compiled
+and header listed below, each comparison, sign, product, constant, minimum, condition and single statement is changed alone: the file is compiled
 again, linked with tests/mutants, and that program must fail. Mutants that do not compile count for nothing. Those that no test can tell
 stand in tests/mutants/equivalents.txt, with the reason: file | line of the source | change | reason. An entry that no longer occurs, or
 that a test does fail on, is an error, too. --only: mutants whose name contains the text. Exit status: 0 if none survives.
@@ -36,6 +36,15 @@ SOURCES = {
         "fitting_compression",
         "certify_given",
     ),
+}
+# Headers, with the file that each of their functions is compiled in.
+TERMS = "src/core/certificate_terms.h"
+INLINE = {
+    TERMS: {
+        "src/contact/proof/certificate.cpp": ("relative_violation", "primal_violation", "room_below", "dual_violation", "complementarity_violation"),
+        "src/contact/step/certified_result.cpp": ("load_imbalance",),
+        "src/contact/step/target.cpp": ("periodic_scale_by_load", "periodic_scale_by_approach", "beyond_mean_plane"),
+    }
 }
 TRAPS = ("-fsanitize=bounds", "-fsanitize-undefined-trap-on-error")  # places beyond the end of an array
 TIMEOUT = 20  # seconds: a mutant that never ends is found, too
@@ -130,14 +139,26 @@ def lines_of(text, functions):
     return found
 
 
+def included(header):
+    return f'#include "{header.removeprefix("src/")}"'
+
+
 def mutants():
-    """(file, line of the source, its number, change, text of the mutant)"""
+    """(file, line of the source, its number, change, file that is compiled, its text)"""
     for name, functions in SOURCES.items():
         text = (ROOT / name).read_text()
         lines = text.split("\n")
         for i in lines_of(text, functions):
             for change, changed in changes(lines[i]):
-                yield name, lines[i].strip(), i + 1, change, "\n".join([*lines[:i], changed, *lines[i + 1 :]])
+                yield name, lines[i].strip(), i + 1, change, name, "\n".join([*lines[:i], changed, *lines[i + 1 :]])
+    for header, users in INLINE.items():
+        text = (ROOT / header).read_text().replace("#pragma once", "")
+        lines = text.split("\n")
+        for user, functions in users.items():
+            for i in lines_of(text, functions):
+                for change, changed in changes(lines[i]):
+                    inlined = "\n".join([*lines[:i], changed, *lines[i + 1 :]])
+                    yield header, lines[i].strip(), i + 1, change, user, (ROOT / user).read_text().replace(included(header), inlined)
 
 
 def equivalents():
@@ -170,7 +191,8 @@ class Workshop:
     def headers(self, name):
         """What a file includes, compiled once."""
         header = self.folder / (name.replace("/", "_") + ".h")
-        header.write_text("\n".join(re.findall(r"^#include .*$", (ROOT / name).read_text(), re.M)) + "\n")
+        includes = re.findall(r"^#include .*$", (ROOT / name).read_text(), re.M)
+        header.write_text("\n".join(each for each in includes if each not in map(included, INLINE)) + "\n")
         subprocess.run([*self.compiler, "-O0", "-x", "c++-header", header, "-o", f"{header}.gch"], check=True)
 
     def verdict(self, number, name, text):
@@ -204,7 +226,7 @@ def main():
 
     wanted = [m for m in mutants() if arguments.only in " | ".join((m[0], m[1], m[3]))]
     if arguments.list:
-        for name, source, number, change, _ in wanted:
+        for name, source, number, change, *_ in wanted:
             print(f"{name} | {source} | {change}")
         return 0
     excused = equivalents()
@@ -217,8 +239,8 @@ def main():
     counts = {"killed": 0, "survived": 0, "not built": 0}
     wrong = 0
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        verdicts = pool.map(lambda m: shop.verdict(m[0], m[1][0], m[1][4]), enumerate(wanted))
-        for (name, source, number, change, _), verdict in zip(wanted, verdicts):
+        verdicts = pool.map(lambda m: shop.verdict(m[0], m[1][4], m[1][5]), enumerate(wanted))
+        for (name, source, number, change, *_), verdict in zip(wanted, verdicts):
             counts[verdict] += 1
             reason = excused.pop((name, source, change), None)
             if (verdict == "survived") != (reason is not None):

@@ -41,6 +41,12 @@ void Engine::make_room(const Rooms& wanted, std::size_t held, double limit, cons
   for (const auto& [room, bytes] : rooms) grow(device_, *room, bytes);
 }
 
+std::size_t Engine::most_for_vectors(std::size_t held, double limit) {
+  const double others = static_cast<double>(held + torus_.bytes() + std::max(work_.bytes(), work_bytes_));
+  const double there = static_cast<double>(device_.free_bytes() + vectors_.bytes());
+  return static_cast<std::size_t>(std::max(0.0, std::min(limit - others, there)));
+}
+
 template <> Engine::Plans<float>& Engine::plans<float>() { return single_; }
 template <> Engine::Plans<double>& Engine::plans<double>() { return double_; }
 

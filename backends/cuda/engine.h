@@ -36,6 +36,8 @@ class Engine {
   // Makes the rooms at least so large. Fails before anything is allocated where that and `held` are beyond the limit [bytes], or
   // the device has less. what: for whom, as in "a solve of 32 x 32 points".
   void make_room(const Rooms& wanted, std::size_t held, double limit, const std::string& what);
+  // The most bytes for which make_room() makes the vectors' room, nothing of the others being wanted.
+  std::size_t most_for_vectors(std::size_t held, double limit);
   unsigned char* vectors() const { return vectors_.as<unsigned char>(); }
 
   // The plans for products between these windows; the work area that they need is part of what make_room() makes.
@@ -80,6 +82,27 @@ class Spectrum {
 
   Torus torus_;
   Memory single_, double_;
+};
+
+// Passes and products as launches, between the points of a box.
+class WholeDevice {
+ public:
+  // After plan() and make_room(). zero_mode: eigenvalue of H for the constant vector.
+  WholeDevice(Engine& engine, const Spectrum& spectrum, const Window& box, double zero_mode)
+      : engine_(engine), device_(engine.device()), spectrum_(spectrum), box_(box), zero_mode_(zero_mode) {}
+
+  template <class F> void each(Index n, const F& f) { device_.each(n, f); }
+  template <class Part, class F> Part reduce(Index n, const F& f) { return device_.reduce<Part>(n, f); }
+  template <class Work> void together(const Work& work) { device_.together(work); }
+  template <class T> void clear(T* x, Index n) { device_.clear(x, static_cast<std::size_t>(n) * sizeof(T)); }
+  template <class R> void multiply(const R* x, R* y) { engine_.multiply(spectrum_, box_, x, box_, y, zero_mode_); }
+
+ private:
+  Engine& engine_;
+  Device& device_;
+  const Spectrum& spectrum_;
+  const Window box_;
+  const double zero_mode_;
 };
 
 constexpr Index coefficients_at_once = Index{1} << 24;

@@ -11,15 +11,6 @@ namespace {
 constexpr Index longest_axis = Index{1} << 24;
 constexpr Index most_values = (Index{1} << 32) - 1;  // in one pass: places are found by 32-bit divisions
 
-Index fast_length(Index least) {
-  for (Index length = least;; ++length) {
-    Index rest = length;
-    for (const Index factor : {2, 3, 5, 7})
-      while (rest % factor == 0) rest /= factor;
-    if (rest == 1) return length;
-  }
-}
-
 // A pass is over the reals of the box's rows, or over the complex numbers of the torus.
 Torus checked(Index nx, Index ny, const Torus& torus) {
   const Index complex_rows = std::max(torus.height, 2 * ny);
@@ -36,6 +27,15 @@ void check_axes(Index nx, Index ny) {
 }
 
 }  // namespace
+
+Index fast_length(Index least) {
+  for (Index length = least;; ++length) {
+    Index rest = length;
+    for (const Index factor : {2, 3, 5, 7})
+      while (rest % factor == 0) rest /= factor;
+    if (rest == 1) return length;
+  }
+}
 
 Torus free_torus(Index nx, Index ny) {
   check_axes(nx, ny);

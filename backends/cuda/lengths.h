@@ -18,6 +18,9 @@ struct Torus {
   bool operator==(const Torus&) const = default;
 };
 
+// The least length from this on without a prime factor above 7.
+Index fast_length(Index least);
+
 // The least torus for products between all points of an nx x ny box whose sides have no prime factor above 7. Fails where a side
 // or the torus is too large to be counted.
 Torus free_torus(Index nx, Index ny);

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "engine.h"
 #include "kernels/products.h"
 #include "machine.h"
+#include "trees.h"
 
 namespace rc_cuda {
 
@@ -60,12 +62,12 @@ void measure(Index n) {
   const rc::CouplingTable table = table_of(n);
   const Spectrum spectrum(engine, torus, {table.mx, table.my}, true, 1e18,
                           [&](double* out) { std::copy(table.k.begin(), table.k.end(), out); });
-  using M = DeviceMachine<float>;
+  using M = DeviceMachine<float, WholeDevice>;
   Trees trees(n, n, table);
   engine.plan<float>(torus, box, box);
   engine.plan<double>(torus, box, box);
-  engine.make_room({torus.bytes<double>(), M::bytes(cells, trees)}, 0, 1e18, "the timer");
-  const M::Memory memory = M::place(engine.vectors(), cells, trees);
+  engine.make_room({torus.bytes<double>(), M::bytes(cells, trees.bytes())}, 0, 1e18, "the timer");
+  const M::Memory memory = M::place(engine.vectors(), cells, trees.bytes());
   trees.place(device, memory.trees);
   // Every tenth cell is in the free set.
   std::vector<std::uint8_t> state(static_cast<std::size_t>(cells), is_unknown);
@@ -77,7 +79,8 @@ void measure(Index n) {
   device.upload(memory.state, state.data(), state.size());
   device.upload(memory.u, u.data(), u.size() * sizeof(double));
   device.upload(memory.p, p.data(), p.size() * sizeof(double));
-  M machine(engine, spectrum, {box, 1e300, 0}, memory, trees);
+  WholeDevice whole(engine, spectrum, box, 0);
+  M machine(whole, cells, 1e300, memory, trees.passes());
   machine.begin();
   machine.replace_and_measure(nullptr, 0);
   machine.choose_set(0);

@@ -10,27 +10,35 @@ BEGIN, END = '<!-- begin resources -->', '<!-- end resources -->'
 
 
 def kernels(log):
-    """(architecture, kernel): registers, bytes spilled, bytes of shared memory."""
-    found, architecture, name, spills = {}, '', '', 0
+    """(architecture, kernel): registers, bytes spilled, bytes of shared memory; and function that kernels call: bytes spilled."""
+    found, called, architecture, name, function, spills = {}, collections.Counter(), '', '', '', 0
     for line in log.splitlines():
         if match := re.match(r'architecture (\d+)', line):
             architecture = match[1]
         elif match := re.search(r"Compiling entry function '(\w+)'", line):
             name = match[1]
+        elif match := re.search(r'Function properties for (\w+)', line):
+            function = match[1]
         elif match := re.search(r'(\d+) bytes spill stores, (\d+) bytes spill loads', line):
-            spills = int(match[1]) + int(match[2])
+            if function == name:
+                spills = int(match[1]) + int(match[2])
+            else:
+                called[function] = max(called[function], int(match[1]) + int(match[2]))
         elif match := re.search(r'Used (\d+) registers', line):
             shared = re.search(r'(\d+) bytes smem', line)
             found[architecture, name] = int(match[1]), spills, int(shared[1]) if shared else 0
-    return found
+    return found, called
+
+
+def demangled(names):
+    return subprocess.run(['c++filt'], input='\n'.join(names), text=True, capture_output=True, check=True).stdout.splitlines()
 
 
 def plain(names):
     """each_kernel<F> and the like, with what they run."""
-    text = subprocess.run(['c++filt'], input='\n'.join(names), text=True, capture_output=True, check=True).stdout
     result = {}
-    for name, full in zip(names, text.splitlines()):
-        inner = re.search(r'(each|reduce|together)_kernel<(.*)>\(', full)
+    for name, full in zip(names, demangled(names)):
+        inner = re.search(r'(each|reduce|together|blocks)_kernel<(.*)>\(', full)
         kind, arguments = inner.groups()
         what = arguments.replace('rc_cuda::', '').replace(' >', '>').strip()
         result[name] = (kind, what.split(', ', 1)[1] if kind == 'reduce' else what)
@@ -39,7 +47,7 @@ def plain(names):
 
 def main():
     log = pathlib.Path(sys.argv[1]).read_text()
-    found = kernels(log)
+    found, called = kernels(log)
     if not found:
         sys.exit(f'ptxas said nothing of any kernel:\n{log}')
     names = plain(sorted({name for _, name in found}))
@@ -54,6 +62,14 @@ def main():
     for (kind, what), numbers in sorted(rows.items()):
         text.append(f'| {kind} | `{what}` | ' + ' | '.join(str(numbers[each][0]) for each in architectures)
                     + f' | {max(each[2] for each in numbers.values())} |')
+    saving = {name: count for name, count in called.items() if count > 0}
+    if called:
+        text += ['', f'Kernels of `blocks` call {len(called)} functions, so that what follows the iteration takes no registers from the passes. '
+                 f'{len(called) - len(saving)} of them spill nothing; the others save registers around calls, in bytes stored and loaded:', '',
+                 '| function | bytes |', '|---|---|']
+        for name, full in sorted(zip(saving, demangled(saving)), key=lambda each: each[1]):
+            short = re.sub(r'^(?:void|double|[\w:]+) (?=rc)', '', re.sub(r'\(.*', '', full)).replace('rc_cuda::', '')
+            text.append(f'| `{short}` | {saving[name]} |')
     table = '\n'.join(text)
     if len(sys.argv) < 4:
         print(table)

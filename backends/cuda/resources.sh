@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# backends/cuda/resources.sh [--update]: registers, spills and shared memory of every kernel for each architecture, as a table of
+# backends/cuda/resources.sh [--update]: registers, spills and shared memory of every kernel and of the functions that they call, for each architecture, as a table of
 # Markdown; --update writes it into docs/device.md. Needs nvcc (NVCC=...), no device.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -9,9 +9,9 @@ architectures=${ARCHITECTURES:-80 90 100}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 for architecture in $architectures; do
-  for source in engine operator solver trees; do
+  for source in engine operator small/many solver trees; do
     echo "architecture $architecture" >>"$log"
-    "$nvcc" -x cu -std=c++20 -O3 -fmad=false -arch="sm_$architecture" -cubin -Xptxas -v -I"$root/include" -I"$root/src" \
+    "$nvcc" -x cu -std=c++20 -O3 -fmad=false --expt-relaxed-constexpr -arch="sm_$architecture" -cubin -Xptxas -v -I"$root/include" -I"$root/src" \
       -I"$root/backends" -I. -o /dev/null $source.cpp >>"$log" 2>&1
   done
 done

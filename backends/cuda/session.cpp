@@ -12,16 +12,20 @@ namespace {
 
 std::unique_ptr<Engine> taken_or_made(const rc_host* host, const Settings& settings, Engines& pool) {
   std::unique_ptr<Engine> engine = pool.take();
-  return engine ? std::move(engine) : std::make_unique<Engine>(host, settings.index);
+  if (!engine) return std::make_unique<Engine>(host, settings.index);
+  engine->device().serve(host);
+  return engine;
 }
 
 }  // namespace
 
+std::shared_ptr<Engines> engines_of(const rc_host* host, const Settings& settings) {
+  return roughcontact::shared<Engines>(host, component,
+                                       std::string(component.name) + " engines " + std::to_string(settings.index),
+                                       [] { return std::make_unique<Engines>(); });
+}
+
 Borrowed::Borrowed(const rc_host* host, const Settings& settings)
-    : pool_(roughcontact::shared<Engines>(host, component,
-                                          std::string(component.name) + " engines " + std::to_string(settings.index),
-                                          [] { return std::make_unique<Engines>(); })),
-      engine_(taken_or_made(host, settings, *pool_)),
-      current_(engine_->device()) {}
+    : pool_(engines_of(host, settings)), engine_(taken_or_made(host, settings, *pool_)), current_(engine_->device()) {}
 
 }  // namespace rc_cuda

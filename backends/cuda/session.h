@@ -21,6 +21,8 @@ struct Settings {
 
 using Engines = rc_common::Pool<std::unique_ptr<Engine>>;
 
+std::shared_ptr<Engines> engines_of(const rc_host* host, const Settings& settings);
+
 // An engine that is taken. It is given back where nothing failed; else the device may be lost, and it goes.
 class Borrowed {
  public:

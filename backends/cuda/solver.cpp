@@ -11,6 +11,7 @@
 #include "session.h"
 #include "solvers/haar_cg/starts.h"
 #include "solvers/haar_cg/tree_inputs.h"
+#include "trees.h"
 
 namespace rc_cuda {
 
@@ -91,9 +92,9 @@ class Cells {
 };
 
 // Products that the machine made and the core does not know of.
-template <class R> class Count {
+template <class M> class Count {
  public:
-  Count(const rc_problem& problem, const DeviceMachine<R>& machine) : problem_(problem), machine_(machine) {}
+  Count(const rc_problem& problem, const M& machine) : problem_(problem), machine_(machine) {}
   ~Count() { tell(); }
   Count(const Count&) = delete;
   Count& operator=(const Count&) = delete;
@@ -104,7 +105,7 @@ template <class R> class Count {
 
  private:
   const rc_problem& problem_;
-  const DeviceMachine<R>& machine_;
+  const M& machine_;
   Index told_ = 0;
 };
 
@@ -128,19 +129,20 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
   Device& device = engine->device();
   const Torus torus = grid.boundary == RC_BOUNDARY_PERIODIC ? periodic_torus(grid.nx, grid.ny) : free_torus(box.nx, box.ny);
   const std::shared_ptr<const Spectrum> spectrum = spectrum_for(host, settings, *engine, torus, grid.nx, grid.ny, coefficients);
-  using M = DeviceMachine<R>;
+  using M = DeviceMachine<R, WholeDevice>;
   engine->plan<R>(torus, box, box);
   engine->plan<double>(torus, box, box);
-  engine->make_room({torus.bytes<double>(), M::bytes(cells.count(), trees)}, spectrum->bytes(), settings.limit,
+  engine->make_room({torus.bytes<double>(), M::bytes(cells.count(), trees.bytes())}, spectrum->bytes(), settings.limit,
                     "a solve over " + std::to_string(box.nx) + "x" + std::to_string(box.ny) + " points");
-  const typename M::Memory memory = M::place(engine->vectors(), cells.count(), trees);
+  const typename M::Memory memory = M::place(engine->vectors(), cells.count(), trees.bytes());
   trees.place(device, memory.trees);
   cells.upload_state(device, memory.state);
   cells.upload_compenetration(device, memory.u, memory.spare);
   cells.upload_pressures(device, p, memory.p);
 
-  M machine(*engine, *spectrum, {box, problem.cap(), given.zero_mode}, memory, trees);
-  Count<R> count(given, machine);
+  WholeDevice whole(*engine, *spectrum, box, given.zero_mode);
+  M machine(whole, cells.count(), problem.cap(), memory, trees.passes());
+  Count count(given, machine);
   const rc::HaarTask task{.by_load = problem.load_control(),
                           .load = problem.load(),
                           .cap = problem.cap(),
@@ -148,14 +150,15 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
                           .least_scale = problem.least_scale(),
                           .periodic_mean = inputs.table.mean,
                           .elongated = inputs.elongated,
-                          .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
-                          .poll = [&](std::int64_t steps, double residual) {
-                            count.tell();
-                            problem.poll(steps, residual);
-                          }};
+                          .patience = static_cast<int>(problem.option_int("haar-cg.patience"))};
+  const auto poll = [&](std::int64_t steps, double residual) {
+    count.tell();
+    problem.poll(steps, residual);
+    return true;
+  };
   rc_status status = RC_OK;
   try {
-    const rc::HaarOutcome outcome = rc::HaarIteration(machine, task).run(d);
+    const rc::HaarOutcome outcome = rc::HaarIteration(machine, task, poll).run(d);
     if (outcome.ending == rc::HaarEnding::not_finite) fail(RC_ERR_NUMERIC, "the operator returned values that are not finite");
     if (problem.load_control()) d = outcome.approach;
     if (outcome.ending != rc::HaarEnding::solved) status = RC_STOP_STALLED;

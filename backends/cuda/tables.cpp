@@ -3,6 +3,7 @@
 #include "arrays.h"
 #include "names.h"
 #include "operator.h"
+#include "small/many.h"
 #include "solver.h"
 
 namespace rc_cuda {
@@ -55,7 +56,8 @@ const rc_solver solver = {.struct_size = sizeof(rc_solver),
                           .needs = RC_NEEDS_GRID | RC_WANTS_BOX | RC_READS_GAP | RC_TAKES_CAP | RC_READS_SINGLE_GAP,
                           .controls = RC_CONTROL_DISPLACEMENT | RC_CONTROL_LOAD,
                           .solve = solve,
-                          .score = score};
+                          .score = score,
+                          .solve_many = solve_many};
 const rc_backend* const backends[] = {&backend};
 const rc_solver* const solvers[] = {&solver};
 

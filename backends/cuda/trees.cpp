@@ -89,32 +89,17 @@ void Trees::place(Device& device, unsigned char* memory) {
   level_of_w_ = layout.next<double>(1);
 }
 
-Summit Trees::summit() const {
-  return {{on_device_[0], on_device_[1]},
-          static_cast<int>(summit_),
-          {static_cast<int>(levels(0)), static_cast<int>(levels(1))},
-          top_,
-          level_of_w_};
+TreePasses Trees::passes(bool in_block) const {
+  TreePasses result;
+  for (int tree = 0; tree < 2; ++tree) result.levels[tree] = in_block ? on_device_[tree] : levels_[tree].data();
+  result.summit = {{on_device_[0], on_device_[1]},
+                   static_cast<int>(summit_),
+                   {static_cast<int>(levels(0)), static_cast<int>(levels(1))},
+                   top_,
+                   level_of_w_};
+  result.table = table_on_device_;
+  result.least_top = least_top_;
+  return result;
 }
-
-void Trees::set_up(Device& device, const std::uint8_t* state, double surplus) {
-  on_level(device, 0, SolveFinest{state, table_on_device_});
-  for (std::size_t level = 1; level < summit_; ++level) on_level(device, level, Solve{});
-  device.together(SolveSummit{summit(), static_cast<float>(surplus), least_top_});
-}
-
-template <class R>
-Preconditioned Trees::apply(Device& device, const R* g, const std::uint8_t* state, R* z, const R* q, bool keeps_sum) {
-  on_level(device, 0, UpFinest<R>{state, table_on_device_, g});
-  for (std::size_t level = 1; level < summit_; ++level) on_level(device, level, Up{});
-  device.together(ApplySummit{summit(), keeps_sum});
-  for (std::size_t level = summit_; level-- > 1;) on_level(device, level, Down{});
-  const Level& finest = levels_[0].front();
-  const DownFinest<R> last{{finest, levels_[1].front()}, state, table_on_device_, level_of_w_, g, q, z};
-  return device.reduce<Preconditioned>(finest.mx * finest.my, last);
-}
-
-template Preconditioned Trees::apply(Device&, const float*, const std::uint8_t*, float*, const float*, bool);
-template Preconditioned Trees::apply(Device&, const double*, const std::uint8_t*, double*, const double*, bool);
 
 }  // namespace rc_cuda

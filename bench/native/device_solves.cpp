@@ -180,14 +180,18 @@ int solve_batch(char** argv) {
   batch.steps = 1;
   batch.targets = targets.data();
   batch.undeformed_gap = gaps.data();
-  const auto begin = std::chrono::steady_clock::now();
-  if (rc_batch_solve(&system, options, &batch) < 0) refuse("rc_batch_solve");
-  const double taken = seconds_since(begin);
+  double first = 0, best = 1e300;
+  for (int run = 0; run < 4; ++run) {  // the first one sets the device up
+    const auto begin = std::chrono::steady_clock::now();
+    if (rc_batch_solve(&system, options, &batch) < 0) refuse("rc_batch_solve");
+    const double taken = seconds_since(begin);
+    (run == 0 ? first : best) = run == 0 ? taken : std::min(best, taken);
+  }
   std::printf(
       "{\"batch\": %lld, \"n\": %lld, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"certified\": %lld, "
-      "\"seconds\": %.6f, \"solves_per_second\": %.1f}\n",
+      "\"first_seconds\": %.6f, \"seconds\": %.6f, \"solves_per_second\": %.1f}\n",
       static_cast<long long>(count), static_cast<long long>(n), argv[3], argv[4], argv[5],
-      static_cast<long long>(batch.certified), taken, static_cast<double>(count) / taken);
+      static_cast<long long>(batch.certified), first, best, static_cast<double>(count) / best);
   rc_options_destroy(options);
   return 0;
 }

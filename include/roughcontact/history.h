@@ -122,9 +122,11 @@ typedef struct rc_batch {
     NULL, NULL, NULL, 0, 0, -1 }
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_path: the same bits, whatever
- *  the number of threads. Option threads: contacts that are solved at the same time, each by one thread; where the system
- *  refuses threads, fewer. Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is
- *  called from several threads at the same time. All threads have ended when the call returns.
+ *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
+ *  with the same certificate; whatever the number of threads and of contacts, too. It is asked where fn and stiffness are NULL.
+ *  Option threads: contacts that are solved at the same time, each by one thread; where the system refuses threads, fewer.
+ *  Option time_limit: seconds for the whole batch. options may be NULL. A CALLBACK system's apply is called from several threads
+ *  at the same time. All threads have ended when the call returns.
  *  A contact that fails does not stop the others. RC_OK: every step of every contact is certified. Otherwise the status of the
  *  first contact that failed or, if none did, of the first that is not certified, and rc_last_error() says how many
  *  contacts ended with which status. RC_WITHIN_GOAL: some steps ended so, all others are certified. All outputs are then

@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 10u /* grows when a vtable gets a new member at its end                           */
+#define RC_PLUGIN_ABI_MINOR 11u /* grows when a vtable gets a new member at its end                           */
 
 #ifdef __cplusplus
 extern "C" {
@@ -151,6 +151,7 @@ typedef struct rc_facts {
   uint64_t caps;              /* solvers: what the backend can do, RC_CAP_*; backends: 0                       */
   int32_t partial;            /* 1: the solver is stopped after some steps, for the pressures that it has by then */
   int32_t reserved;
+  int64_t at_once;            /* so many such contacts: solvers with solve_many() say what each costs. Since ABI minor 11   */
 } rc_facts;
 
 /** What it would cost, on one thread. Zero where nothing is written. */
@@ -302,6 +303,48 @@ struct rc_problem {
   double zero_mode; /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out. Since minor 9 */
 };
 
+/** What a solver says of one step of one of many contacts; in the caller's units. */
+typedef struct rc_many_answer {
+  int32_t solved; /* 1: every residual below is at most rc_many.tol, in all steps before it as well; 0: no more is told */
+  int32_t reserved;
+  int64_t contacts;   /* points with p > 0                                                                     */
+  int64_t iterations, products;
+  double sum;         /* of the pressures [force/length^2]                                                     */
+  double lowest;      /* gap of a point that may carry pressure, plastic indentation included [length]         */
+  double compression; /* approach less the lowest gap [length]                                                 */
+  double primal, dual, complementarity; /* residuals as rc_result.kkt_*, from a product in double precision with the final
+                                           pressures over all points                                           */
+} rc_many_answer;
+
+/** Histories of many contacts on one half-space grid, in the caller's units; arrays as in rc_batch. */
+typedef struct rc_many rc_many;
+struct rc_many {
+  size_t struct_size;
+  int64_t n;            /* contacts; 0: a question whether the solver takes such contacts, with RC_OK as "yes" */
+  int64_t steps;        /* >= 1, of each                                                                       */
+  int32_t control;      /* RC_CONTROL_*                                                                        */
+  int32_t warm_start;   /* 1: steps after the first start from the one before                                  */
+  const rc_grid *grid;  /* without gap, mask, index and approach                                               */
+  const char *backend;  /* whose products are to certify: a solver takes contacts for those it can stand for   */
+  const double *targets;         /* [length] or [force]; step k of contact i at i*target_stride + k            */
+  int64_t target_stride;
+  const double *undeformed_gap;  /* [length]; point m of contact i at i*undeformed_gap_stride + m; any values  */
+  int64_t undeformed_gap_stride; /* 0: one for all                                                             */
+  const uint8_t *mask;           /* NULL: every point                                                          */
+  int64_t mask_stride;
+  const double *p0;     /* [n*nx*ny] to start from [force/length^2]; NULL: none; may be p                      */
+  double *p;            /* out [n*nx*ny] of the last step, where that is solved; others stay. NULL: not wanted */
+  double length_per_pressure; /* [length^3/force] H is this times coefficients()                               */
+  double hardness;      /* [force/length^2]; INFINITY where all is elastic                                     */
+  double least_deflection; /* [length^3/force] of a cell under unit pressure, for the scale of residuals       */
+  double tol;           /* of the certificate                                                                  */
+  int64_t max_iterations;  /* of a step                                                                        */
+  rc_many_answer *answers; /* out [n*steps]                                                                    */
+  int64_t done;         /* out: contacts 0 .. done-1 have answers, at least one; the others are asked for again */
+  /** As rc_problem.coefficients. */
+  rc_status (*coefficients)(const rc_many *, int64_t mx, int64_t my, double *out);
+};
+
 /* What a solver needs. RC_CAP_SUBSET and RC_CAP_SHIFTED: the core's fallbacks serve where the backend has none. */
 #define RC_NEEDS_GRID (UINT64_C(1) << 32) /* a half-space grid, not the caller's matrix or product              */
 #define RC_WANTS_BOX (UINT64_C(1) << 33)  /* every point of a box as an unknown is handier than most of them    */
@@ -328,6 +371,11 @@ typedef struct rc_solver {
   rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
   /** As that of a backend, for one that facts->backend and facts->caps describe. Since plugin ABI minor 5. */
   rc_status (*score)(const rc_facts *, rc_estimate *);
+  /** NULL where contacts are solved one at a time. Solves and certifies many at once, by products of its own; what it says of
+   *  one depends on nothing of the others. What is not solved, whatever the reason, the core solves by itself. A status other
+   *  than RC_OK: that is all of them, and nothing was written. Several threads may call it at the same time. Since plugin ABI
+   *  minor 11. */
+  rc_status (*solve_many)(const rc_host *, rc_many *, const rc_options *);
 } rc_solver;
 
 /* What a kernel is defined for, and what it promises. */

@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 10);
+VALUE(RC_PLUGIN_ABI_MINOR, 11);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -92,7 +92,7 @@ AT(rc_screen, n_found, 72);
 AT(rc_screen, tile_lowest, 80);
 AT(rc_screen, undeformed_gap_single, 88);
 
-SIZE(rc_facts, 80);
+SIZE(rc_facts, 88);
 AT(rc_facts, struct_size, 0);
 AT(rc_facts, host, 8);
 AT(rc_facts, options, 16);
@@ -104,6 +104,7 @@ AT(rc_facts, backend, 56);
 AT(rc_facts, caps, 64);
 AT(rc_facts, partial, 72);
 AT(rc_facts, reserved, 76);
+AT(rc_facts, at_once, 80);
 
 SIZE(rc_estimate, 48);
 AT(rc_estimate, struct_size, 0);
@@ -200,7 +201,45 @@ AT(rc_problem, rows, 184);
 AT(rc_problem, multiplied, 192);
 AT(rc_problem, zero_mode, 200);
 
-SIZE(rc_solver, 80);
+SIZE(rc_many_answer, 80);
+AT(rc_many_answer, solved, 0);
+AT(rc_many_answer, reserved, 4);
+AT(rc_many_answer, contacts, 8);
+AT(rc_many_answer, iterations, 16);
+AT(rc_many_answer, products, 24);
+AT(rc_many_answer, sum, 32);
+AT(rc_many_answer, lowest, 40);
+AT(rc_many_answer, compression, 48);
+AT(rc_many_answer, primal, 56);
+AT(rc_many_answer, dual, 64);
+AT(rc_many_answer, complementarity, 72);
+
+SIZE(rc_many, 176);
+AT(rc_many, struct_size, 0);
+AT(rc_many, n, 8);
+AT(rc_many, steps, 16);
+AT(rc_many, control, 24);
+AT(rc_many, warm_start, 28);
+AT(rc_many, grid, 32);
+AT(rc_many, backend, 40);
+AT(rc_many, targets, 48);
+AT(rc_many, target_stride, 56);
+AT(rc_many, undeformed_gap, 64);
+AT(rc_many, undeformed_gap_stride, 72);
+AT(rc_many, mask, 80);
+AT(rc_many, mask_stride, 88);
+AT(rc_many, p0, 96);
+AT(rc_many, p, 104);
+AT(rc_many, length_per_pressure, 112);
+AT(rc_many, hardness, 120);
+AT(rc_many, least_deflection, 128);
+AT(rc_many, tol, 136);
+AT(rc_many, max_iterations, 144);
+AT(rc_many, answers, 152);
+AT(rc_many, done, 160);
+AT(rc_many, coefficients, 168);
+
+SIZE(rc_solver, 88);
 AT(rc_solver, struct_size, 0);
 AT(rc_solver, name, 8);
 AT(rc_solver, summary, 16);
@@ -212,6 +251,7 @@ AT(rc_solver, n_options, 48);
 AT(rc_solver, options, 56);
 AT(rc_solver, solve, 64);
 AT(rc_solver, score, 72);
+AT(rc_solver, solve_many, 80);
 
 SIZE(rc_kernel_spec, 48);
 AT(rc_kernel_spec, struct_size, 0);

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "contact/proof/certificate.h"
+#include "core/certificate_terms.h"
 #include "known_answers.h"
 #include "problems.h"
 

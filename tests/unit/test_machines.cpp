@@ -78,14 +78,15 @@ struct Solution {
   Field p;
 };
 
-template <class M> Solution solved(M& machine, rc::HaarTask task) {
+template <class M> Solution solved(M& machine, const rc::HaarTask& task) {
   std::int64_t last = 0;
   Field residuals;
-  task.poll = [&](std::int64_t steps, double residual) {
+  const auto poll = [&](std::int64_t steps, double residual) {
     last = steps;
     residuals.push_back(residual);
+    return true;
   };
-  const rc::HaarOutcome outcome = rc::HaarIteration(machine, task).run(0);
+  const rc::HaarOutcome outcome = rc::HaarIteration(machine, task, poll).run(0);
   return {outcome.ending, outcome.approach, last, residuals, {}};
 }
 

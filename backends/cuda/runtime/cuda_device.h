@@ -4,6 +4,7 @@
 #include <cuda_runtime.h>
 #include <cufft.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <roughcontact/plugin.hpp>
 #include <type_traits>
@@ -73,6 +74,80 @@ template <class Work> __global__ void __launch_bounds__(together_lanes) together
   }
 }
 
+constexpr std::size_t most_part = 64;  // bytes of what sums are made of
+
+// The threads of one block, which do everything together. Code that calls it is constexpr, and so of both sides for nvcc; on the
+// host nothing runs.
+class Block {
+ public:
+  template <class F> RC_CALLED RC_ANYWHERE void each(Index n, const F& f) {
+#ifdef __CUDA_ARCH__
+    for (Index i = threadIdx.x; i < n; i += lanes) f(i);
+    __syncthreads();
+#else
+    unused(n, f);
+#endif
+  }
+  template <class Part, class F> RC_CALLED RC_ANYWHERE Part reduce(Index n, const F& f) {
+    static_assert(sizeof(Part) <= most_part);
+    Part sum;
+#ifdef __CUDA_ARCH__
+    Part* const lane = reinterpret_cast<Part*>(room());
+    for (Index i = threadIdx.x; i < n; i += lanes) sum.add(f(i));
+    lane[threadIdx.x] = sum;
+    add_halves(lane);
+    sum = lane[0];
+    __syncthreads();
+#else
+    unused(n, f);
+#endif
+    return sum;
+  }
+  template <class Work> RC_ANYWHERE void together(const Work& work) {
+    const int phases = work.phases();
+    for (int phase = 0; phase < phases; ++phase) each(work.count(phase), [&](Index i) { work(phase, i); });
+  }
+  // The number that the counter shows, which it then raises: blocks share work by it.
+  RC_ANYWHERE unsigned take(unsigned* counter) {
+#ifdef __CUDA_ARCH__
+    unsigned* const taken = reinterpret_cast<unsigned*>(room());
+    if (threadIdx.x == 0) *taken = atomicAdd(counter, 1U);
+    __syncthreads();
+    const unsigned result = *taken;
+    __syncthreads();
+    return result;
+#else
+    return *counter;
+#endif
+  }
+
+  // Its values are not to take registers from those who compute.
+  template <class T> RC_ANYWHERE void keep_in_memory(T& object) {
+#ifdef __CUDA_ARCH__
+    asm volatile("" : : "l"(&object) : "memory");
+#else
+    unused(object);
+#endif
+  }
+
+ private:
+  template <class... Values> RC_ANYWHERE static void unused(const Values&...) {}
+#ifdef __CUDA_ARCH__
+  __device__ static unsigned char* room() {
+    alignas(16) __shared__ unsigned char bytes[lanes * most_part];
+    return bytes;
+  }
+#endif
+};
+
+constexpr int blocks_beside = 2;  // on each of the device's processors
+
+template <class Work> __global__ void __launch_bounds__(lanes, blocks_beside) blocks_kernel(const __grid_constant__ Work work) {
+  extern __shared__ __align__(16) unsigned char fastest[];
+  Block block;
+  work(block, static_cast<Index>(blockIdx.x), fastest);
+}
+
 // Bytes that nobody has taken of the device of that number.
 std::size_t free_bytes_of(Index index);
 
@@ -102,6 +177,7 @@ class Device {
   ~Device();
 
   const rc_host* host() const { return host_; }
+  void serve(const rc_host* host) { host_ = host; }  // the one before may be gone
   Index index() const { return index_; }
   cudaStream_t stream() const { return stream_; }
   std::size_t free_bytes() { return free_bytes_of(index_); }
@@ -127,16 +203,40 @@ class Device {
     return *static_cast<const Part*>(seen_);
   }
   template <class Work> void together(const Work& work) { launch(together_kernel<Work>, 1, together_lanes, work); }
+  // How many blocks run at a time, each with so many bytes of the fastest memory; and how many bytes a block may have.
+  template <class Work> Index blocks_at_a_time(std::size_t shared) {
+    int beside = 0;
+    checked(cudaFuncSetAttribute(blocks_kernel<Work>, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(shared)),
+            "cudaFuncSetAttribute");
+    checked(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&beside, blocks_kernel<Work>, lanes, shared),
+            "cudaOccupancyMaxActiveBlocksPerMultiprocessor");
+    return std::max(1, beside) * attribute(cudaDevAttrMultiProcessorCount);
+  }
+  std::size_t most_shared() {
+    return static_cast<std::size_t>(attribute(cudaDevAttrMaxSharedMemoryPerBlockOptin)) - lanes * most_part - 1024;
+  }
+  // work(block, its number, its fastest memory), after blocks_at_a_time() of the same work.
+  template <class Work> void blocks(Index count, std::size_t shared, const Work& work) {
+    launch_with(shared, blocks_kernel<Work>, count, lanes, work);
+  }
 
  private:
-  static constexpr std::size_t most_part = 64;
-
   void make_parts(std::size_t bytes);
   void copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind);
   void give_back() noexcept;
+  Index attribute(cudaDeviceAttr wanted) const {
+    int value = 0;
+    checked(cudaDeviceGetAttribute(&value, wanted, static_cast<int>(index_)), "cudaDeviceGetAttribute");
+    return value;
+  }
   template <class... Wanted, class... Given>
   void launch(void (*kernel)(Wanted...), Index blocks, unsigned threads, const Given&... given) {
+    launch_with(0, kernel, blocks, threads, given...);
+  }
+  template <class... Wanted, class... Given>
+  void launch_with(std::size_t shared, void (*kernel)(Wanted...), Index blocks, unsigned threads, const Given&... given) {
     cudaLaunchConfig_t config{};
+    config.dynamicSmemBytes = shared;
     config.gridDim = dim3(static_cast<unsigned>(blocks));
     config.blockDim = dim3(threads);
     config.stream = stream_;

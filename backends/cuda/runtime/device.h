@@ -1,12 +1,17 @@
 // The device: its memory, launches and transforms. Compiled by nvcc this is a CUDA device, by other compilers the host, which
 // does the same in loops. Both offer
-//   Device(host, index)              the device of that number, or a failure in the driver's words
-//   Current(device)                  makes it the calling thread's until its end
-//   allocate, release, free_bytes, upload, download, clear
-//   found(address), wait_for_all()   where kernels find a caller's array on the device; waits for what anybody told the device to
-//   do each(n, f)                       f(i) for 0 <= i < n reduce<Part>(n, f) -> Part       the sum of f(i) by Part::add, in
-//   fixed pieces; waits together(work)                   work(phase, i) for i < work.count(phase), one phase after the other, by
-//   one block of threads Lines<Real>(device, ...)         transforms of lines
+//
+// - Device(host, index): the device of that number, or a failure in the driver's words;
+// - Current(device): makes it the calling thread's until its end;
+// - allocate, release, free_bytes, upload, download, clear;
+// - found(address): where kernels find a caller's array on the device;
+// - wait_for_all(): waits for what anybody told the device to do;
+// - each(n, f): f(i) for 0 <= i < n;
+// - reduce<Part>(n, f): the sum of f(i) by Part::add, in fixed pieces; waits;
+// - together(work): work(phase, i) for i < work.count(phase), one phase after the other, by one block of threads;
+// - blocks(count, shared, work): work(block, k, fastest) for 0 <= k < count, each by a Block, which has each, reduce and
+// together;
+// - Lines<Real>(device, ...): transforms of lines.
 #pragma once
 
 #ifdef __CUDACC__

@@ -14,11 +14,38 @@
 
 namespace rc_cuda {
 
+// Part sums by lanes, then halves of these: the order of a device's threads.
+template <class Part, class F> Part by_lanes(Index begin, Index end, const F& f) {
+  Part lane[lanes];
+  for (Index i = begin; i < end; i += lanes)
+    for (Index k = 0; k < std::min<Index>(lanes, end - i); ++k) lane[k].add(f(i + k));
+  for (int half = lanes / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) lane[k].add(lane[k + half]);
+  return lane[0];
+}
+
+// The threads of one block, which do everything together.
+class Block {
+ public:
+  template <class F> void each(Index n, const F& f) {
+    for (Index i = 0; i < n; ++i) f(i);
+  }
+  template <class Part, class F> Part reduce(Index n, const F& f) { return by_lanes<Part>(0, n, f); }
+  template <class Work> void together(const Work& work) {
+    for (int phase = 0; phase < work.phases(); ++phase) each(work.count(phase), [&](Index i) { work(phase, i); });
+  }
+  // The number that the counter shows, which it then raises: blocks share work by it.
+  unsigned take(unsigned* counter) { return (*counter)++; }
+  // Its values are not to take registers from those who compute.
+  template <class T> void keep_in_memory(T&) {}
+};
+
 class Device {
  public:
   Device(const rc_host* host, Index index);
 
   const rc_host* host() const { return host_; }
+  void serve(const rc_host* host) { host_ = host; }  // the one before may be gone
   Index index() const { return index_; }
   std::size_t free_bytes();
   void* allocate(std::size_t bytes);
@@ -54,22 +81,24 @@ class Device {
   }
   template <class Work> void together(const Work& work) {
     call("together");
-    for (int phase = 0; phase < work.phases(); ++phase)
-      for (Index i = 0; i < work.count(phase); ++i) work(phase, i);
+    Block().together(work);
+  }
+  // How many blocks a device runs at a time, each with so many bytes of its fastest memory; and how many bytes a block may have.
+  template <class Work> Index blocks_at_a_time(std::size_t) { return 2; }
+  std::size_t most_shared() { return std::size_t{1} << 16; }
+  // work(block, its number, its fastest memory). The last block comes first here.
+  template <class Work> void blocks(Index count, std::size_t shared, const Work& work) {
+    call("blocks");
+    std::vector<std::max_align_t> room(shared / sizeof(std::max_align_t) + 1);
+    for (Index k = count; k-- > 0;) {
+      Block block;
+      work(block, k, reinterpret_cast<unsigned char*>(room.data()));
+    }
   }
   void call(const char* what);  // fails where a test asks for it
   void count(std::size_t to_device, std::size_t to_host);
 
  private:
-  template <class Part, class F> static Part by_lanes(Index begin, Index end, const F& f) {
-    Part lane[lanes];
-    for (Index i = begin; i < end; i += lanes)
-      for (Index k = 0; k < std::min<Index>(lanes, end - i); ++k) lane[k].add(f(i + k));
-    for (int half = lanes / 2; half > 0; half /= 2)
-      for (int k = 0; k < half; ++k) lane[k].add(lane[k + half]);
-    return lane[0];
-  }
-
   const rc_host* host_;
   Index index_;
 };

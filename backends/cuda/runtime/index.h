@@ -3,10 +3,13 @@
 
 #include <cstdint>
 
+// RC_CALLED: large code that others call, so that it takes no registers from theirs.
 #ifdef __CUDACC__
 #define RC_ANYWHERE __host__ __device__
+#define RC_CALLED __noinline__
 #else
 #define RC_ANYWHERE
+#define RC_CALLED
 #endif
 
 namespace rc_cuda {

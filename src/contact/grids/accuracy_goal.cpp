@@ -8,9 +8,9 @@
 #include "contact/grid_contact.h"
 #include "contact/grids/grid_error.h"
 #include "contact/proof/bounds.h"
-#include "contact/proof/certificate.h"
 #include "contact/step/certified_result.h"
 #include "contact/step/target.h"
+#include "core/certificate_terms.h"
 #include "core/error.h"
 
 namespace rc {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/contact.h"
+#include "contact/history/many.h"
 #include "core/cancelled.h"
 #include "core/error.h"
 
@@ -99,7 +100,7 @@ struct Request {
   }
 };
 
-// What the threads share: the number of the next contact, why the batch ends early, and the message that the call returns.
+// What the threads share: the number of the next contacts, why the batch ends early, and the message that the call returns.
 class Progress {
  public:
   Progress(std::int64_t n, double time_limit)
@@ -107,7 +108,7 @@ class Progress {
         time_limit_(time_limit),
         out_of_time_(join("time_limit = ", time_limit, " s is over")) {}
 
-  std::int64_t next() { return next_.fetch_add(1, std::memory_order_relaxed); }
+  std::int64_t next(std::int64_t count) { return next_.fetch_add(count, std::memory_order_relaxed); }
 
   rc_status stopped() {
     if (time_limit_ > 0 && seconds_since(start_) > time_limit_) stop(RC_STOP_TIME);
@@ -176,11 +177,12 @@ class Progress {
   char first_message_[most_text] = "";
 };
 
-// One thread's contact, which solves one history after the other.
+// One thread's contact, which solves one history after the other, but for those that a solver takes many of at once.
 class Worker {
  public:
-  Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress)
-      : contact_(std::move(contact)), request_(request), progress_(progress) {
+  // many: null, or what takes them.
+  Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress, const ManySolve* many)
+      : contact_(std::move(contact)), request_(request), progress_(progress), many_(many) {
     contact_->on_progress({ask, &progress_, 1});
     if (!request_.given.fn) return;
     p_.resize(static_cast<std::size_t>(request_.points));
@@ -188,25 +190,55 @@ class Worker {
   }
 
   void work() {
-    for (std::int64_t i; (i = progress_.next()) < request_.given.n;) follow(i);
+    const std::int64_t at_once = many_ ? many_->at_once() : 1;
+    for (std::int64_t i; (i = progress_.next(at_once)) < request_.given.n;) {
+      const std::int64_t end = std::min(i + at_once, request_.given.n);
+      while (i < end) i += many_ && progress_.stopped() == RC_OK ? together(i, end) : follow(i);
+    }
   }
 
  private:
   static std::int32_t ask(const rc_progress*, void* progress) { return static_cast<Progress*>(progress)->stopped() != RC_OK; }
 
-  void follow(std::int64_t i) {
+  // Contacts i .. end-1, or the first of them; returns how many they are. Those that are not solved together, for whatever
+  // reason, are solved by themselves.
+  std::int64_t together(std::int64_t i, std::int64_t end) {
+    const ManyAnswers answers = many_->solved(i, end);
+    for (std::int64_t k = 0; k < answers.contacts; ++k)
+      if (!take(i + k, answers.all.data() + k * request_.given.steps)) follow(i + k);
+    if (answers.contacts > 0) return answers.contacts;
+    for (std::int64_t k = i; k < end; ++k) follow(k);
+    return end - i;
+  }
+  // Whether every step is certified.
+  bool take(std::int64_t i, const rc_many_answer* answers) {
+    for (std::int64_t k = 0; k < request_.given.steps; ++k)
+      if (!many_->result(answers[k], i, k)) return false;
+    for (std::int64_t k = 0; k < request_.given.steps; ++k) request_.write(i, k, *many_->result(answers[k], i, k));
+    return true;
+  }
+
+  // Returns 1: the contacts that it follows.
+  std::int64_t follow(std::int64_t i) {
     contact_->forget();
     bool within_goal = false;
     for (std::int64_t k = 0; k < request_.given.steps; ++k) {
-      if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
+      if (const rc_status stop = progress_.stopped(); stop != RC_OK) {
+        end(i, k, k, stop, progress_.why_stopped());
+        return 1;
+      }
       rc_result result{};
       result.struct_size = sizeof(rc_result);
       const rc_status status = solve(i, k, result);
       if (status >= 0) deliver(i, k, result);
       within_goal = within_goal || status == RC_WITHIN_GOAL;
-      if (status != RC_OK && status != RC_WITHIN_GOAL) return end(i, k, status < 0 ? k : k + 1, status, message_);
+      if (status != RC_OK && status != RC_WITHIN_GOAL) {
+        end(i, k, status < 0 ? k : k + 1, status, message_);
+        return 1;
+      }
     }
     if (within_goal) progress_.ended_within_goal(i);
+    return 1;
   }
 
   // History i ends at step k; from step `unanswered` on it has no answers.
@@ -254,6 +286,7 @@ class Worker {
   std::unique_ptr<Contact> contact_;
   const Request& request_;
   Progress& progress_;
+  const ManySolve* const many_;
   std::vector<double> p_, gap_;
   char message_[most_text] = "";
 };
@@ -306,10 +339,13 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   std::unique_ptr<Contact> first = contact();  // checks the system and the options
   const Request request(batch, system.nx * system.ny);
   Progress progress(batch.n, options.real(RC_OPT_TIME_LIMIT));
-  Worker own(std::move(first), request, progress);
-  Helpers helpers(std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS)) - 1, progress, [&] {
+  const std::int64_t threads = std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS));
+  const std::optional<ManySolve> many = ManySolve::of(first->work(), request.given, threads);
+  const ManySolve* const shared = many ? &*many : nullptr;
+  Worker own(std::move(first), request, progress, shared);
+  Helpers helpers(threads - 1, progress, [&] {
     try {
-      Worker(contact(), request, progress).work();
+      Worker(contact(), request, progress, shared).work();
     } catch (const Cancelled&) {
       throw;
     } catch (...) {

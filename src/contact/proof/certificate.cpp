@@ -4,15 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/certificate_terms.h"
+
 namespace rc {
 
 namespace {
-
-// 0/0 is no violation; anything else over 0 is an infinite one.
-double relative(double violation, double scale) {
-  if (violation == 0) return 0;
-  return scale > 0 ? violation / scale : std::numeric_limits<double>::infinity();
-}
 
 // Of all ranks the pressures' ends, and the largest violations.
 struct Ends {
@@ -32,12 +28,9 @@ struct Violations {
 
 bool Certificate::within(double tol) const { return primal <= tol && dual <= tol && complementarity <= tol && control <= tol; }
 
-double load_imbalance(double load, double wanted) { return relative(std::abs(load - wanted), wanted); }
-
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness) {
   const std::span<const double> p = answer.p();
-  const double infinite = std::numeric_limits<double>::infinity();
   Ends ends;
   for (const std::size_t k : found.touching) {
     ends.largest = std::max(ends.largest, std::abs(p[k]));
@@ -50,16 +43,15 @@ Certificate certify(const StepSurface& surface, double compression, const Deflec
     if (!surface.included(i)) continue;
     const double gap = answer.product[k] - (compression - surface.height(i));
     mine.finite = mine.finite && std::isfinite(p[k]) && std::isfinite(gap);
-    const double room = gap < 0 && hardness < infinite ? std::max(0.0, 1 - p[k] / hardness) : infinite;
-    if (gap < 0) mine.overlap = std::max(mine.overlap, std::min(room, relative(-gap, scale)));
-    if (p[k] > 0) mine.worst = std::max(mine.worst, std::min({p[k] / largest_p, room, relative(std::abs(gap), scale)}));
+    mine.overlap = std::max(mine.overlap, dual_violation(gap, p[k], hardness, scale));
+    mine.worst = std::max(mine.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));
   }
   const auto [overlap, worst, finite] = surface.united(mine);
   if (!finite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, 0};
   }
-  return {std::max({0.0, relative(-least_p, largest_p), largest_p / hardness - 1}), overlap, worst, 0};
+  return {primal_violation(least_p, largest_p, hardness), overlap, worst, 0};
 }
 
 }  // namespace rc

@@ -21,7 +21,4 @@ struct Certificate {
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness);
 
-// |load - wanted| / wanted; 0 if both are 0.
-double load_imbalance(double load, double wanted);
-
 }  // namespace rc

@@ -103,7 +103,7 @@ struct Question {
     std::vector<Candidate> list;
     for (const std::int64_t points : {std::int64_t{0}, system.points()}) {
       list = pairs(backend ? Backends{backend} : tables(context.backends_for_auto(points)), solvers(points));
-      if (can(list) && (backend || list.front().seconds <= worth_opening)) return list;
+      if (can(list) && (backend || static_cast<double>(facts.at_once) * list.front().seconds <= worth_opening)) return list;
     }
     return can(list) || backend ? list : pairs(tables(context.backends()), solvers(system.points()));
   }
@@ -159,7 +159,8 @@ struct Question {
                    .n = facts.candidates,
                    .box = facts.box,
                    .tol = facts.tol,
-                   .partial = facts.partial};
+                   .partial = facts.partial,
+                   .at_once = facts.at_once};
     bool refuses = false;
     const bool scored = says(backend, given, cost, refuses);
     if (refuses && any_backend) return leave(list, nullptr, backend, last_message());
@@ -181,6 +182,7 @@ struct Question {
     const bool known = says(by, given, whole, refuses);
     if (refuses && !solver) return leave(list, &by, backend, last_message());
     if (!known) whole.seconds = given.backend->seconds + usual_products * given.backend->product + given.backend->field;
+    if (!by.solve_many) whole.seconds /= static_cast<double>(std::min(facts.at_once, facts.threads));
     whole.bytes += given.backend->bytes;
     if (any_backend && whole.bytes > rc_platform::machine_bytes())
       return leave(list, &by, backend, "needs ", whole.bytes, " bytes on ", backend.name, ", this machine has ",

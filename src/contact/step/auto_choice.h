@@ -20,9 +20,10 @@ struct StepFacts {
   std::int64_t candidates = 0;  // points of the trial set
   std::int64_t box = 0;         // points of its bounding box
   double tol = 0;
-  bool partial = false;  // the solver is stopped after some steps, for the pressures that it has by then
-  bool few = false;      // the backend must screen the points that it does not look at
-  bool shared = false;   // ranks share the grid by rows
+  bool partial = false;                   // the solver is stopped after some steps, for the pressures that it has by then
+  bool few = false;                       // the backend must screen the points that it does not look at
+  bool shared = false;                    // ranks share the grid by rows
+  std::int64_t at_once = 1, threads = 1;  // so many contacts are solved, a thread each or together
 };
 
 struct Choice {

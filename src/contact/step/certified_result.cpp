@@ -15,6 +15,7 @@
 #include "contact/step/stiffness.h"
 #include "contact/step/target.h"
 #include "contact/step/trial_set.h"
+#include "core/certificate_terms.h"
 #include "core/error.h"
 #include "core/large_memory.h"
 

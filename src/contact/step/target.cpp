@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/certificate_terms.h"
 #include "core/error.h"
 
 namespace rc {
@@ -22,8 +23,8 @@ void check_target(const rc_step& step, const Workspace& work, const StepSurface&
   if (by_load && step.target > most * (1 + 8 * std::numeric_limits<double>::epsilon()))
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " is more than hardness times the area of the ", surface.included_points(),
          " points that may carry pressure, ", most, "; prescribe less load, or allow more points");
-  if (by_displacement && !work.system.capped() && work.system.periodic() && surface.whole() && step.target > surface.lowest() &&
-      step.target - surface.lowest() >= surface.mean_height())
+  if (by_displacement && !work.system.capped() && work.system.periodic() && surface.whole() &&
+      beyond_mean_plane(step.target - surface.lowest(), surface.mean_height()))
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
   if (surface.included_points() > 0 &&
@@ -55,11 +56,10 @@ double residual_scale(const rc_step& step, const Workspace& work, double compres
   if (!system.periodic()) return compression;
   if (step.control == RC_CONTROL_LOAD) {
     const double mean_pressure = step.target / system.cell_area() / static_cast<double>(system.points());
-    return std::max(compression, system.least_deflection * system.length_per_pressure * mean_pressure);
+    return periodic_scale_by_load(compression, system.least_deflection * system.length_per_pressure * mean_pressure);
   }
   const double mean_gap = std::abs(work.surface.mean_height() - compression);  // d may pass the mean plane if p has a cap
-  if (!work.surface.whole() || mean_gap == 0) return compression;
-  return std::min(compression, mean_gap / (2 * work.options.real(RC_OPT_TOL)));
+  return work.surface.whole() ? periodic_scale_by_approach(compression, mean_gap, work.options.real(RC_OPT_TOL)) : compression;
 }
 
 }  // namespace rc

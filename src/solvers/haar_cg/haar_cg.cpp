@@ -60,15 +60,18 @@ template <class Real, class Pressure> rc_status iterate(const Problem& problem, 
                       .least_scale = problem.least_scale(),
                       .periodic_mean = inputs.table.mean,
                       .elongated = inputs.elongated,
-                      .patience = static_cast<int>(problem.option_int("haar-cg.patience")),
-                      .poll = [&](std::int64_t steps, double residual) { problem.poll(steps, residual); }};
+                      .patience = static_cast<int>(problem.option_int("haar-cg.patience"))};
+  const auto poll = [&](std::int64_t steps, double residual) {
+    problem.poll(steps, residual);
+    return true;
+  };
   const Ranks* const ranks = problem.ranks();
   std::unique_ptr<ThreadMachine<Real, Pressure>> machine;
   on_all(ranks, [&] {
     HaarTreePair trees(std::move(inputs.cells), inputs.table, 1, ranks);
     machine = std::make_unique<ThreadMachine<Real, Pressure>>(problem, p, std::move(trees), ranks, q);
   });
-  const HaarOutcome outcome = HaarIteration(*machine, task).run(d);
+  const HaarOutcome outcome = HaarIteration(*machine, task, poll).run(d);
   if (outcome.ending == HaarEnding::not_finite) problem.fail("haar-cg: the operator returned values that are not finite");
   if (problem.load_control()) d = outcome.approach;
   return outcome.ending == HaarEnding::solved ? RC_OK : RC_STOP_STALLED;

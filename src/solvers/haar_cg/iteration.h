@@ -1,5 +1,6 @@
 // The method haar-cg, written once for every machine. README.md has it in pseudo-code and explains the constants. The iteration
-// never reads a vector's values: all its decisions follow from sums.
+// never reads a vector's values: all its decisions follow from sums. What it consists of is constexpr, so that compilers for
+// devices take it as code of theirs as well.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +18,15 @@
 
 namespace rc {
 
-template <Machine M> class HaarIteration {
+// poll(steps, residual): called after every step with the number of steps and the last residual; whether to go on. It may leave
+// by an exception instead.
+template <Machine M, class Poll> class HaarIteration {
  public:
-  HaarIteration(M& machine, const HaarTask& task)
-      : m_(machine), task_(task), kept_load_(task.load), mean_(task.by_load ? task.periodic_mean : 0) {}
+  constexpr HaarIteration(M& machine, const HaarTask& task, const Poll& poll)
+      : m_(machine), task_(task), poll_(poll), kept_load_(task.load), mean_(task.by_load ? task.periodic_mean : 0) {}
 
   // Starts from the machine's pressures and, by load where there are none, from the approach given; 0: none is known.
-  HaarOutcome run(double approach) {
+  constexpr HaarOutcome run(double approach) {
     start(approach);
     const HaarEnding ending = since_refresh_ == 0 && worst() <= task_.tol ? HaarEnding::solved : iterate();
     return {ending, datum_ - mean_ * now_.load};  // without the deflection that the added mean causes
@@ -55,33 +58,35 @@ template <Machine M> class HaarIteration {
   static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
+  constexpr double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
   // Whether Newton's method moves the datum: by load, or with an added mean.
-  bool follows() const { return !keeps_load_ && (task_.by_load || mean_ > 0); }
-  double scale() const {
+  constexpr bool follows() const { return !keeps_load_ && (task_.by_load || mean_ > 0); }
+  constexpr double scale() const {
     return task_.by_load ? std::max({datum_ - mean_ * task_.load + highest_, task_.least_scale, 1e-300}) : 1.0;
   }
-  bool capped() const { return now_.free_load < now_.load; }  // some point is at the cap
-  double imbalance() const { return task_.by_load ? std::abs(now_.load / task_.load - 1) : std::abs(mean_ * now_.load - datum_); }
-  double worst() const { return std::max(now_.largest / scale(), imbalance()); }
+  constexpr bool capped() const { return now_.free_load < now_.load; }  // some point is at the cap
+  constexpr double imbalance() const {
+    return task_.by_load ? std::abs(now_.load / task_.load - 1) : std::abs(mean_ * now_.load - datum_);
+  }
+  constexpr double worst() const { return std::max(now_.largest / scale(), imbalance()); }
   // Single precision is reliable for a few digits below the residual of the last product in double precision.
-  bool blurred() const { return single && worst() <= drop * exact_; }
+  constexpr bool blurred() const { return single && worst() <= drop * exact_; }
 
   // to = (H + mean 11') from. The mean makes the energy of a periodic contact depend on the mean pressure, also in full contact.
-  template <class Handle> void product(Handle from, Handle to) {
+  template <class Handle> constexpr void product(Handle from, Handle to) {
     m_.product(from, to);
     if (mean_ != 0) m_.raise(to, mean_ * m_.total(from));
   }
 
   // z = M g on the free set; without g: z = M 1. Where steps keep the load the sum of z is 0. Returns (z, q), where q is given.
-  double precondition(Vector g, Vector q) {
+  constexpr double precondition(Vector g, Vector q) {
     if (!prepared_) m_.set_up_trees(keeps_load_ ? 0 : task_.periodic_mean - mean_);
     prepared_ = true;
     return m_.apply_trees(g, q, keeps_load_ ? &level_ : nullptr);
   }
 
   // A point at an end of its pressures enters the free set where it violates its condition by more than this.
-  double threshold() const {
+  constexpr double threshold() const {
     if (capped()) return pace_.admission(true) * now_.largest;
     if (keeps_load_) {
       // Measured from the datum at which the mean of w, weighted by p, vanishes. That of the trees swings about it, and sets with
@@ -92,24 +97,24 @@ template <Machine M> class HaarIteration {
     return follows() ? 0 : pace_.admission(false) * last_ * scale();
   }
 
-  void choose(double threshold) {
+  constexpr void choose(double threshold) {
     if (m_.choose_set(threshold)) prepared_ = false;
   }
 
   // Computes w anew, from a product in double precision.
-  void refresh() {
+  constexpr void refresh() {
     prepared_ = false;
     product(m_.p(), m_.wide_spare());
     measure_at(datum_);
     since_refresh_ = 0;
   }
-  void measure_at(double datum) {
+  constexpr void measure_at(double datum) {
     datum_ = datum;
     now_ = m_.replace_and_measure(m_.wide_spare(), datum_);
     exact_ = worst();
   }
 
-  void start(double approach) {
+  constexpr void start(double approach) {
     const HaarStart given = m_.begin();
     highest_ = given.highest;
     if (task_.elongated) excess_.expect(unknown);
@@ -137,7 +142,7 @@ template <Machine M> class HaarIteration {
   }
 
   // Replaces pressures that have more energy than p = 0 by their multiple of least energy.
-  void reduce() {
+  constexpr void reduce() {
     const double work = now_.moment - 2 * now_.merit + datum_ * now_.load, curved = now_.moment + work;
     if (0.5 * curved > work) {
       m_.multiply(curved > 0 ? std::max(0.0, work / curved) : 0, false);
@@ -146,7 +151,7 @@ template <Machine M> class HaarIteration {
   }
 
   // Along a conjugate direction; pressures may become negative until the next bound. False where the product is not finite.
-  bool step() {
+  constexpr bool step() {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
     const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
     const double slope = m_.turn(beta);
@@ -164,14 +169,14 @@ template <Machine M> class HaarIteration {
   }
 
   // Adds to w the product of what the cut added to the pressures.
-  void bound() {
+  constexpr void bound() {
     phase_ = 0;
     add_cut();
     planned_ = capped() && cut_any_ ? pace_.interval() / 2 : pace_.interval();
   }
 
   // Where steps keep the load, what the cut added to it is scaled off, and the datum takes the trees' level.
-  void add_cut() {
+  constexpr void add_cut() {
     if (keeps_load_) {
       const double factor = kept_load_ / m_.total(m_.p());
       if (cut_any_ || std::abs(factor - 1) > drift * task_.tol) {
@@ -188,20 +193,20 @@ template <Machine M> class HaarIteration {
     now_ = m_.add_and_measure(cut_any_ ? m_.y() : Vector(nullptr), keeps_load_ ? level_ : 0);
   }
 
-  void lower(double change) {
+  constexpr void lower(double change) {
     datum_ += change;
     now_ = m_.add_and_measure(Vector(nullptr), change);
   }
 
   // The same for the next step alone, which needs no measure.
-  void raise(double change) {
+  constexpr void raise(double change) {
     datum_ += change;
     m_.raise(m_.w(), -change);
   }
 
   // The slope of the load over the trees' slope, sum = 1'z with z = M 1. The multiple of z that has the least energy is
   // 1'z / z'Hz, with an error of second order in that of M.
-  void measure_excess(double sum) {
+  constexpr void measure_excess(double sum) {
     prepared_ = false;
     product(m_.z(), m_.y());
     const double energy = m_.inner(m_.z(), m_.y());
@@ -210,7 +215,7 @@ template <Machine M> class HaarIteration {
 
   // Every point is at an end of its pressures and should be: the load is exactly that of the present datum. Moves the datum at
   // least to where the first point leaves its end.
-  void release() {
+  constexpr void release() {
     if (!task_.by_load) return raise(mean_ * now_.load - datum_);
     const double missing = task_.load - now_.load, nearest = m_.nearest(missing > 0) + 1e-3 * task_.tol * scale();
     if (nearest == infinite) return;
@@ -218,7 +223,7 @@ template <Machine M> class HaarIteration {
   }
 
   // Newton's step of the approach. The missing load is what remains to be added once the present gap is closed.
-  void balance() {
+  constexpr void balance() {
     choose(threshold());
     double pending = precondition(Vector(nullptr), m_.w()), sum = m_.total(m_.z());
     if (!(sum > 0)) {
@@ -242,7 +247,7 @@ template <Machine M> class HaarIteration {
   }
 
   // Newton's step of the datum in displacement control: the datum must become the deflection that the added mean causes.
-  void deflect(double pending, double sum) {
+  constexpr void deflect(double pending, double sum) {
     const double excess = excess_.factor(), missing = mean_ * (now_.load - excess * pending) - datum_, depth = 1 + datum_;
     stiffening_.correct(missing, true, last_ < settled);
     const double wanted = missing / (stiffening_.factor() * std::max(1 - mean_ * excess * sum, least_slope));
@@ -252,14 +257,14 @@ template <Machine M> class HaarIteration {
   }
 
   // Displacement control by the load: the next load to keep, once the datum of the present one is known.
-  void seek() {
+  constexpr void seek() {
     if (now_.largest > known * std::abs(datum_)) return;
     kept_load_ = sought_.next(datum_, kept_load_);
     progress_.restart();
   }
 
   // Some point is at the cap: from here on Newton's method moves the datum.
-  void follow() {
+  constexpr void follow() {
     keeps_load_ = conjugate_ = prepared_ = false;
     mean_ = task_.periodic_mean;
     datum_ += mean_ * now_.load;
@@ -267,7 +272,7 @@ template <Machine M> class HaarIteration {
 
   // Every point is at an end. Lowers the datum until a point at the cap would leave it: first to a little above, so that the rest
   // keeps its digits in w.
-  void descend() {
+  constexpr void descend() {
     if (const double fall = m_.nearest(false) - blur * scale(); fall > 0) {
       datum_ -= fall;
       refresh();
@@ -278,7 +283,7 @@ template <Machine M> class HaarIteration {
   // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
   // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes.
   // Where there are none it becomes the least at which no point at the cap has a gap.
-  void settle() {
+  constexpr void settle() {
     const double at_cap = now_.load - now_.free_load;
     if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
     if (!task_.by_load) datum_ = mean_ * now_.load;
@@ -291,14 +296,14 @@ template <Machine M> class HaarIteration {
   }
 
   // Worse than no pressure at all: a periodic operator does not resist a uniform one, so steps raise the load without end.
-  bool runs_away() const { return now_.merit > 0 && may_run_away(); }
-  bool may_run_away() const { return task_.periodic_mean > 0 && !task_.by_load && !mean_tried_; }
+  constexpr bool runs_away() const { return now_.merit > 0 && may_run_away(); }
+  constexpr bool may_run_away() const { return task_.periodic_mean > 0 && !task_.by_load && !mean_tried_; }
 
   // What the solution minimises, among pressures of one load where that is kept.
-  double merit() const { return now_.merit + 0.5 * datum_ * now_.load; }
+  constexpr double merit() const { return now_.merit + 0.5 * datum_ * now_.load; }
 
   // The first trouble is tolerated.
-  void safeguard() {
+  constexpr void safeguard() {
     ++rises_;
     if (rises_ > tolerated_rises && mean_ > 0 && !task_.by_load) return drop_mean();
     if (rises_ > most_rises && mean_tried_ && !keeps_load_) return keep_load();
@@ -310,7 +315,7 @@ template <Machine M> class HaarIteration {
   }
 
   // Without a mean in the operator steps may raise the load without end. The datum is then the deflection that it causes.
-  void add_mean() {
+  constexpr void add_mean() {
     restart();
     mean_ = task_.periodic_mean;
     datum_ = mean_ * now_.load;
@@ -319,32 +324,32 @@ template <Machine M> class HaarIteration {
   }
 
   // Where nearly all points touch, the load grows too fast with the datum to be found.
-  void drop_mean() {
+  constexpr void drop_mean() {
     mean_ = datum_ = 0;
     conjugate_ = false;
     refresh();
   }
 
   // From here on steps keep the load, and the load is sought.
-  void keep_load() {
+  constexpr void keep_load() {
     restart();
     keeps_load_ = true;
     kept_load_ = now_.load;
     progress_.forget_merit();
   }
 
-  void restart() {
+  constexpr void restart() {
     refresh();
     reduce();
     conjugate_ = prepared_ = false;
     rises_ = 0;
   }
 
-  HaarEnding iterate() {
+  constexpr HaarEnding iterate() {
     for (std::int64_t steps = 1;; ++steps) {
       if (!step()) return HaarEnding::not_finite;
       if (phase_ > 0 && phase_ < planned_) {
-        task_.poll(steps, last_);
+        if (!poll_(steps, last_)) return HaarEnding::stopped;
         continue;
       }
       bound();
@@ -354,7 +359,7 @@ template <Machine M> class HaarIteration {
         refresh();
       last_ = worst();
       if (last_ <= task_.tol && since_refresh_ == 0) return HaarEnding::solved;
-      task_.poll(steps, last_);
+      if (!poll_(steps, last_)) return HaarEnding::stopped;
       const bool trouble = progress_.in_trouble(last_, merit(), merit_noise, !follows()) || runs_away();
       if (progress_.stalled() > task_.patience) return HaarEnding::stalled;
       const bool rose = now_.largest / scale() > violation_;
@@ -376,6 +381,7 @@ template <Machine M> class HaarIteration {
 
   M& m_;
   const HaarTask& task_;
+  const Poll& poll_;
   bool keeps_load_ = false;                  // steps and bounds leave the load as it is
   double kept_load_;                         // that load
   double level_ = 0;                         // of w, from the trees: less it, a step changes no load

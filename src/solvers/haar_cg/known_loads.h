@@ -12,7 +12,7 @@ class KnownLoads {
  public:
   // The load at this datum, which is known but for an error, misses the load wanted by `missing`. Returns by how much to move the
   // datum: at least by `nearest`, where the first point leaves its end, and by no more where the missing load is small.
-  double leave(double datum, double error, double load, double missing, double nearest, bool small) {
+  constexpr double leave(double datum, double error, double load, double missing, double nearest, bool small) {
     const bool up = missing > 0;
     (up ? below_ : above_) = State{up ? datum - error : datum + error, load};
     const double share = std::abs(missing) / (above_.load - below_.load), apart = above_.datum - below_.datum;
@@ -22,7 +22,7 @@ class KnownLoads {
   }
 
   // A change of the datum that stays between the nearest states.
-  double between(double datum, double change) const {
+  constexpr double between(double datum, double change) const {
     if (datum + change >= above_.datum) change = std::max(0.5 * (above_.datum - datum), -std::abs(change));
     if (datum + change <= below_.datum) change = std::min(0.5 * (below_.datum - datum), std::abs(change));
     return change;

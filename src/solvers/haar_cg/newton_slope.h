@@ -8,15 +8,15 @@ namespace rc {
 
 class NewtonSlope {
  public:
-  NewtonSlope(double least, double most) : least_(least), most_(most) {}
+  constexpr NewtonSlope(double least, double most) : least_(least), most_(most) {}
 
-  bool known() const { return factor_ > 0; }
-  double factor() const { return factor_; }
-  void set(double factor) { factor_ = std::clamp(factor, least_, most_); }
+  constexpr bool known() const { return factor_ > 0; }
+  constexpr double factor() const { return factor_; }
+  constexpr void set(double factor) { factor_ = std::clamp(factor, least_, most_); }
 
   // missing: what is to be made up now. Steps that fell short are lengthened where `by_short`, steps that were too long are
   // shortened in full where `by_long`; where they diverge, they are shortened in any case.
-  void correct(double missing, bool by_short, bool by_long) {
+  constexpr void correct(double missing, bool by_short, bool by_long) {
     const double left = missing / missing_;
     if (left < 0 ? by_long : by_short && left < 1)
       set(factor_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)));
@@ -24,7 +24,7 @@ class NewtonSlope {
       set(factor_ * damping);
   }
   // What the next step is to make up; NaN: not known.
-  void expect(double missing) { missing_ = missing; }
+  constexpr void expect(double missing) { missing_ = missing; }
 
  private:
   static constexpr double caution = 0.7, damping = 1.2;  // lengthens steps less; shortens diverging ones

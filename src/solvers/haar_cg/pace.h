@@ -12,20 +12,20 @@ class HaarPace {
   static constexpr double first_admission = 0.1, strictest_admission = 0.9, admission_step = 0.2;
   static constexpr double capped_admission = 0.3;  // at least, where points are at the cap
 
-  int interval() const { return interval_; }  // steps between two bounds
+  constexpr int interval() const { return interval_; }  // steps between two bounds
   // A point at an end of its pressures enters the free set where it violates its condition by more than this share of the
   // residual.
-  double admission(bool capped) const { return capped ? std::max(admission_, capped_admission) : admission_; }
+  constexpr double admission(bool capped) const { return capped ? std::max(admission_, capped_admission) : admission_; }
 
-  void begin_at_cap() { admission_ = strictest_admission; }
-  void tighten() {
+  constexpr void begin_at_cap() { admission_ = strictest_admission; }
+  constexpr void tighten() {
     calm_ = 0;
     interval_ = std::min(longest_interval, 2 * interval_);
     admission_ = std::min(strictest_admission, admission_ + admission_step);
   }
   // After a bound without trouble. rose: the violation is larger than at the last one. Strict admission lets few points in at a
   // time, which is slow once sets no longer cycle.
-  void relieve(bool rose) {
+  constexpr void relieve(bool rose) {
     calm_ = rose ? 0 : calm_ + 1;
     if (calm_ < relief) return;
     calm_ = 0;
@@ -34,7 +34,7 @@ class HaarPace {
   }
   // After a bound where points are at the cap. A point that leaves one end drives its neighbours to the other, so fewer may leave
   // their ends at once where that makes things worse.
-  void adapt(bool rose) {
+  constexpr void adapt(bool rose) {
     admission_ = std::clamp(admission_ + (rose ? capped_rise : -capped_relief), first_admission, strictest_admission);
   }
 

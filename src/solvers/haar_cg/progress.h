@@ -9,7 +9,7 @@ namespace rc {
 class HaarProgress {
  public:
   // After a bound. noise: relative rise of the merit that rounding explains; without `falls` the merit may rise.
-  bool in_trouble(double residual, double merit, double noise, bool falls) {
+  constexpr bool in_trouble(double residual, double merit, double noise, bool falls) {
     bool trouble = falls && merit > merit_before_ + noise * std::abs(merit);
     merit_before_ = merit;
     ++since_best_;
@@ -24,11 +24,11 @@ class HaarProgress {
     }
     return trouble;
   }
-  int stalled() const { return stalled_; }  // bounds since the residual halved
+  constexpr int stalled() const { return stalled_; }  // bounds since the residual halved
   // From here on the merit is another.
-  void forget_merit() { merit_before_ = infinite; }
+  constexpr void forget_merit() { merit_before_ = infinite; }
   // Another problem begins.
-  void restart() {
+  constexpr void restart() {
     forget_merit();
     since_best_ = 0;
   }

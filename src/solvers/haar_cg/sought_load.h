@@ -11,7 +11,7 @@ class SoughtLoad {
  public:
   // The next load to try after one whose datum is known, neither of them 0: by the secant between the last two, within the
   // nearest on both sides.
-  double next(double datum, double load) {
+  constexpr double next(double datum, double load) {
     if (datum > 0) {
       above_ = load;
       if (below_ >= load) below_ = 0;  // its datum was not as well known

@@ -1,8 +1,6 @@
 // What the iteration of haar-cg is asked, and how it ended.
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <limits>
 
 namespace rc {
@@ -16,11 +14,9 @@ struct HaarTask {
   double periodic_mean = 0;                              // by how much every entry of the trees' operator exceeds that of H
   bool elongated = false;  // cells or grid are elongated: the trees may misjudge the load's slope by far
   int patience = 120;      // the iteration stalls after more bounds than this without half the residual
-  // Called after every step with the number of steps and the last residual. An exception from it ends the solve.
-  std::function<void(std::int64_t steps, double residual)> poll = [](std::int64_t, double) {};
 };
 
-enum class HaarEnding { solved, stalled, not_finite };
+enum class HaarEnding { solved, stalled, not_finite, stopped };
 
 struct HaarOutcome {
   HaarEnding ending;

@@ -1,0 +1,172 @@
+#include "small/many.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "names.h"
+#include "session.h"
+#include "small/contact.h"
+#include "small/spectrum.h"
+#include "solvers/haar_cg/tree_inputs.h"
+#include "trees.h"
+
+namespace rc_cuda {
+
+namespace {
+
+constexpr Index most_points = 128 * 128;  // larger contacts fill a device by themselves
+constexpr std::size_t alignment = 256;
+
+std::size_t rounded(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+
+// The arrays of a call on the device, one after the other; without memory it counts their bytes.
+class Arrays {
+ public:
+  Arrays(const rc_many& many, Index contacts, unsigned char* memory) : at_(memory), begin_(memory) {
+    const Index points = many.grid->nx * many.grid->ny;
+    const auto of_all = [&](Index stride) { return stride == 0 ? points : contacts * points; };
+    next(gaps, of_all(many.undeformed_gap_stride));
+    next(masks, many.mask ? of_all(many.mask_stride) : 0);
+    next(targets, many.target_stride == 0 ? many.steps : contacts * many.steps);
+    next(pressures, many.p || many.p0 ? contacts * points : 0);
+    next(answers, contacts * many.steps);
+    next(taken, 1);
+  }
+  std::size_t bytes() const { return static_cast<std::size_t>(at_ - begin_); }
+
+  double *gaps = nullptr, *targets = nullptr, *pressures = nullptr;
+  std::uint8_t* masks = nullptr;
+  rc_many_answer* answers = nullptr;
+  unsigned* taken = nullptr;
+
+ private:
+  template <class T> void next(T*& to, Index count) {
+    if (count > 0) to = reinterpret_cast<T*>(at_);
+    at_ += rounded(static_cast<std::size_t>(count) * sizeof(T));
+  }
+  unsigned char *at_, *begin_;
+};
+
+// contacts rows of `count` values, `stride` apart; 0: one for all.
+template <class T> void upload_rows(Device& device, T* to, const T* from, Index stride, Index count, Index contacts) {
+  const bool dense = stride == 0 || stride == count;
+  const Index rows = stride == 0 ? 1 : contacts, pieces = dense ? 1 : rows, of_piece = dense ? rows * count : count;
+  for (Index k = 0; k < pieces; ++k)
+    device.upload(to + k * of_piece, from + k * stride, static_cast<std::size_t>(of_piece) * sizeof(T));
+}
+
+template <class R> void solve(const rc_host* host, rc_many& many, const rc_options* options) {
+  const rc_grid& grid = *many.grid;
+  const Index points = grid.nx * grid.ny;
+  const bool periodic = grid.boundary == RC_BOUNDARY_PERIODIC;
+  const Settings settings(host, options);
+  const auto coefficients = [&](Index mx, Index my, std::vector<double>& out) {
+    out.resize(static_cast<std::size_t>(mx * my));
+    roughcontact::check(many.coefficients(&many, mx, my, out.data()));
+  };
+  const rc::TreeInputs inputs = rc::tree_inputs(grid, points, coefficients);
+  Trees trees(inputs.cells.mx, inputs.cells.my, inputs.table);
+
+  Borrowed engine(host, settings);
+  Device& device = engine->device();
+  const std::string key = std::string(component.name) + " small " + std::to_string(settings.index);
+  const std::shared_ptr<const SmallSpectrum> spectrum = roughcontact::shared<const SmallSpectrum>(host, component, key, [&] {
+    std::vector<double> table;
+    coefficients(grid.nx, grid.ny, table);
+    return std::make_unique<SmallSpectrum>(device, grid.nx, grid.ny, periodic, table);
+  });
+
+  Common common{};
+  common.nx = grid.nx;
+  common.ny = grid.ny;
+  common.steps = many.steps;
+  common.by_load = many.control == RC_CONTROL_LOAD;
+  common.warm = many.warm_start != 0;
+  common.periodic = periodic;
+  common.task.by_load = common.by_load;
+  common.task.tol = 0.98 * many.tol;  // less than what the certificate allows
+  common.task.periodic_mean = inputs.mean;
+  common.task.elongated = inputs.elongated;
+  common.task.patience = static_cast<int>(roughcontact::option_int(host, options, "haar-cg.patience"));
+  common.tol = many.tol;
+  common.length_per_pressure = many.length_per_pressure;
+  common.hardness = many.hardness;
+  common.least_deflection = many.least_deflection;
+  common.cell_area = grid.hx * grid.hy;
+  common.most_iterations = many.max_iterations;
+  common.product = {spectrum->torus<float>(), spectrum->torus<double>(), nullptr, nullptr};
+  common.trees_bytes = trees.bytes();
+  const std::size_t single = common.product.single.bytes();
+  common.single_is_shared = sizeof(R) == sizeof(float) && single <= device.most_shared();
+  const std::size_t shared = common.single_is_shared ? single : 0;
+  common.bytes = SmallContact<R>::bytes_of(common);
+
+  // As many contacts as fit, and as many blocks as there is work for.
+  using Work = SmallContacts<R>;
+  const Index at_a_time = device.blocks_at_a_time<Work>(shared);
+  const auto needed = [&](Index contacts) {
+    return Arrays(many, contacts, nullptr).bytes() + rounded(trees.bytes()) +
+           static_cast<std::size_t>(std::min(at_a_time, contacts)) * common.bytes;
+  };
+  const std::size_t there = engine->most_for_vectors(spectrum->bytes(), settings.limit);
+  Index fits = many.n;
+  while (fits > 1 && needed(fits) > there) fits = fits / 2;
+  common.contacts = fits;
+  const Index blocks = std::min(at_a_time, fits);
+  engine->make_room({0, needed(fits)}, spectrum->bytes(), settings.limit,
+                    "a contact of " + std::to_string(grid.nx) + "x" + std::to_string(grid.ny) + " points among many");
+
+  const Arrays on_device(many, fits, engine->vectors());
+  common.trees_at = engine->vectors() + on_device.bytes();
+  common.memory = common.trees_at + rounded(trees.bytes());
+  trees.place(device, common.trees_at);
+  common.trees = trees.passes(true);
+  common.gaps = on_device.gaps;
+  common.gap_stride = many.undeformed_gap_stride == 0 ? 0 : points;
+  common.masks = on_device.masks;
+  common.mask_stride = many.mask_stride == 0 ? 0 : points;
+  common.targets = on_device.targets;
+  common.target_stride = many.target_stride == 0 ? 0 : many.steps;
+  common.pressures = on_device.pressures;
+  common.starts = many.p0 != nullptr;
+  common.answers = on_device.answers;
+  common.next = on_device.taken;
+  upload_rows(device, on_device.gaps, many.undeformed_gap, many.undeformed_gap_stride, points, fits);
+  if (many.mask) upload_rows(device, on_device.masks, many.mask, many.mask_stride, points, fits);
+  upload_rows(device, on_device.targets, many.targets, many.target_stride, many.steps, fits);
+  if (many.p0) upload_rows(device, on_device.pressures, many.p0, points, points, fits);
+  device.clear(common.next, sizeof *common.next);
+  device.blocks(blocks, shared, Work{common});
+
+  // Nothing is the caller's before all is here.
+  const auto steps = static_cast<std::size_t>(many.steps);
+  device.download(many.answers, on_device.answers, static_cast<std::size_t>(fits) * steps * sizeof(rc_many_answer));
+  if (many.p) {
+    const auto n = static_cast<std::size_t>(points);
+    std::vector<double> p(static_cast<std::size_t>(fits) * n);
+    device.download(p.data(), on_device.pressures, p.size() * sizeof(double));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(fits); ++i)
+      if (many.answers[(i + 1) * steps - 1].solved != 0) std::copy_n(p.data() + i * n, n, many.p + i * n);
+  }
+  many.done = fits;
+  engine.give_back();
+}
+
+}  // namespace
+
+rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options) noexcept {
+  return roughcontact::guard(host, component, [&] {
+    const rc_grid& grid = *many->grid;
+    if (grid.nx > most_points / grid.ny || !SmallSpectrum::suits(grid.nx, grid.ny, grid.boundary == RC_BOUNDARY_PERIODIC))
+      fail(RC_ERR_INCOMPATIBLE, grid.nx, "x", grid.ny, " points are too many, or no transform of many at once has such sides");
+    if (many->backend != std::string_view(names::backend))
+      fail(RC_ERR_INCOMPATIBLE, "certificates of many at once are by \"", names::backend, "\", not by \"", many->backend, "\"");
+    if (many->n == 0) return;
+    const bool mixed = roughcontact::option_text(host, options, "haar-cg.products") == std::string_view("mixed");
+    mixed ? solve<float>(host, *many, options) : solve<double>(host, *many, options);
+  });
+}
+
+}  // namespace rc_cuda

@@ -1,0 +1,50 @@
+// The contacts of a batch that a solver takes many of in one call.
+#pragma once
+
+#include <roughcontact/history.h>
+#include <roughcontact/plugin.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/workspace.h"
+
+namespace rc {
+
+// What the solver said of the contacts from `first` on; those that are not solved are solved one at a time.
+struct ManyAnswers {
+  std::vector<rc_many_answer> all;  // [contacts * steps]
+  std::int64_t contacts = 0;        // 0: the call failed
+};
+
+class ManySolve {
+ public:
+  // None where the options, or what the batch asks for, leave no solver that takes them. work: of a contact of the batch, which
+  // must outlive it; threads: that share the batch.
+  static std::optional<ManySolve> of(const Workspace& work, const rc_batch& batch, std::int64_t threads);
+
+  std::int64_t at_once() const { return at_once_; }  // contacts of one call
+  // Solves contacts first .. last-1, or as many of them as fit. Several threads may call it at the same time.
+  ManyAnswers solved(std::int64_t first, std::int64_t last) const;
+  // Step k of contact i as a result, where the certificate holds.
+  std::optional<rc_result> result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const;
+
+ private:
+  struct Request : rc_many {
+    const Workspace* work;
+  };
+
+  ManySolve(const Workspace& work, const rc_batch& batch) : work_(work), batch_(batch) {}
+  Request request(std::int64_t first, std::int64_t n) const;
+
+  const Workspace& work_;
+  const rc_batch& batch_;
+  const rc_solver* solver_ = nullptr;
+  std::string backend_;
+  rc_grid grid_{};
+  std::int64_t at_once_ = 0;
+};
+
+}  // namespace rc
