@@ -299,6 +299,37 @@ void what_asks_for_more_is_solved_one_at_a_time(void**) {
   }
 }
 
+// The plugin with estimates by which "auto" takes it for batches.
+const rc_plugin* cheap_for_many() {
+  const auto score = [](const rc_facts* facts, rc_estimate* estimate) -> rc_status {
+    estimate->seconds = facts->at_once > 1 ? 1e-12 : 1;
+    estimate->product = 1;
+    return RC_OK;
+  };
+  static rc_backend backend = *plugin()->backends[0];
+  static rc_solver solver = *plugin()->solvers[0];
+  static const rc_backend* const backends[] = {&backend};
+  static const rc_solver* const solvers[] = {&solver};
+  static rc_plugin cheap = *plugin();
+  backend.score = score;
+  solver.score = [](const rc_facts* facts, rc_estimate* estimate) -> rc_status {
+    estimate->seconds = facts->backend->seconds;
+    return RC_OK;
+  };
+  cheap.backends = backends;
+  cheap.solvers = solvers;
+  return &cheap;
+}
+
+void auto_takes_many_by_what_each_costs(void**) {
+  const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);
+  Contact context(1048576, side, cheap_for_many());
+  context.use("auto", "auto");
+  const Found found = solved(s, context);
+  assert_int_equal(found.status, RC_OK);
+  assert_true(found.calls > 0 && found.calls < few_calls);
+}
+
 void failures_are_their_contacts_own(void**) {
   Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 2);
   const Contact context;
@@ -448,6 +479,7 @@ int main() {
                               cmocka_unit_test(units_and_long_cells),
                               cmocka_unit_test(options_of_the_solver_hold),
                               cmocka_unit_test(what_asks_for_more_is_solved_one_at_a_time),
+                              cmocka_unit_test(auto_takes_many_by_what_each_costs),
                               cmocka_unit_test(failures_are_their_contacts_own),
                               cmocka_unit_test(infeasible_targets_are_told_one_at_a_time),
                               cmocka_unit_test(pressures_to_start_from),

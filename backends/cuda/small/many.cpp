@@ -16,7 +16,6 @@ namespace rc_cuda {
 
 namespace {
 
-constexpr Index most_points = 128 * 128;  // larger contacts fill a device by themselves
 constexpr std::size_t alignment = 256;
 
 std::size_t rounded(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
@@ -159,7 +158,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
 rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options) noexcept {
   return roughcontact::guard(host, component, [&] {
     const rc_grid& grid = *many->grid;
-    if (grid.nx > most_points / grid.ny || !SmallSpectrum::suits(grid.nx, grid.ny, grid.boundary == RC_BOUNDARY_PERIODIC))
+    if (grid.nx > most_points_of_many / grid.ny || !SmallSpectrum::suits(grid.nx, grid.ny, grid.boundary == RC_BOUNDARY_PERIODIC))
       fail(RC_ERR_INCOMPATIBLE, grid.nx, "x", grid.ny, " points are too many, or no transform of many at once has such sides");
     if (many->backend != std::string_view(names::backend))
       fail(RC_ERR_INCOMPATIBLE, "certificates of many at once are by \"", names::backend, "\", not by \"", many->backend, "\"");

@@ -3,7 +3,11 @@
 
 #include <roughcontact/plugin.h>
 
+#include <cstdint>
+
 namespace rc_cuda {
+
+constexpr std::int64_t most_points_of_many = 128 * 128;  // larger contacts fill a device by themselves
 
 rc_status solve_many(const rc_host* host, rc_many* many, const rc_options* options) noexcept;
 
