@@ -4,7 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { most = 1 << 30 }; /* bytes of one message: MPI counts in int */
+enum {
+  most = 1 << 30, /* bytes of one message: MPI counts in int */
+  window = 16     /* other ranks with which a transposition exchanges at a time */
+};
 
 static const char* said(struct rc_mpi_link* link, const char* what, int code) {
   char text[MPI_MAX_ERROR_STRING] = "";
@@ -76,8 +79,9 @@ static const char* shift(void* user, int64_t to, const void* from, int64_t sent,
   return failed;
 }
 
-/* One pair after the other, each rank with another one at a time. MPI_Alltoallv counts in int, which is too small for large
-   grids, and ranks would have to agree on where it is. */
+/* Messages to and from `window` other ranks are under way at a time, so that their latencies overlap and none is swamped. Larger
+   ones than `most` bytes go in pieces. MPI_Alltoallv counts in int, which is too small for large grids, and ranks would have to
+   agree on where it is. */
 static const char* transpose(void* user, const void* from, const int64_t* sent, void* into, const int64_t* received) {
   struct rc_mpi_link* link = user;
   const int ranks = link->ranks, rank = link->rank;
@@ -88,12 +92,29 @@ static const char* transpose(void* user, const void* from, const int64_t* sent, 
     take[r] = taken;
   }
   memcpy((char*)into + take[rank], (const char*)from + give[rank], (size_t)sent[rank]);
-  for (int k = 1; k < ranks; ++k) {
-    const int to = (rank + k) % ranks, source = (rank - k + ranks) % ranks;
-    const char* why =
-        shift(user, to, (const char*)from + give[to], sent[to], source, (char*)into + take[source], received[source]);
-    if (!failed) failed = why;
-  }
+  for (int first = 1; first < ranks; first += window)
+    for (int64_t at = 0, left = 1; left > 0; at += most) {
+      MPI_Request requests[2 * window];
+      int count = 0;
+      left = 0;
+      for (int k = first; k < ranks && k < first + window; ++k) {
+        const int to = (rank + k) % ranks, source = (rank - k + ranks) % ranks;
+        const int out = piece(sent[to] - at), in = piece(received[source] - at);
+        left |= sent[to] - at > most || received[source] - at > most;
+        requests[count] = requests[count + 1] = MPI_REQUEST_NULL;
+        if (in > 0) {
+          const int code = MPI_Irecv((char*)into + take[source] + at, in, MPI_BYTE, source, 2, link->comm, &requests[count]);
+          if (!failed) failed = said(link, "MPI_Irecv", code);
+        }
+        if (out > 0) {
+          const int code = MPI_Isend((const char*)from + give[to] + at, out, MPI_BYTE, to, 2, link->comm, &requests[count + 1]);
+          if (!failed) failed = said(link, "MPI_Isend", code);
+        }
+        count += 2;
+      }
+      const int code = MPI_Waitall(count, requests, MPI_STATUSES_IGNORE);
+      if (!failed) failed = said(link, "MPI_Waitall", code);
+    }
   return failed;
 }
 

@@ -23,7 +23,7 @@ const rc_backend backend = {
     .summary = "short range summed directly, the rest over a coarse grid (FFTW): for dilute contact, to about 1e-11",
     .license = "GPL-2.0-or-later",
     .caps = RC_CAP_FREE | RC_CAP_THREAD_INVARIANT | RC_CAP_FLOAT | RC_CAP_SCREEN | RC_CAP_APPROXIMATE | RC_CAP_FAR_FIELD |
-            RC_CAP_SINGLE_GAP,
+            RC_CAP_SINGLE_GAP | RC_CAP_SCREEN_ROWS,
     .n_options = 1,
     .options = options,
     .create = Functions::create,

@@ -23,6 +23,7 @@ class Screen {
       : team_(*spec.team),
         nx_(spec.system->nx),
         ny_(spec.system->ny),
+        end_row_(ny_),
         grid_(grid),
         tiles_(tiles),
         product_(product),
@@ -33,6 +34,10 @@ class Screen {
     // An older core's struct may lack the last members.
     if (request.struct_size > offsetof(rc_screen, tile_lowest)) lowest_ = request.tile_lowest;
     if (request.struct_size > offsetof(rc_screen, undeformed_gap_single)) single_gap_ = request.undeformed_gap_single;
+    if (request.struct_size > offsetof(rc_screen, rows) && request.rows > 0) {
+      first_row_ = request.first_row;
+      end_row_ = first_row_ + request.rows;
+    }
   }
 
   void run() {
@@ -50,16 +55,22 @@ class Screen {
   std::int64_t width(std::int64_t column) const { return std::min(side, nx_ - column * side); }
   std::int64_t height(std::int64_t row) const { return std::min(side, ny_ - row * side); }
 
-  double gap(std::int64_t point) const { return single_gap_ ? single_gap_[point] : request_.undeformed_gap[point]; }
-  bool looked_at(std::int64_t point) const { return !request_.mask || request_.mask[point]; }
+  double gap(std::int64_t point) const {
+    const std::int64_t at = point - first_row_ * nx_;
+    return single_gap_ ? single_gap_[at] : request_.undeformed_gap[at];
+  }
+  bool looked_at(std::int64_t point) const { return !request_.mask || request_.mask[point - first_row_ * nx_]; }
+  // Rows of points in a row of tiles that are looked at, from its first one on.
+  std::int64_t begin(std::int64_t row) const { return std::max<std::int64_t>(0, first_row_ - row * side); }
+  std::int64_t end(std::int64_t row) const { return std::min(height(row), end_row_ - row * side); }
 
   // The lowest gap of each tile in a row of tiles. least [nx]: scratch, the lowest gap of each column of points; with it the gap
   // is read once, in its order in memory.
   void find_lowest(std::int64_t row, double* least, double* lowest) const {
     constexpr double none = std::numeric_limits<double>::infinity();
     std::fill_n(least, nx_, none);
-    for (std::int64_t r = 0; r < height(row); ++r) {
-      const std::int64_t first = (row * side + r) * nx_;
+    for (std::int64_t r = begin(row); r < end(row); ++r) {
+      const std::int64_t first = (row * side + r - first_row_) * nx_;
       const std::uint8_t* const mask = request_.mask ? request_.mask + first : nullptr;
       const auto lower = [&](const auto* gap) {
         if (mask)
@@ -80,7 +91,7 @@ class Screen {
   bool stays_apart(TilePlace place) const {
     alignas(64) double smooth[cells_of_tile];
     product_.smooth_tile(place, smooth);
-    for (std::int64_t r = 0; r < height(place.y); ++r)
+    for (std::int64_t r = begin(place.y); r < end(place.y); ++r)
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
         const double deflection = request_.unit * (smooth[r * side + c] - slack_);
@@ -95,6 +106,7 @@ class Screen {
     const std::int64_t room = lowest_ ? 0 : nx_ + grid_.nx;
     Array<double> scratch(static_cast<std::size_t>(team_.threads * room));
     roughcontact::for_each(team_, grid_.ny, true, [&](std::int64_t row, std::int64_t thread) {
+      if (begin(row) >= end(row)) return;
       double* const least = scratch.data() + thread * room;
       const double* const lowest = lowest_ ? lowest_ + row * grid_.nx : least + nx_;
       if (!lowest_) find_lowest(row, least, least + nx_);
@@ -132,7 +144,7 @@ class Screen {
         request_.y[tiles_.positions(tile)[i]] = value[cell];
         largest_ = std::max(largest_, std::abs(value[cell]));
       }
-    for (std::int64_t r = 0; r < height(place.y); ++r)
+    for (std::int64_t r = begin(place.y); r < end(place.y); ++r)
       for (std::int64_t c = 0; c < width(place.x); ++c) {
         const std::int64_t point = (place.y * side + r) * nx_ + place.x * side + c;
         if (inside[r * side + c] || !looked_at(point)) continue;
@@ -148,6 +160,7 @@ class Screen {
 
   const rc_team& team_;
   std::int64_t nx_, ny_;
+  std::int64_t first_row_ = 0, end_row_;  // rows of points that are looked at
   const Frame& grid_;
   const Tiles& tiles_;
   const Product<double>& product_;

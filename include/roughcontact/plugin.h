@@ -118,6 +118,7 @@ typedef struct rc_domain {
 #define RC_CAP_FAR_FIELD (UINT64_C(1) << 11)   /* only for kernels with RC_KERNEL_FAR_FIELD                    */
 #define RC_CAP_SINGLE_GAP (UINT64_C(1) << 12)  /* screen() reads rc_screen.undeformed_gap_single, too          */
 #define RC_CAP_ROWS (UINT64_C(1) << 13)        /* reads rc_operator_spec.rows                                  */
+#define RC_CAP_SCREEN_ROWS (UINT64_C(1) << 14) /* screen() reads rc_screen.first_row and rows                  */
 
 /** The surface against which a product over all points is compared. */
 typedef struct rc_screen {
@@ -135,6 +136,9 @@ typedef struct rc_screen {
   const double *tile_lowest;
   /* [nx*ny] in place of undeformed_gap, which is then NULL: only backends with RC_CAP_SINGLE_GAP get it. Since ABI minor 8 */
   const float *undeformed_gap_single;
+  /* rows > 0: gaps and mask are those of rows first_row .. first_row + rows - 1 alone, and no other point outside T is looked at;
+     tile_lowest is then NULL. Only backends with RC_CAP_SCREEN_ROWS get that. Since ABI minor 11 */
+  int64_t first_row, rows;
 } rc_screen;
 
 /** What a component is asked to do, so far as it is known before an operator is made. */

@@ -41,7 +41,7 @@ typedef struct rc_ranks_counts {
   int64_t transposed;     /* bytes sent to other ranks in them                                                      */
   int64_t reductions;     /* sums over all ranks                                                                    */
   int64_t reduced;        /* bytes that this rank gave to them                                                      */
-  int64_t gathers;        /* other gathers: of coarse levels and coarse grids                                       */
+  int64_t gathers;        /* other gathers: of coarse levels and grids, sparse contact, what ranks agree on          */
   int64_t gathered;       /* bytes that this rank gave to them                                                      */
   int64_t shifts;         /* exchanges with a neighbour                                                             */
   int64_t shifted;        /* bytes sent in them                                                                     */
@@ -58,10 +58,11 @@ RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *sys
  *  values in all else. Where a rank has none, arrays are not read. If one rank fails, all return its status, and the message
  *  begins with its number.
  *
- *  system: a half-space. Systems whose smaller side is below 32 points are solved by every rank alike. Ranks that disagree on
- *  system, options or version are refused: ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be
- *  auto or haar-cg, `backend` auto or one that works on rows (fft), `accuracy` 0, `certify_backend` and `warmup` not set: else
- *  INCOMPATIBLE. All of exchange but what user points to is copied. Errors: as rc_contact_create, EXTERNAL. */
+ *  system: a half-space. Systems whose smaller side is below 32 points are solved by every rank alike, and sparse contact is, on
+ *  gathered tiles. Ranks that disagree on system, options or version are refused: ARGUMENT. options: as for rc_contact_create;
+ *  threads: of each rank. `solver` must be auto or haar-cg, `backend` auto or one that works on rows (fft), `accuracy` 0,
+ *  `certify_backend` and `warmup` not set: else INCOMPATIBLE. All of exchange but what user points to is copied. Errors: as
+ *  rc_contact_create, EXTERNAL. */
 RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_system *system, const rc_options *options,
                                          rc_ranks_contact **out);
 /** May be called by one rank alone. */

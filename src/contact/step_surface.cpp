@@ -113,6 +113,16 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const R
   highest_ = whole.highest;
 }
 
+StepSurface::StepSurface(const StepSurface& shared, const rc_team& team)
+    : team_(&team),
+      tiles_(std::make_unique<GatheredTiles>(shared)),
+      nx_(shared.nx_),
+      ny_(shared.ranks_->all_rows()),
+      all_points_(shared.all_points_),
+      included_points_(shared.included_points_),
+      lowest_(shared.lowest_),
+      highest_(shared.highest_) {}
+
 void StepSurface::fill_masked(double side) {
   if (mask_.empty()) return;
   const double far = highest_ + 1e6 * std::max(range(), side);
@@ -207,19 +217,32 @@ std::vector<Extent> StepSurface::extents_below(double limit) const {
   return rows;
 }
 
-Extent StepSurface::extent_below(double limit) const {
+Extent StepSurface::own_extent_below(double limit) const {
   Extent extent;
   for (const Extent& row : extents_below(limit)) extent = extent + row;
-  if (!ranks_) return extent;
   if (extent.n > 0) {
     extent.low += first_row();
     extent.high += first_row();
   }
-  return united(extent);
+  return extent;
+}
+
+Extent StepSurface::extent_below(double limit) const {
+  return tiles_ ? tiles_->shared().extent_below(limit) : united(own_extent_below(limit));
 }
 
 TrialSet StepSurface::below(double limit) const {
   TrialSet trial;
+  if (tiles_) {
+    const StepSurface& shared = tiles_->shared();
+    const TrialSet own = shared.below(limit);
+    std::vector<std::int64_t> mine(static_cast<std::size_t>(own.n));
+    for (std::int64_t i = 0; i < own.n; ++i) mine[static_cast<std::size_t>(i)] = own.point(i) + shared.first_row() * nx_;
+    trial.index = shared.ranks()->of_any(mine);
+    trial.n = static_cast<std::int64_t>(trial.index.size());
+    tiles_->hold_tiles_of(trial.index);
+    return trial;
+  }
   const std::vector<Extent> rows = extents_below(limit);
   std::vector<std::int64_t> begin;
   for (const Extent& row : rows) {
@@ -238,14 +261,15 @@ TrialSet StepSurface::below(double limit) const {
 
 TrialSet StepSurface::below(double limit, std::span<const std::int64_t> tiles) const {
   TrialSet trial;
+  if (tiles_) tiles_->hold(tiles);
   for (const std::int64_t each : tiles)
     visit_tile(each, nx_, ny_, tiles_x(), [&](std::int64_t point, std::int64_t, std::int64_t) {
-      if (included(static_cast<std::size_t>(point)) && gap_[static_cast<std::size_t>(point)] < limit)
+      if (included(static_cast<std::size_t>(point)) && gap_at(static_cast<std::size_t>(point)) < limit)
         trial.index.push_back(point);
     });
   std::sort(trial.index.begin(), trial.index.end());
   trial.n = static_cast<std::int64_t>(trial.index.size());
-  if (trial.n == static_cast<std::int64_t>(gap_.size())) trial.index.clear();
+  if (trial.n == points()) trial.index.clear();
   return trial;
 }
 

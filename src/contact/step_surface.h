@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/gathered_tiles.h"
 #include "core/chunks.h"
 #include "grid/gap_values.h"
 #include "operator/operator.h"
@@ -52,6 +54,9 @@ class StepSurface {
   // share the surface by rows, which must outlive it, too: points are those of this rank's rows, numbers and extents those of the
   // whole surface, and all ranks call the same functions.
   StepSurface(const GivenSurface& given, const rc_team& team, const Ranks* ranks = nullptr);
+  // All of a surface that ranks share: every rank has the tiles of it that all have asked for, and can give the gap there alone.
+  // The ranks call its functions together. shared must outlive it.
+  StepSurface(const StepSurface& shared, const rc_team& team);
   StepSurface(StepSurface&&) = default;
   StepSurface& operator=(StepSurface&&) = default;
   void clear() { *this = StepSurface(); }
@@ -60,7 +65,9 @@ class StepSurface {
   std::int64_t nx() const { return nx_; }
   const Ranks* ranks() const { return ranks_; }
   std::int64_t first_row() const { return ranks_ ? ranks_->first_row() : 0; }
-  std::int64_t points() const { return static_cast<std::int64_t>(gap_.size()); }  // of this process
+  std::int64_t points() const { return tiles_ ? all_points_ : static_cast<std::int64_t>(gap_.size()); }  // of this process
+  // Null, or the tiles of it that this process has.
+  GatheredTiles* tiles() const { return tiles_.get(); }
   Chunks chunks() const { return Chunks::of(ranks_, nx_); }
   // The sum of what add(part, entry) adds for entries 0 .. n-1, one after the other. entry(k): its point, ascending with k.
   template <class Part, class Entry, class Add> Part sum_over(std::size_t n, const Entry& entry, const Add& add) const {
@@ -101,7 +108,8 @@ class StepSurface {
   void fill_masked(double side);
   std::span<const std::uint8_t> masks() const { return mask_; }
   const std::uint8_t* mask() const { return mask_.empty() ? nullptr : mask_.data(); }
-  bool included(std::size_t i) const { return mask_.empty() || mask_[i] != 0; }
+  bool included(std::size_t i) const { return tiles_ ? !std::isnan(gap_at(i)) : mask_.empty() || mask_[i] != 0; }
+  double gap_at(std::size_t i) const { return tiles_ ? tiles_->gap(static_cast<std::int64_t>(i)) : gap_[i]; }
   std::int64_t included_points() const { return included_points_; }
   bool whole() const { return included_points_ == all_points_; }
   double lowest() const { return lowest_; }  // smallest gap of the included points
@@ -109,7 +117,7 @@ class StepSurface {
   double mean() const { return lowest_ + mean_height(); }  // of the included points
 
   // Heights and compressions count from the lowest gap, so that no answer depends on the datum of the gap.
-  double height(std::size_t i) const { return gap_[i] - lowest_; }
+  double height(std::size_t i) const { return gap_at(i) - lowest_; }
   double mean_height() const;  // of the included points
   double range() const { return highest_ - lowest_; }
   // A limit such that every included point below this height has gap < limit.
@@ -119,6 +127,7 @@ class StepSurface {
   TrialSet below(double limit) const;
   TrialSet all() const { return below(std::numeric_limits<double>::infinity()); }
   Extent extent_below(double limit) const;
+  Extent own_extent_below(double limit) const;  // of this process
 
   // Tiles are squares of 16 x 16 points from the first on; those at the ends may be cut off.
   static constexpr std::int64_t tile = 16;
@@ -138,6 +147,7 @@ class StepSurface {
 
   const rc_team* team_ = nullptr;
   const Ranks* ranks_ = nullptr;
+  std::unique_ptr<GatheredTiles> tiles_;
   std::int64_t nx_ = 0, ny_ = 0, all_points_ = 0;
   std::unique_ptr<double[]> own_gap_;
   std::unique_ptr<float[]> own_single_gap_;

@@ -71,6 +71,9 @@ class Workspace {
   void set_options(const rc_options& given);
   const rc_team& team() const { return *team_; }
   const Ranks* ranks() const { return ranks_; }
+  // Null, or the ranks that all do alike, with all points, what this one does; then they agree on stops.
+  const Ranks* alike() const { return surface.tiles() ? surface.tiles()->shared().ranks() : alike_; }
+  void do_alike(const Ranks* ranks) { alike_ = ranks; }
   std::int64_t own_rows() const { return ranks_ ? ranks_->rows() : system.given.ny; }
   std::int64_t own_points() const { return system.given.nx * own_rows(); }  // of this process
   rc_grid grid() const;                                                     // of a half-space; without its gap
@@ -106,6 +109,7 @@ class Workspace {
   std::unique_ptr<ThreadTeam> own_team_;
   const rc_team* team_;
   const Ranks* ranks_;
+  const Ranks* alike_ = nullptr;
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   Table table_;
 };

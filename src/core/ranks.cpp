@@ -93,11 +93,33 @@ void Ranks::sum_parts(const void* mine, std::size_t size_of_part, void* all) con
     bytes.push_back(size_of_part > 0 ? pieces_of(r) * static_cast<std::int64_t>(size_of_part) : 0);
   ++link_->counts.reductions;
   link_->counts.reduced += bytes[static_cast<std::size_t>(rank())];
-  checked(mine, bytes, all);
+  if (link_->alike) exchange_statuses();
+  exchange_checked(mine, bytes, all);
+}
+
+void Ranks::exchange_statuses() const {
+  ++link_->counts.gathers;
+  exchange_checked(nullptr, std::vector<std::int64_t>(static_cast<std::size_t>(size()), 0), nullptr);
+}
+
+void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
+  ++link_->counts.gathers;
+  link_->counts.gathered += bytes[static_cast<std::size_t>(rank())];
+  if (link_->alike) exchange_statuses();
+  exchange_checked(mine, bytes, all);
+}
+
+// What this rank has not heard from others it has to tell them.
+void Ranks::finish_alike() const {
+  if (link_->told == RC_OK) guarded([&] { exchange_statuses(); });
+  link_->alike = false;
+  if (link_->told == RC_OK) return;
+  link_->failed = RC_OK;
+  fail(std::exchange(link_->told, RC_OK), static_cast<const char*>(link_->told_message));
 }
 
 // Each rank's status, and the stop that it asks for, go before its bytes.
-void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
+void Ranks::exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
   struct Head {
     std::int32_t status, stop;
   };
@@ -142,7 +164,10 @@ void Ranks::raise(const std::vector<rc_status>& statuses) const {
   message[sizeof message - 1] = 0;
   link_->failed = RC_OK;
   forget_stop();
-  fail(*first, "rank ", first - statuses.begin(), ": ", static_cast<const char*>(message));
+  link_->told = *first;
+  std::snprintf(link_->told_message, sizeof link_->told_message, "rank %d: %s", static_cast<int>(first - statuses.begin()),
+                message);
+  fail(*first, static_cast<const char*>(link_->told_message));
 }
 
 }  // namespace rc

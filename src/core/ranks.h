@@ -76,6 +76,15 @@ class Ranks {
     }
   }
 
+  // Runs an action that all ranks do alike, each with exchanges in it. If one fails, the others learn of it at their next checked
+  // exchange, wherever that is: all throw the same Error.
+  template <class Action> void alike(const Action& action) const {
+    link_->alike = true;
+    link_->told = RC_OK;
+    guarded(action);
+    finish_alike();
+  }
+
   // A stop that one rank asks for reaches all of them with the next checked exchange.
   void ask_stop(rc_status stop) const { link_->asked_stop = std::max(link_->asked_stop, stop); }
   rc_status stop() const { return link_->stop; }
@@ -144,12 +153,19 @@ class Ranks {
     rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
     rc_status failed = RC_OK, asked_stop = RC_OK, stop = RC_OK;
     char message[400] = "";
+    // While all do alike: each checked exchange begins with one of statuses alone, which a rank that has failed joins instead.
+    bool alike = false;
+    rc_status told = RC_OK;  // the failure that all have heard of
+    char told_message[420] = "";
   };
 
   Ranks(std::shared_ptr<Link> link, std::vector<std::int64_t> first, int halvings)
       : link_(std::move(link)), first_(std::move(first)), halvings_(halvings) {}
   void sum_parts(const void* mine, std::size_t size, void* all) const;
   void checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
+  void exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
+  void exchange_statuses() const;
+  void finish_alike() const;
   [[noreturn]] void raise(const std::vector<rc_status>& statuses) const;
   std::int64_t sent_to_others(const std::int64_t* sent) const;
 

@@ -20,6 +20,7 @@ VALUE(RC_CAP_APPROXIMATE, 1024);
 VALUE(RC_CAP_FAR_FIELD, 2048);
 VALUE(RC_CAP_SINGLE_GAP, 4096);
 VALUE(RC_CAP_ROWS, 8192);
+VALUE(RC_CAP_SCREEN_ROWS, 16384);
 VALUE(RC_KERNEL_FREE, 1);
 VALUE(RC_KERNEL_PERIODIC, 2);
 VALUE(RC_KERNEL_SQUARE, 4);
@@ -78,7 +79,7 @@ AT(rc_domain, n, 8);
 AT(rc_domain, index, 16);
 AT(rc_domain, zero_mode, 24);
 
-SIZE(rc_screen, 96);
+SIZE(rc_screen, 112);
 AT(rc_screen, struct_size, 0);
 AT(rc_screen, approach, 8);
 AT(rc_screen, unit, 16);
@@ -91,6 +92,8 @@ AT(rc_screen, depth, 64);
 AT(rc_screen, n_found, 72);
 AT(rc_screen, tile_lowest, 80);
 AT(rc_screen, undeformed_gap_single, 88);
+AT(rc_screen, first_row, 96);
+AT(rc_screen, rows, 104);
 
 SIZE(rc_facts, 88);
 AT(rc_facts, struct_size, 0);

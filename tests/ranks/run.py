@@ -15,7 +15,7 @@ ENVIRONMENT = {  # Open MPI: more ranks than cores, as any user, and none of the
 }
 
 
-def run(mpirun, ranks, command, timeout=600):
+def run(mpirun, ranks, command, timeout=1500):
     environment = {**os.environ, **ENVIRONMENT}
     return subprocess.run([mpirun, '-n', str(ranks), *command], env=environment, stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, timeout=timeout)

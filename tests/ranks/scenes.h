@@ -44,6 +44,11 @@ static const scene scenes[] = {
     {"few rows", 50, 5, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL},
     {"one row", 40, 1, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.001, 0, whole, "mixed", 0, 0, NULL},
     {"narrow", 2, 60, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.002, 0, whole, "mixed", 0, 0, NULL},
+    {"sparse, load", 640, 520, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL},
+    {"sparse, approach, single", 516, 530, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 0.01, 0, whole, "mixed", 1, 0, NULL},
+    {"sparse, holes, stiffness", 640, 520, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, holes, "mixed", 0, 2, NULL},
+    {"sparse, hardness", 640, 520, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0.15, holes, "mixed", 0, 0, NULL},
+    {"sparse, coarse grid of ranks", 1100, 1060, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, holes, "mixed", 0, 0, NULL},
 };
 enum { scene_count = sizeof scenes / sizeof scenes[0] };
 

@@ -20,6 +20,10 @@ int MPI_Sendrecv(const void* from, int n, MPI_Datatype type, int to, int tag, vo
   return reported(PMPI_Sendrecv(from, n, type, to, tag, into, m, into_type, source, into_tag, comm, status));
 }
 
+int MPI_Waitall(int count, MPI_Request* requests, MPI_Status* statuses) {
+  return reported(PMPI_Waitall(count, requests, statuses));
+}
+
 static void check(int holds, const char* what) {
   if (holds) return;
   ++failures;
@@ -204,11 +208,14 @@ int main(int argc, char** argv) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const scene s = {"", 64, 64, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.8, 0, whole, "mixed", 0, 0, NULL};
   const scene small = {"", 8, 6, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.05, 0, whole, "mixed", 0, 0, NULL};
+  const scene sparse = {"", 520, 512, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL};
   disagreements(&s);
   communicators(&s);
   stops(&s);
+  stops(&sparse);
   every_call(&small, 1);
   every_call(&s, getenv("RC_TEST_QUICK") ? 23 : 1);
+  every_call(&sparse, getenv("RC_TEST_QUICK") ? 29 : 5);
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();
   return worst > 0;

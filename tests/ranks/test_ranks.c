@@ -123,7 +123,8 @@ static void compare(const scene* s, const rc_result* mine, const void* p_all) {
   if (s->stiffness > 0)
     check(fabs(result.stiffness - mine->stiffness) <= 1e-6 * result.stiffness, s->name, "the stiffness of one process");
   if (s->stiffness > 1)
-    check(mine->stiffness_lower <= result.stiffness && result.stiffness <= mine->stiffness_upper, s->name, "its interval");
+    check(mine->stiffness_lower <= result.stiffness_upper && result.stiffness_lower <= mine->stiffness_upper, s->name,
+          "intervals of the stiffness that meet");
   if (result.load_upper >= result.load_lower)
     check(mine->load_upper >= result.load_lower && mine->load_lower <= result.load_upper, s->name, "intervals that meet");
   free_rows(r);
@@ -151,8 +152,8 @@ static void run(const scene* s, int64_t threads) {
     if (!included(s, i % s->nx, i / s->nx)) gap[i] = 0;
   const uint64_t hash = digest_of(result);
   if (rank == 0) {
-    printf("%s: status %d, contacts %lld, p %016llx, gap %016llx, result %016llx\n", s->name, status, (long long)result.contacts,
-           (unsigned long long)digest(p, of_row * (size_t)s->ny, 0xcbf29ce484222325u),
+    printf("%s: status %d, backend %s, contacts %lld, p %016llx, gap %016llx, result %016llx\n", s->name, status, result.backend,
+           (long long)result.contacts, (unsigned long long)digest(p, of_row * (size_t)s->ny, 0xcbf29ce484222325u),
            (unsigned long long)digest(gap, (size_t)(s->nx * s->ny) * sizeof(double), 0xcbf29ce484222325u),
            (unsigned long long)hash);
     compare(s, &result, p);
@@ -161,18 +162,26 @@ static void run(const scene* s, int64_t threads) {
   MPI_Bcast(&first_hash, sizeof first_hash, MPI_BYTE, 0, MPI_COMM_WORLD);
   check(first_hash == hash, s->name, "the same numbers on every rank");
 
-  /* Two transpositions a product, one for the eigenvalues of a free surface; three sums an iteration, and some for the
-   * certificate. */
+  /* Two transpositions a product, in parts on large grids, one for the eigenvalues of a free surface; three sums an iteration,
+   * and some for the certificate. */
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
   check(rc_mpi_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
   if (counts.products > 0) {
-    check(counts.transpositions == 2 * counts.products + (s->boundary == RC_BOUNDARY_FREE), s->name,
+    check(s->nx > 1000 || counts.transpositions == 2 * counts.products + (s->boundary == RC_BOUNDARY_FREE), s->name,
           "two transpositions a product");
     check(counts.reductions <= 3 * counts.iterations + 100 + s->stiffness * 90, s->name, "three sums an iteration");
     if (getenv("RC_TEST_COUNTS") && rank == 0)
       fprintf(stderr, "%s: %lld iterations, %lld products, %lld sums, %lld gathers, %lld shifts\n", s->name,
               (long long)counts.iterations, (long long)counts.products, (long long)counts.reductions, (long long)counts.gathers,
               (long long)counts.shifts);
+  }
+
+  /* Sparse contact is solved without a product of all ranks but for the gap at all points; ranks agree on stops once an
+   * iteration, and on tiles a few times. */
+  if (strncmp(s->name, "sparse", 6) == 0) {
+    check(strcmp(result.backend, "split") == 0, s->name, "the backend of sparse contact");
+    check(counts.products == 1, s->name, "the product of the gap");
+    check(counts.gathers <= 2 * counts.iterations + 150, s->name, "gathers of sparse contact");
   }
 
   /* What was solved is certified as it is: but for rounded pressures, and an indentation that the step has left. */
@@ -283,7 +292,9 @@ int main(int argc, char** argv) {
     for (int k = 2; k < argc; ++k) wanted = wanted || strcmp(argv[k], scenes[i].name) == 0;
     if (!wanted) continue;
     run(&scenes[i], threads);
-    if (scenes[i].control == RC_CONTROL_LOAD && !scenes[i].single && !scenes[i].kernel && scenes[i].nx < 200) history(&scenes[i]);
+    if (scenes[i].control == RC_CONTROL_LOAD && !scenes[i].single && !scenes[i].kernel &&
+        (scenes[i].nx < 200 || scenes[i].nx == 640))
+      history(&scenes[i]);
   }
   if (argc < 3) an_iteration_makes_three_sums();
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);

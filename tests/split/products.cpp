@@ -152,7 +152,7 @@ void a_growing_domain_equals_a_fresh_operator(void**) {
     Vector y(domain.size()), depth(100);
     Index found(100);
     rc_screen request{sizeof(rc_screen), 20.0,         1.0, gap.data(), nullptr, y.data(), 100,
-                      found.data(),      depth.data(), 0,   nullptr,    nullptr};
+                      found.data(),      depth.data(), 0,   nullptr,    nullptr, 0,        0};
     op.screen(x, request);
     for (const Vector& values : {y, depth, op.field(x)}) all.insert(all.end(), values.begin(), values.end());
     return all;
@@ -198,7 +198,7 @@ void results_do_not_depend_on_threads(void**) {
     Vector y(domain.size()), depth(100);
     Index found(100);
     rc_screen request{sizeof(rc_screen), 20.0,         1.0, gap.data(), nullptr, y.data(), 100,
-                      found.data(),      depth.data(), 0,   nullptr,    nullptr};
+                      found.data(),      depth.data(), 0,   nullptr,    nullptr, 0,        0};
     op.screen(x, request);
     for (const double value : y) all.push_back(value);
     for (const double value : depth) all.push_back(value);

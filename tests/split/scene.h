@@ -99,6 +99,7 @@ void screen_respects_the_mask(void** state);
 void screen_of_nothing_finds_all_below_the_approach(void** state);
 void known_lowest_gaps_change_nothing(void** state);
 void tiles_known_to_lie_apart_are_not_looked_at(void** state);
+void rows_are_screened_alone(void** state);
 void any_allocation_may_fail(void** state);
 
 }  // namespace split

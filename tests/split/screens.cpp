@@ -48,7 +48,8 @@ struct Answer {
 };
 
 Answer screened(Operator& op, const Index& domain, const Vector& x, const Surface& surface, std::size_t room,
-                const double* tile_lowest = nullptr, std::size_t struct_size = sizeof(rc_screen)) {
+                const double* tile_lowest = nullptr, std::size_t struct_size = sizeof(rc_screen), std::int64_t first_row = 0,
+                std::int64_t rows = 0) {
   Answer answer{Vector(domain.size()), {Index(room), Vector(room)}, -1};
   rc_screen request{struct_size,
                     surface.approach,
@@ -61,7 +62,9 @@ Answer screened(Operator& op, const Index& domain, const Vector& x, const Surfac
                     answer.found.depth.data(),
                     0,
                     tile_lowest,
-                    nullptr};
+                    nullptr,
+                    first_row,
+                    rows};
   op.screen(x, request);
   answer.n_found = request.n_found;
   const std::size_t filled = std::min(room, static_cast<std::size_t>(request.n_found));
@@ -224,6 +227,32 @@ void known_lowest_gaps_change_nothing(void**) {
     assert_true(with.n_found > 0);
     assert_int_equal(with.n_found, without.n_found);
     assert_true(with.y == without.y && with.found.point == without.found.point && with.found.depth == without.found.depth);
+  }
+}
+
+// Parts of the rows, whose ends need not be those of tiles, find together what all rows find.
+void rows_are_screened_alone(void**) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    Random random(40 + seed);
+    const Scene scene = dilute_scene({220, 201, 1.0, 1.0, "love"}, random, seed % 2 == 1);
+    Operator op(scene.grid);
+    op.bind(scene.domain);
+    const auto room = static_cast<std::size_t>(scene.grid.points());
+    const Answer whole = screened(op, scene.domain, scene.x, scene.surface, room);
+    Overlap found;
+    for (const auto& [first, end] : {std::pair<std::int64_t, std::int64_t>{0, 56}, {56, 57}, {57, 121}, {121, 201}}) {
+      const auto of_rows = [&, begin = first * scene.grid.nx, stop = end * scene.grid.nx](const auto& all) {
+        return std::remove_cvref_t<decltype(all)>(all.begin() + begin, all.begin() + stop);
+      };
+      Surface part{of_rows(scene.surface.gap), {}, scene.surface.approach, scene.surface.unit};
+      if (!scene.surface.mask.empty()) part.mask = of_rows(scene.surface.mask);
+      const Answer answer = screened(op, scene.domain, scene.x, part, room, nullptr, sizeof(rc_screen), first, end - first);
+      assert_true(answer.y == whole.y);
+      found.point.insert(found.point.end(), answer.found.point.begin(), answer.found.point.end());
+      found.depth.insert(found.depth.end(), answer.found.depth.begin(), answer.found.depth.end());
+    }
+    assert_true(whole.n_found > 0);
+    assert_true(found.point == whole.found.point && found.depth == whole.found.depth);
   }
 }
 

@@ -23,6 +23,7 @@ int main() {
       cmocka_unit_test(screen_of_nothing_finds_all_below_the_approach),
       cmocka_unit_test(known_lowest_gaps_change_nothing),
       cmocka_unit_test(tiles_known_to_lie_apart_are_not_looked_at),
+      cmocka_unit_test(rows_are_screened_alone),
 #ifdef RC_SPLIT_FAILING_NEW
       cmocka_unit_test(any_allocation_may_fail),
 #endif

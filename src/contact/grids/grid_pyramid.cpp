@@ -52,13 +52,42 @@ rc_options coarse_options(const rc_options& fine, const Monitor& monitor) {
   return options;
 }
 
-HalvedGrid::HalvedGrid(const Workspace& finer, const rc_options& options, int halvings)
-    : halvings_(halvings),
-      surface_(coarser(finer, halvings)),
-      contact_(std::make_unique<GridContact>(
-          coarser_system(finer.system.given, surface_.nx, surface_.ny, std::int64_t{1} << halvings), options, &finer.team())) {
+// The rows of a rank on the coarser grid, of which tiles are gathered again.
+struct HalvedGrid::Shared {
+  Ranks ranks;
+  StepSurface rows{};
+};
+
+HalvedGrid::HalvedGrid(const Workspace& finer, const rc_options& options, int halvings) : halvings_(halvings) {
+  const GatheredTiles* const tiles = finer.surface.tiles();
+  const rc_system& system = finer.system.given;
+  const std::int64_t side = std::int64_t{1} << halvings, nx = (system.nx + side - 1) / side, ny = (system.ny + side - 1) / side;
+  contact_ = std::make_unique<GridContact>(coarser_system(system, nx, ny, side), options, &finer.team());
+  contact_->work().do_alike(finer.alike());
+  if (tiles) {
+    halve_shared(finer, tiles->shared());
+    return;
+  }
+  surface_ = coarser(finer, halvings);
   contact_->adopt(borrowed(surface_, finer.team()));
 }
+
+void HalvedGrid::halve_shared(const Workspace& finer, const StepSurface& rows) {
+  constexpr std::int64_t most_gathered = 512 * 512;  // points
+  const Ranks& ranks = *rows.ranks();
+  shared_.reset(new Shared{ranks.halved()});
+  surface_ = downsample(rows.nx(), ranks.rows(), rows.gap(), rows.masks(), Filter::mean);
+  const std::int64_t ny = shared_->ranks.all_rows();
+  if (surface_.nx * ny >= most_gathered && ranks.halvings() > 1) {
+    shared_->rows = StepSurface({surface_.nx, surface_.ny, surface_.gap, surface_.mask, true}, finer.team(), &shared_->ranks);
+    return contact_->adopt(StepSurface(shared_->rows, finer.team()));
+  }
+  surface_.gap = ranks.of_any(surface_.gap);
+  surface_.mask = ranks.of_any(surface_.mask);
+  surface_.ny = ny;
+  contact_->adopt(borrowed(surface_, finer.team()));
+}
+
 HalvedGrid::HalvedGrid(HalvedGrid&&) noexcept = default;
 HalvedGrid::~HalvedGrid() = default;
 

@@ -21,7 +21,8 @@ rc_system coarser_system(const rc_system& fine, std::int64_t nx, std::int64_t ny
 // Options of a coarser grid: no bounds, and the time that the finest grid has left.
 rc_options coarse_options(const rc_options& fine, const Monitor& monitor);
 
-// A grid of half as many points a side, each the mean of 2 x 2; or halved so several times.
+// A grid of half as many points a side, each the mean of 2 x 2; or halved so several times. Of a surface of which ranks gather
+// tiles each halves its rows, once; a small one is gathered.
 class HalvedGrid {
  public:
   // Halves the grid `finer`.
@@ -34,8 +35,12 @@ class HalvedGrid {
   GridContact& contact() const { return *contact_; }
 
  private:
+  struct Shared;
+  void halve_shared(const Workspace& finer, const StepSurface& rows);
+
   int halvings_;
   CoarseGrid surface_;  // the contact borrows it
+  std::unique_ptr<Shared> shared_;
   std::unique_ptr<GridContact> contact_;
 };
 

@@ -28,6 +28,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
   else
     level.contact = std::make_unique<GridContact>(system, options, &work.team());
   level.contact->watched_by(monitor, false);
+  level.contact->work().do_alike(work.alike());
 
   rc_step step = RC_STEP_INIT;
   step.control = request.control;
@@ -39,7 +40,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
   result.p = request.p;
   level.current = false;
   const rc_status status = level.contact->solve(step, result);
-  if (const rc_status stop = monitor.ask(); stop != RC_OK) return stop;
+  if (const rc_status stop = work.alike() ? RC_OK : monitor.ask(); stop != RC_OK) return stop;
   request.approach = result.approach;
   if (!request.keep) {
     levels_.erase(system.nx * system.ny);

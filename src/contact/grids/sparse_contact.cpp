@@ -28,7 +28,8 @@ constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
 constexpr std::int64_t least_side = 64;
 constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
-constexpr std::int64_t compact = 16;  // boxes of at most 1/compact of the grid's points are solved whole, by transforms
+constexpr std::int64_t compact = 16;            // boxes of at most 1/compact of the grid's points are solved whole, by transforms
+constexpr std::int64_t most_compact = 1 << 20;  // points of such a box that every rank solves alike
 
 std::int64_t count_positive(const std::vector<double>& values) {
   return std::count_if(values.begin(), values.end(), [](double value) { return value > 0; });
@@ -84,6 +85,12 @@ Deflected everywhere(const Workspace& work, const Answer& answer) {
   return result;
 }
 
+// The entries of all ranks that screen their own rows.
+template <class Value> void unite(const Ranks& ranks, std::vector<Value>& found, std::int64_t count) {
+  found.resize(static_cast<std::size_t>(count));
+  found = ranks.of_any(found);
+}
+
 // H p on the trial set, and at least at the points outside it whose gap is below the margin.
 Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
   if (!screens(answer.choice)) return everywhere(work, answer);
@@ -95,11 +102,18 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   rc_screen request{};
   request.struct_size = sizeof request;
   request.approach = surface.limit_of(compression + margin);
+  GatheredTiles* const tiles = surface.tiles();
+  const StepSurface& own = tiles ? tiles->shared() : surface;  // the points that this process looks at
   const bool in_single = (answer.op->capabilities() & RC_CAP_SINGLE_GAP) != 0;
-  request.undeformed_gap = in_single ? surface.gap().in_double() : surface.gap_in_double();
-  request.undeformed_gap_single = in_single ? surface.gap().in_single() : nullptr;
-  request.mask = surface.mask();
-  request.tile_lowest = surface.tile_lowest().data();
+  request.undeformed_gap = in_single ? own.gap().in_double() : own.gap_in_double();
+  request.undeformed_gap_single = in_single ? own.gap().in_single() : nullptr;
+  request.mask = own.mask();
+  if (tiles) {
+    request.first_row = own.first_row();
+    request.rows = own.ranks()->rows();
+  } else {
+    request.tile_lowest = surface.tile_lowest().data();
+  }
   request.y = y.data();
   request.room = std::max<std::int64_t>(1 << 16, 4 * trial.n);
   for (;;) {
@@ -111,6 +125,14 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
     answer.op->screen(answer.p, request);
     if (request.n_found <= request.room) break;
     request.room = request.n_found;
+  }
+  if (tiles) {
+    if (request.rows == 0) request.n_found = 0;
+    unite(*own.ranks(), found, request.n_found);
+    unite(*own.ranks(), depth, request.n_found);
+    request.n_found = static_cast<std::int64_t>(found.size());
+    tiles->hold_tiles_of(trial.index);
+    tiles->hold_tiles_of(found);
   }
   std::vector<std::size_t> order(static_cast<std::size_t>(request.n_found));
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
@@ -131,7 +153,7 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
     for (; next < order.size() && found[order[next]] < limit; ++next) {
       const std::int64_t point = found[order[next]];
       // Inverts what the backend computed, so that the approach and its round-off drop out.
-      put(point, 0, request.approach - surface.gap()[static_cast<std::size_t>(point)] - depth[order[next]]);
+      put(point, 0, request.approach - surface.gap_at(static_cast<std::size_t>(point)) - depth[order[next]]);
     }
   };
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -149,6 +171,7 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
 TrialSet reachable(const Workspace& work, const Estimate& estimate, double limit) {
   if (!work.system.positive) return {};
   const std::int64_t box = work.surface.extent_below(limit).box();
+  if (work.surface.tiles() && box > most_compact) return {};
   return estimate.pressures.empty() || compact * box > work.system.points() ? TrialSet{} : work.surface.below(limit);
 }
 
@@ -213,6 +236,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     answer.hardness = system.hardness;
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), &estimate.pressures);
+    if (surface.tiles() && count_positive(answer.p) == 0) return std::nullopt;  // a cold start would read the whole gap
     const double datum = by_load ? lowest : step.target;
     const std::vector<double> u = compenetrations(answer, datum, work);
     double d = by_load ? 1 : 0;
@@ -268,13 +292,26 @@ int halvings_of(std::int64_t points) {
   return halvings;
 }
 
+// All points of the blocks that carry pressure.
+std::vector<std::int64_t> points_of(const Pressures& coarse, const Blocks& blocks) {
+  std::vector<std::int64_t> points;
+  for (std::size_t k = 0; k < coarse.p.size(); ++k) {
+    if (!(coarse.p[k] > 0)) continue;
+    const std::int64_t block = coarse.on.point(static_cast<std::int64_t>(k));
+    const std::int64_t x = block % blocks.coarse_nx() * blocks.factor, y = block / blocks.coarse_nx() * blocks.factor;
+    for (std::int64_t iy = y; iy < std::min(y + blocks.factor, blocks.ny); ++iy)
+      for (std::int64_t ix = x; ix < std::min(x + blocks.factor, blocks.nx); ++ix) points.push_back(iy * blocks.nx + ix);
+  }
+  return points;
+}
+
 // The estimate from a coarser grid, which has its own from a still coarser one. dense: wanted even where contact is not sparse.
 std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor, bool dense) {
   const rc_system& system = work.system.given;
   if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
   rc_options options = coarse_options(work.options, monitor);
   options.set(RC_OPT_TOL, std::max(coarse_tol, work.options.real(RC_OPT_TOL)));
-  const int halvings = halvings_of(work.system.points());
+  const int halvings = work.surface.tiles() ? 1 : halvings_of(work.system.points());
   const HalvedGrid grid(work, options, halvings);
   Workspace& half = grid.contact().work();
   rc_step at = RC_STEP_INIT;
@@ -288,13 +325,14 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
   std::optional<Answer> answer;
   if (choice && coarser && !coarser->dense) answer = solve_few(half, {}, at, *choice, *coarser, watch);
   if (!answer) {
-    if (choice && (halvings > 1 || !dense)) return std::nullopt;
+    if ((choice || half.surface.tiles()) && (halvings > 1 || !dense)) return std::nullopt;
     answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, std::move(coarser))
                                            : at_displacement(half, {}, at, watch, std::move(coarser));
   }
   const std::int64_t contacts = count_positive(answer->p);
   if (contacts == 0) return std::nullopt;
   const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
+  if (GatheredTiles* const tiles = work.surface.tiles()) tiles->hold_tiles_of(points_of(answer->pressures(), blocks));
   return Estimate{spread(answer->pressures(), blocks, work.surface, Cut::same_pressure),
                   half.surface.lowest() + answer->compression, !few(contacts, half.system.points())};
 }
@@ -310,7 +348,8 @@ std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, cons
   std::optional<Estimate> start = estimate ? estimate : last_estimate(work, memory.last, step);
   if (!start) {
     if (grows_dense(work, memory.last, step)) return std::nullopt;
-    const bool cold = !step.warm_start || memory.last.pressures.empty();
+    // Ranks that do not find sparse contact start on coarser grids in another way.
+    const bool cold = !work.alike() && (!step.warm_start || memory.last.pressures.empty());
     start = coarse_estimate(work, step, monitor, cold);
     if (!start) return std::nullopt;
     if (start->dense) {

@@ -95,6 +95,13 @@ rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
     if (mine != RC_STOP_MAX_ITER) ranks->ask_stop(mine);
     if (ranks->stop() != RC_OK) return ranks->stop();
     if (mine == RC_STOP_MAX_ITER) return mine;
+  } else if (const Ranks* const alike = run.work.alike()) {
+    return contained([&] {
+      ++alike->counts().iterations;
+      const std::vector<rc_status> all = alike->of_each(run.monitor.poll(iteration, kkt, run.op.applications()));
+      const rc_status stop = *std::max_element(all.begin(), all.end());
+      return stop == RC_OK && iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : stop;
+    });
   } else if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.applications()); status != RC_OK) {
     return status;
   }
@@ -166,7 +173,7 @@ rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<con
   const auto compenetration = [&](std::int64_t i) {
     return outer.u
                ? outer.u[i]
-               : (outer.where.approach - run.work.surface.gap()[static_cast<std::size_t>(outer.trial.point(i))]) / outer.length;
+               : (outer.where.approach - run.work.surface.gap_at(static_cast<std::size_t>(outer.trial.point(i)))) / outer.length;
   };
   for (const std::int64_t i : a) {
     u.push_back(compenetration(i));
@@ -299,8 +306,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   problem.where.approach = approach;
   problem.most_iterations = most_iterations;
   connect(problem);
-  const Ranks* const ranks = work.ranks();
-  const Operator::Watch watch(op, [this, ranks] { return ranks ? ranks->stop() : monitor.ask(); });
+  const Operator::Watch watch(op, [this] { return work.ranks() ? work.ranks()->stop() : work.alike() ? RC_OK : monitor.ask(); });
   monitor.next_call();
   clear_message();
   if (!warmed_up_) {

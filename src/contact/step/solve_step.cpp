@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "contact/grids/shared_sparse_contact.h"
 #include "contact/grids/sparse_contact.h"
 #include "contact/step/displacement.h"
 #include "contact/step/load_control.h"
@@ -37,6 +38,7 @@ Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Mon
 
 Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
                     std::optional<Estimate> nearer) {
+  if (std::optional<Finished> sparse = shared_sparse_contact(work, memory, step, monitor, result)) return std::move(*sparse);
   const Choice& choice = work.record.choice;
   std::optional<Error> first;  // why "auto" passed over the first backend
   bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows

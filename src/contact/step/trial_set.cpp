@@ -42,11 +42,14 @@ Answer prepared(const TrialSet& trial, std::int32_t control, double length_unit,
 }
 
 std::vector<double> compenetrations(const Answer& answer, double datum, const Workspace& work) {
-  if (work.system.halfspace() && takes_gap(*answer.choice.solver, work.options)) return {};
+  GatheredTiles* const tiles = work.surface.tiles();
+  if (!tiles && work.system.halfspace() && takes_gap(*answer.choice.solver, work.options)) return {};
   const TrialSet& trial = answer.op->trial();
+  if (tiles) tiles->hold_tiles_of(trial.index);
   std::vector<double> u(static_cast<std::size_t>(trial.n));
   for (std::size_t i = 0; i < u.size(); ++i)
-    u[i] = (datum - work.surface.gap()[static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))]) / answer.length_unit;
+    u[i] =
+        (datum - work.surface.gap_at(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i))))) / answer.length_unit;
   return u;
 }
 

@@ -1,0 +1,32 @@
+// The gap at some tiles of a surface that ranks share by rows. All ranks gather the same tiles, and then have the same values.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace rc {
+
+class StepSurface;
+
+class GatheredTiles {
+ public:
+  // shared: of this rank's rows; it must outlive the tiles.
+  explicit GatheredTiles(const StepSurface& shared) : shared_(shared) {}
+
+  const StepSurface& shared() const { return shared_; }
+  // Gathers the tiles, or those of the points, that are not here yet. All ranks give the same ones.
+  void hold(std::span<const std::int64_t> tiles);
+  void hold_tiles_of(std::span<const std::int64_t> points);
+  std::int64_t tile_of(std::int64_t point) const;
+  // At a point of a tile that is here; NaN: it is masked.
+  double gap(std::int64_t point) const;
+
+ private:
+  const StepSurface& shared_;
+  std::unordered_map<std::int64_t, std::size_t> first_;  // of a tile: its place among the values
+  std::vector<double> values_;
+};
+
+}  // namespace rc

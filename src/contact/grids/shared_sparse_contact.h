@@ -1,0 +1,19 @@
+// Sparse contact of ranks that share the grid by rows: each has the gap of its rows and screens them; the tiles where the contact
+// is are gathered, and every rank solves there alike what a single process would.
+#pragma once
+
+#include <optional>
+
+#include "contact/memory.h"
+#include "contact/step/certified_result.h"
+#include "contact/step/monitor.h"
+#include "contact/workspace.h"
+
+namespace rc {
+
+// Nothing where no ranks share the grid, contact is not sparse, the boundaries are periodic, or the options leave no backend that
+// screens. The pressures are those of this rank's rows.
+std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                                              rc_result& result);
+
+}  // namespace rc
