@@ -9,7 +9,7 @@ import tempfile
 import time
 
 from case import Failure, available_memory
-from options import listed, question, ranged, side, threads
+from options import listed, one_of, question, ranged, side, threads
 from ranks_model import fitted
 from store import Store
 from tables import show
@@ -141,11 +141,11 @@ class Ranks:
         self.measure()
         self.count()
         for ranks in self.request.weak:
-            for network in NETWORKS:
+            for network in self.request.networks:
                 self.simulate(network, round(1024 * math.sqrt(ranks)), ranks)
         for n in self.request.strong:
             for ranks in self.request.ranks:
-                for network in NETWORKS:
+                for network in self.request.networks:
                     self.simulate(network, n, ranks)
         self.store.save(model=fitted(self.store.document, NETWORKS))
         show(COLUMNS, self.store.rows('measured'))
@@ -159,6 +159,7 @@ question('ranks', 'contacts shared by ranks: two ranks here, many on simulated n
     'strong': (listed(side), [4096, 8192], 'points a side, simulated'),
     'ranks': (listed(ranged(int, 1, 256)), [1, 4, 16, 64, 256], 'of each of them'),
     'weak': (listed(ranged(int, 1, 256)), [1, 4, 16, 64], 'ranks of 2^20 points each, simulated'),
+    'networks': (listed(one_of(*NETWORKS)), list(NETWORKS), 'fast, slow'),
     'repeats': (ranged(int, 1, 100), 5, 'of what is measured; the least time counts'),
     'budget': (float, 60, 'minutes after which nothing begins'), 'threads': (threads, 2, 'not more than the cores')},
     {'sizes': [128, 256], 'strong': [256], 'ranks': [1, 4], 'weak': [], 'repeats': 1}, '256^2 on four ranks')

@@ -3,22 +3,25 @@
 A solve of N x N points on P ranks makes K products with the given grid. Each transposes the spectra of the rows twice: of N rows the N + 1
 waves of the doubled length, complex, of s bytes a number. The solve takes
 
-    seconds = a K N^2 log2(N) / P  +  t K (N / 32)^2  +  r  +  m (l messages)  +  b (bytes / w)
+    seconds = a K N^2 log2(N) / P  +  i K N^2 log2(N) / P  +  t K (N / 32)^2  +  r  +  m (l messages)  +  b (bytes / w)
 
-with a, t, r, m, b fitted: a is work on the rank's own rows; t that on the levels of the trees that every rank has whole, one value for each
-piece of 32 x 32 points; r all else that every rank does alike, as the coarsest grid; l the network's latency and w its bandwidth. Messages of
-a rank: P - 1 in each transposition, of which large grids need several each way; log2(P) in each gather. Bytes of a rank: what it sends in
-transpositions and what it receives in gathers of sums, levels and coarse grids. Memory: bytes a point, what a rank has whole, and of each
-rank what depends on nothing."""
+with a, i, r, m, b fitted: a is work on the rank's own rows; i, of more than one rank, how long they wait for the slowest of them; r what
+every rank does alike, as the coarsest grid; l the network's latency and w its bandwidth. t is work on the levels of the trees that every
+rank has whole, one value for each piece of 32 x 32 points; it is too little to be fitted, and was found by a profile. Messages of a rank
+that wait for each other: (P - 1) / 16 in each transposition, which has so many under way at a time and of which large grids need several
+each way; log2(P) in each gather. Bytes of a rank: what it sends in transpositions and what it receives in gathers of sums, levels and
+coarse grids. Memory: bytes a point, what a rank has whole, and of each rank what depends on nothing."""
 import math
 
 import numpy as np
 
 ROUND, MOST_ROUNDS = 2**23, 16  # bytes of a rank's spectra that a transposition carries, and the largest number of transpositions each way
+WINDOW = 16  # ranks with which a transposition exchanges at a time
 PIECE = 32  # rows of which a rank has at least so many or none
 COARSEST = 256  # points a side of the grid that every rank solves alike
 WHOLE_BYTES = 32  # for each value of the first level that every rank has whole: two trees from there up, and what is gathered
-TERMS = 'work on rows', 'levels that every rank has whole', 'what else every rank does alike', 'latencies', 'transfers'
+WHOLE_SECONDS = 9.7e-9  # t: of 64 ranks at 4096^2, what the loops over trees take more of the processor than those of one rank
+TERMS = 'work on rows', 'waits for the slowest', 'what every rank does alike', 'latencies', 'transfers', 'levels that every rank has whole'
 LARGE = [(n, ranks) for n in (65536, 262144) for ranks in (1024, 4096, 16384)]
 
 
@@ -43,14 +46,15 @@ def rounds(n, ranks, size):
 
 
 def terms(row, network):
-    """Of a solve with its counters, in units of the coefficients; as in TERMS."""
+    """Of a solve with its counters, in units of the fitted coefficients, and the seconds of the last; as in TERMS."""
     width, latency = network
     ranks = row['ranks']
     alone = ranks == 1
-    messages = row['transpositions'] * (ranks - 1) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
+    messages = row['transpositions'] * math.ceil((ranks - 1) / WINDOW) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
     received = row['transposed'] / ranks + (row['reduced'] + row['gathered']) * (1 - 1 / ranks)
     points = row['applications'] * row['n']**2
-    return [points * math.log2(row['n']) / ranks, points / PIECE**2, 1.0, 0.0 if alone else latency * messages, received / width]
+    work = points * math.log2(row['n']) / ranks
+    return [work, 0.0 if alone else work, 1.0, 0.0 if alone else latency * messages, received / width], WHOLE_SECONDS * points / PIECE**2
 
 
 def positive_fit(rows, right):
@@ -92,7 +96,8 @@ def computed(model, last, networks):
     for n, ranks in LARGE:
         with_rows = min(ranks, n // PIECE)
         for name, network in networks.items():
-            found = np.asarray(terms(scaled(last, n, with_rows), network)) * model['coefficients']
+            units, levels = terms(scaled(last, n, with_rows), network)
+            found = np.append(np.asarray(units) * model['coefficients'], levels)
             seconds = float(found.sum())
             worst = TERMS[int(np.argmax(found))]
             whole = WHOLE_BYTES * (n / PIECE)**2
@@ -109,10 +114,11 @@ def fitted(document, networks):
     spread = [row for row in simulated if row['ranks'] > 1]
     if len(spread) < 3 or not any(row['way'] == 'ranks' for row in measured):
         return {}
-    coefficients = positive_fit([terms(row, networks[row['network']]) for row in simulated], [row['seconds'] for row in simulated])
+    units, levels = zip(*(terms(row, networks[row['network']]) for row in simulated))
+    coefficients = positive_fit(units, [row['seconds'] - of_levels for row, of_levels in zip(simulated, levels)])
     model = {'coefficients': coefficients.tolist()}
     model['bytes_a_point'], model['bytes_a_rank'] = memory_of(measured)
-    model['errors'] = [float(np.dot(terms(row, networks[row['network']]), coefficients) / row['seconds'] - 1) for row in simulated]
+    model['errors'] = [float((np.dot(of, coefficients) + of_levels) / row['seconds'] - 1) for row, of, of_levels in zip(simulated, units, levels)]
     last = max(spread, key=lambda row: (row['n'], row['ranks']))
     model['rows'] = computed(model, last, networks)
     return model

@@ -2,7 +2,7 @@
 import os
 
 from charts import Panels, axes, decades, style
-from ranks_model import counted_transposed
+from ranks_model import WHOLE_SECONDS, counted_transposed
 from samples import chosen, groups
 from store import load
 from tables import missing, provenance, records, seconds, table
@@ -92,9 +92,9 @@ def failed(document):
 
 
 def coefficients(model):
-    a, t, r, m, b = model['coefficients']
+    a, i, r, m, b = model['coefficients']
     errors = [abs(error) for error in model['errors']]
-    return (f'a = {a:.3g} s, t = {t:.3g} s, r = {seconds(r)} s, m = {m:.3g}, b = {b:.3g}; over {len(errors)} simulated solves the model is off by '
+    return (f'a = {a:.3g} s, i = {i:.3g} s, t = {WHOLE_SECONDS:.3g} s, r = {seconds(r)} s, m = {m:.3g}, b = {b:.3g}; over {len(errors)} simulated solves the model is off by '
             f'{100 * sum(errors) / len(errors):.0f} % on the mean, {100 * max(errors):.0f} % at most. Memory: {model["bytes_a_point"]:.0f} bytes a point, '
             f'and {model["bytes_a_rank"] / 1e6:.0f} MB a rank.')
 
