@@ -86,7 +86,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
   common.periodic = periodic;
   common.task.by_load = common.by_load;
   common.task.tol = 0.98 * many.tol;  // less than what the certificate allows
-  common.task.periodic_mean = inputs.mean;
+  common.task.periodic_mean = inputs.table.mean;
   common.task.elongated = inputs.elongated;
   common.task.patience = static_cast<int>(roughcontact::option_int(host, options, "haar-cg.patience"));
   common.tol = many.tol;
