@@ -1,5 +1,6 @@
 #include "core/thread_team.h"
 
+#include <chrono>
 #include <system_error>
 
 #include "core/error.h"
@@ -18,6 +19,16 @@ inline void pause_briefly() {
 #elif defined(__aarch64__)
   __asm__ volatile("yield");
 #endif
+}
+
+// Until the condition holds. A condition variable of glibc before 2.41 can lose a wake-up: `again` is called, and the condition
+// looked at, every now and then. A helper that is not woken misses a round, no more.
+template <class Again, class Condition>
+void wait_surely(std::condition_variable& variable, std::unique_lock<std::mutex>& lock, const Again& again,
+                 const Condition& condition) {
+  constexpr std::chrono::milliseconds now_and_then{20};
+  do again();
+  while (!variable.wait_until(lock, std::chrono::system_clock::now() + now_and_then, condition));
 }
 
 template <class Condition> bool watch(const Condition& changed) {
@@ -54,11 +65,12 @@ ThreadTeam::~ThreadTeam() { stop(); }
 
 void ThreadTeam::stop() {
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
     stopping_ = true;
     ++round_;
+    wait_surely(
+        idle_, lock, [this] { wake_.notify_all(); }, [this] { return left_ == helpers_.size(); });
   }
-  round_.notify_all();
   for (std::thread& helper : helpers_) helper.join();
 }
 
@@ -67,6 +79,7 @@ void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
     for (std::int64_t item = 0; item < items; ++item) task(argument, item, 0);
     return;
   }
+  bool wake = false;
   {
     const std::lock_guard lock(mutex_);
     task_ = task;
@@ -75,15 +88,18 @@ void ThreadTeam::run(std::int64_t items, Task task, void* argument) {
     next_ = 0;
     open_ = true;
     ++round_;
+    wake = asleep_ > 0;
   }
-  round_.notify_all();
+  if (wake) wake_.notify_all();
   work(0);
   {
     const std::lock_guard lock(mutex_);
     open_ = false;  // a helper that comes later has nothing left to do and is not waited for
   }
   if (watch([&] { return busy_ == 0; })) return;
-  for (std::int32_t busy = busy_; busy != 0; busy = busy_) busy_.wait(busy);
+  std::unique_lock lock(mutex_);
+  wait_surely(
+      idle_, lock, [] {}, [this] { return busy_ == 0; });
 }
 
 void ThreadTeam::work(std::int64_t thread) {
@@ -91,17 +107,24 @@ void ThreadTeam::work(std::int64_t thread) {
 }
 
 void ThreadTeam::help(std::int64_t thread) {
-  std::uint32_t seen = 0;
+  std::uint64_t seen = 0;
   for (;;) {
-    if (!watch([&] { return round_ != seen; })) round_.wait(seen);
+    watch([&] { return round_ != seen; });
     std::unique_lock lock(mutex_);
-    if (stopping_) return;
+    ++asleep_;
+    wake_.wait(lock, [&] { return stopping_ || round_ != seen; });
+    --asleep_;
+    if (stopping_) {
+      ++left_;
+      return idle_.notify_one();
+    }
     seen = round_;
     if (!open_) continue;
     ++busy_;
     lock.unlock();
     work(thread);
-    if (--busy_ == 0) busy_.notify_one();
+    lock.lock();
+    if (--busy_ == 0) idle_.notify_one();
   }
 }
 

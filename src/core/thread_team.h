@@ -5,6 +5,7 @@
 #include <roughcontact/plugin.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <mutex>
 #include <thread>
@@ -30,12 +31,14 @@ class ThreadTeam : public rc_team {
 
   std::vector<std::thread> helpers_;
   std::mutex mutex_;
-  // Written under mutex_; read without it by threads that wait for a change. They wait for the values themselves: a condition
-  // variable of glibc before 2.41 can lose a wake-up, and the process then stands still.
-  std::atomic<std::uint32_t> round_{0};
-  std::atomic<std::int32_t> busy_{0};  // helpers inside work()
+  std::condition_variable wake_, idle_;
+  // Written under mutex_; read without it by threads that watch for a change.
+  std::atomic<std::uint64_t> round_{0};
+  std::atomic<std::int64_t> busy_{0};  // helpers inside work()
   // Guarded by mutex_; task_, argument_ and items_ stay as they are while busy_ > 0.
-  bool open_ = false;  // helpers may still join this round
+  std::int64_t asleep_ = 0;
+  std::size_t left_ = 0;  // helpers that have left for good
+  bool open_ = false;     // helpers may still join this round
   bool stopping_ = false;
   Task task_ = nullptr;
   void* argument_ = nullptr;
