@@ -10,7 +10,7 @@ import time
 
 from case import Failure, available_memory
 from options import listed, one_of, question, ranged, side, threads
-from ranks_model import fitted
+from ranks_model import WINDOW, fitted
 from store import Store
 from tables import show
 
@@ -135,7 +135,7 @@ class Ranks:
         with tempfile.TemporaryDirectory() as folder:
             begun = time.monotonic()
             answer = answer_of(simulated_command(network, n, ranks, folder), max(self.left(), 60))
-        self.put('simulated', key, what, {**answer, 'wall_seconds': time.monotonic() - begun})
+        self.put('simulated', key, what, {**answer, 'window': WINDOW, 'wall_seconds': time.monotonic() - begun})
 
     def run(self):
         self.measure()

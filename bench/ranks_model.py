@@ -6,7 +6,7 @@ waves of the doubled length, complex, of s bytes a number. The solve takes
     seconds = a K N^2 log2(N) / P  +  i K N^2 log2(N) / P  +  t K (N / 32)^2  +  r  +  m (l messages)  +  b (bytes / w)
 
 with a, i, r, m, b fitted: a is work on the rank's own rows; i, of more than one rank, how long they wait for the slowest of them; r what
-every rank does alike, as the coarsest grid; l the network's latency and w its bandwidth. t is work on the levels of the trees that every
+depends on neither, as the coarsest grid; l the network's latency and w its bandwidth. t is work on the levels of the trees that every
 rank has whole, one value for each piece of 32 x 32 points; it is too little to be fitted, and was found by a profile. Messages of a rank
 that wait for each other: (P - 1) / 16 in each transposition, which has so many under way at a time and of which large grids need several
 each way; log2(P) in each gather. Bytes of a rank: what it sends in transpositions and what it receives in gathers of sums, levels and
@@ -16,12 +16,12 @@ import math
 import numpy as np
 
 ROUND, MOST_ROUNDS = 2**23, 16  # bytes of a rank's spectra that a transposition carries, and the largest number of transpositions each way
-WINDOW = 16  # ranks with which a transposition exchanges at a time
+WINDOW = 16  # ranks with which a transposition exchanges at a time; mpi/exchange.c
 PIECE = 32  # rows of which a rank has at least so many or none
 COARSEST = 256  # points a side of the grid that every rank solves alike
 WHOLE_BYTES = 32  # for each value of the first level that every rank has whole: two trees from there up, and what is gathered
 WHOLE_SECONDS = 9.7e-9  # t: of 64 ranks at 4096^2, what the loops over trees take more of the processor than those of one rank
-TERMS = 'work on rows', 'waits for the slowest', 'what every rank does alike', 'latencies', 'transfers', 'levels that every rank has whole'
+TERMS = 'work on rows', 'waits for the slowest', 'what depends on neither grid nor ranks', 'latencies', 'transfers', 'levels that every rank has whole'
 LARGE = [(n, ranks) for n in (65536, 262144) for ranks in (1024, 4096, 16384)]
 
 
@@ -50,7 +50,7 @@ def terms(row, network):
     width, latency = network
     ranks = row['ranks']
     alone = ranks == 1
-    messages = row['transpositions'] * math.ceil((ranks - 1) / WINDOW) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
+    messages = row['transpositions'] * math.ceil((ranks - 1) / row.get('window', 1)) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
     received = row['transposed'] / ranks + (row['reduced'] + row['gathered']) * (1 - 1 / ranks)
     points = row['applications'] * row['n']**2
     work = points * math.log2(row['n']) / ranks
@@ -86,7 +86,7 @@ def scaled(last, n, ranks):
     size = last['transposed'] / last['applications'] / transposed(last['n'], last['ranks'], 1)
     more, side = math.log2(n / COARSEST) / math.log2(last['n'] / COARSEST), n / last['n']
     parts = rounds(n, ranks, size) / rounds(last['n'], last['ranks'], size)
-    return {'n': n, 'ranks': ranks, 'applications': last['applications'], 'reductions': more * last['reductions'], 'gathers': more * last['gathers'],
+    return {'n': n, 'ranks': ranks, 'window': WINDOW, 'applications': last['applications'], 'reductions': more * last['reductions'], 'gathers': more * last['gathers'],
             'transpositions': more * parts * last['transpositions'], 'transposed': last['applications'] * transposed(n, ranks, size),
             'reduced': last['reduced'] * side, 'gathered': last['gathered'] * side**2}
 
