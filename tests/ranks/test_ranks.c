@@ -125,6 +125,8 @@ static void compare(const scene* s, const rc_result* mine, const void* p_all) {
   if (s->stiffness > 1)
     check(mine->stiffness_lower <= result.stiffness_upper && result.stiffness_lower <= mine->stiffness_upper, s->name,
           "intervals of the stiffness that meet");
+  if (s->stiffness > 1)
+    check(mine->stiffness_lower <= mine->stiffness && mine->stiffness <= mine->stiffness_upper, s->name, "its interval");
   if (result.load_upper >= result.load_lower)
     check(mine->load_upper >= result.load_lower && mine->load_lower <= result.load_upper, s->name, "intervals that meet");
   free_rows(r);

@@ -134,6 +134,8 @@ void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
   }
   stiffness.lower = in_units(system, lower);
   stiffness.upper = in_units(system, upper);
+  // The interval may be narrower than the value's own error.
+  stiffness.value = std::min(std::max(stiffness.value, stiffness.lower), stiffness.upper);
 }
 
 }  // namespace rc
