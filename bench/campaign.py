@@ -1,7 +1,6 @@
 """A campaign of examples/campaign against rc_batch_solve on as many threads: the same solves, by turns, each whole in a process of its own."""
 import importlib.util
 import os
-import resource
 import subprocess
 import sys
 import tempfile
@@ -10,7 +9,7 @@ import time
 import numpy as np
 import roughcontact as rc
 
-from case import Failure, checked, cpu_seconds, in_child
+from case import Failure, checked, in_child
 from options import ALL_THREADS, question, ranged, side
 from samples import median
 from store import Store
@@ -35,16 +34,16 @@ pressure = {pressures}
 """
 COLUMNS = ('solves; grid={points}²; details; workers={threads}; batch [s]={batch:.2f}; surfaces [s]={surfaces:.2f}; '
            'campaign [s]={campaign:.2f}; start and end [s]={idle:.2f}; ratio={ratio:.3f}; over surfaces and batch={ratio_made:.3f}; '
-           'without start and end={ratio_running:.3f}; CPU ratio={cpu_ratio:.3f}; without={cpu_ratio_running:.3f}; same numbers={same}')
+           'without start and end={ratio_running:.3f}; same numbers={same}')
 
 
 def batch_of(request, pressures):
     """Times of the surfaces and of the solves, and the loads' areas. One call a pressure: the gaps are in memory once."""
     begun = time.perf_counter()
     surfaces = [rc.surface.spectral((request.points,) * 2, pitch=1.0, rms_slope=SLOPE, seed=seed) for seed in range(1, request.seeds + 1)]
-    made, before = time.perf_counter(), cpu_seconds()
+    made = time.perf_counter()
     found = [rc.batch(surfaces, modulus=MODULUS, pressure=[[pressure]] * request.seeds, threads=request.threads) for pressure in pressures]
-    return {'surfaces': made - begun, 'batch': time.perf_counter() - made, 'batch_cpu': cpu_seconds() - before,
+    return {'surfaces': made - begun, 'batch': time.perf_counter() - made,
             'areas': [result.contact_area[:, 0].tolist() for result in found]}
 
 
@@ -56,13 +55,13 @@ def campaign_of(request, pressures, seeds, details):
         study = os.path.join(folder, 'study.toml')
         with open(study, 'w', encoding='utf-8') as file:
             file.write(STUDY.format(points=request.points, slope=SLOPE, seeds=seeds, modulus=MODULUS, pressures=pressures, details=details))
-        begun, before = time.perf_counter(), cpu_seconds(resource.RUSAGE_CHILDREN)
+        begun = time.perf_counter()
         done = subprocess.run([sys.executable, CAMPAIGN, study, '--workers', str(request.threads)], capture_output=True, text=True)
-        seconds, cpu = time.perf_counter() - begun, cpu_seconds(resource.RUSAGE_CHILDREN) - before
+        seconds = time.perf_counter() - begun
         if done.returncode:
             raise Failure(f'the campaign ended with {done.returncode}: {done.stderr or done.stdout}')
         table = pyarrow.parquet.read_table(os.path.join(folder, 'results', 'study.parquet')).sort_by([('target', 'ascending'), ('seed', 'ascending')])
-        return {'seconds': seconds, 'cpu': cpu, 'areas': table['contact_area'].to_numpy().reshape(len(pressures), -1).tolist()}
+        return {'seconds': seconds, 'areas': table['contact_area'].to_numpy().reshape(len(pressures), -1).tolist()}
 
 
 def run(request):
@@ -80,7 +79,6 @@ def run(request):
             rows.append({'batch': batch['batch'], 'surfaces': batch['surfaces'], 'campaign': answer['seconds'], 'idle': idle['seconds'],
                          'ratio': answer['seconds'] / batch['batch'], 'ratio_made': answer['seconds'] / (batch['batch'] + batch['surfaces']),
                          'ratio_running': (answer['seconds'] - idle['seconds']) / batch['batch'],
-                         'cpu_ratio': answer['cpu'] / batch['batch_cpu'], 'cpu_ratio_running': (answer['cpu'] - idle['cpu']) / batch['batch_cpu'],
                          'same': answer['areas'] == batch['areas']})
             print(f'turn {turn + 1}: {rows[-1]}', file=sys.stderr)
     for details, rows in found.items():
