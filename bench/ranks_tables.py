@@ -1,4 +1,5 @@
 """Tables and pictures of docs/scale-out.md, from ranks.json. Every line says whether it was measured, simulated or computed."""
+import math
 import os
 
 from charts import Panels, axes, decades, style
@@ -33,7 +34,8 @@ def pairs(document):
         if len(ways) < 2:
             continue
         one, two = ways['process'], ways['ranks']
-        found.append({'n': n, **ways, 'time': two['seconds'] / one['seconds'], 'cpu': two['cpu_seconds'] / one['cpu_seconds'],
+        busy = one['cpu_seconds'] or math.nan  # 0 where the clock has not ticked
+        found.append({'n': n, **ways, 'time': two['seconds'] / one['seconds'], 'cpu': two['cpu_seconds'] / busy,
                       'memory': two['peak_bytes'] / one['peak_bytes'], 'process_megabytes': one['peak_bytes'] / 1e6,
                       'ranks_megabytes': two['peak_bytes'] / 1e6, 'same': 'yes' if one['bits'] == two['bits'] else 'no'})
     return found
