@@ -193,7 +193,11 @@ class Worker {
     const std::int64_t at_once = many_ ? many_->at_once() : 1;
     for (std::int64_t i; (i = progress_.next(at_once)) < request_.given.n;) {
       const std::int64_t end = std::min(i + at_once, request_.given.n);
-      while (i < end) i += many_ && progress_.stopped() == RC_OK ? together(i, end) : follow(i);
+      while (i < end)
+        if (many_ && progress_.stopped() == RC_OK)
+          i += together(i, end);
+        else
+          follow(i++);
     }
   }
 
@@ -218,27 +222,19 @@ class Worker {
     return true;
   }
 
-  // Returns 1: the contacts that it follows.
-  std::int64_t follow(std::int64_t i) {
+  void follow(std::int64_t i) {
     contact_->forget();
     bool within_goal = false;
     for (std::int64_t k = 0; k < request_.given.steps; ++k) {
-      if (const rc_status stop = progress_.stopped(); stop != RC_OK) {
-        end(i, k, k, stop, progress_.why_stopped());
-        return 1;
-      }
+      if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
       rc_result result{};
       result.struct_size = sizeof(rc_result);
       const rc_status status = solve(i, k, result);
       if (status >= 0) deliver(i, k, result);
       within_goal = within_goal || status == RC_WITHIN_GOAL;
-      if (status != RC_OK && status != RC_WITHIN_GOAL) {
-        end(i, k, status < 0 ? k : k + 1, status, message_);
-        return 1;
-      }
+      if (status != RC_OK && status != RC_WITHIN_GOAL) return end(i, k, status < 0 ? k : k + 1, status, message_);
     }
     if (within_goal) progress_.ended_within_goal(i);
-    return 1;
   }
 
   // History i ends at step k; from step `unanswered` on it has no answers.

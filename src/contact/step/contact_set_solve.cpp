@@ -49,7 +49,8 @@ ContactSetSolve::ContactSetSolve(Operator& op, std::span<const std::int64_t> set
     if (inputs.table.mean > 0) {
       mean_ = heavy * inputs.table.mean;
       for (double& value : inputs.table.k) value += mean_ - inputs.table.mean;
-      inputs.table.nx = inputs.table.ny = 0;  // under so heavy a mean couplings in a period tell nothing more
+      // With couplings in a period answers over nearly all points are off by more than ten times the tolerance.
+      inputs.table.nx = inputs.table.ny = 0;
       lowest_ = std::min(lowest, mean_ * static_cast<double>(grid.nx * grid.ny));
     }
     trees_.push_back(trees_at(inputs, 0, 0));
