@@ -1,6 +1,10 @@
 # The compilers for the system that zig calls `target`.
-set(zig ${CMAKE_CURRENT_LIST_DIR}/../../../build-cross/zig)
-cmake_path(NORMAL_PATH zig)
+# Outside of the tree: zig builds its C++ library, a minute's work, once for each folder that it lies in.
+if(DEFINED ENV{XDG_CACHE_HOME})
+  set(zig $ENV{XDG_CACHE_HOME}/roughcontact/zig)
+else()
+  set(zig $ENV{HOME}/.cache/roughcontact/zig)
+endif()
 if(NOT EXISTS ${zig}/${target}-ranlib)
   execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/zig.sh ${zig} ${target} COMMAND_ERROR_IS_FATAL ANY)
 endif()
