@@ -15,8 +15,9 @@ cd "$tree"
 [ "$*" != all ] || set -- $(cd packaging/cross && printf '%s\n' *.cmake | sed 's/\.cmake$//')
 dependencies=$(realpath -m "${RC_CROSS_DEPENDENCIES:-build-cross/dependencies}")
 version=$(sed -nE 's/^project\(roughcontact VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)
-mkdir -p build-cross
-export LC_ALL=C.UTF-8 WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-$tree/build-cross/wine}
+# Wine's folder lies outside of the tree: it has a link to /, which what walks the tree to make an archive would follow.
+mkdir -p build-cross "${XDG_CACHE_HOME:-$HOME/.cache}/roughcontact"
+export LC_ALL=C.UTF-8 WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-${XDG_CACHE_HOME:-$HOME/.cache}/roughcontact/wine}
 
 # quietly LOG COMMAND...
 quietly() {

@@ -12,11 +12,11 @@ trap 'rm -rf "$scratch"' EXIT
 skip() { echo "skipped: $*"; exit 77; }
 fail() { echo "FAILED: $*" >&2; exit 1; }
 quietly() { "$@" >"$scratch/log" 2>&1 || { tail -40 "$scratch/log"; fail "$*"; }; }
-export WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-$tree/build-cross/wine} CCACHE_BASEDIR=/ CCACHE_NOHASHDIR=1
+export WINEDEBUG=${WINEDEBUG:--all} WINEPREFIX=${WINEPREFIX:-${XDG_CACHE_HOME:-$HOME/.cache}/roughcontact/wine} CCACHE_BASEDIR=/ CCACHE_NOHASHDIR=1
 unset PYTHONPATH ROUGHCONTACT_LIBRARY RC_PLUGIN_PATH
 
 cc='' emulator='' wheel=''
-mkdir -p "$tree/build-cross"
+mkdir -p "$tree/build-cross" "${XDG_CACHE_HOME:-$HOME/.cache}/roughcontact"
 eval "$(cmake -DTOOLCHAIN="$tree/packaging/cross/$name.cmake" -P "$tree/packaging/cross/parts/describe.cmake")"
 IFS=';' read -ra run <<<"$emulator"
 command -v "${run[0]}" >/dev/null || skip "${run[0]} is not installed"
