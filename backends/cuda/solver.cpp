@@ -177,8 +177,8 @@ rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* 
   return roughcontact::guard(host, component, [&] {
     const rc::Problem problem(*host, *given, *options);
     const std::span<double> pressures(p, static_cast<std::size_t>(given->n));
-    if (!rc::any_positive(problem, pressures))
-      rc::start_haar_cg(problem, problem.option_int("haar-cg.nested") != 0 ? names::solver : nullptr, pressures, *d);
+    const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? names::solver : nullptr;
+    if (!rc::serves(problem, coarse_solver, pressures)) rc::start_haar_cg(problem, coarse_solver, pressures, *d);
     const bool mixed = problem.option_text("haar-cg.products") == "mixed";
     rc_status status =
         mixed ? iterate<float>(host, *given, options, problem, p, *d) : iterate<double>(host, *given, options, problem, p, *d);

@@ -93,6 +93,20 @@ void load_control_costs_little_more() {
     }
 }
 
+// Coarser grids are a better start than the pressures of a far smaller load.
+void a_large_step_costs_no_more_than_a_cold_one() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    const Problem problem = rugged(side, side, 0.8, boundary);
+    const double load = solved(problem, haar).result.load;
+    const Contact contact(problem, haar);
+    check_status(contact.solve(at_load(problem, 0.3 * load)), RC_OK, "first step");
+    const Answer warm = contact.solve(at_load(problem, load)), cold = solved(at_load(problem, load), haar);
+    check_near(warm.p, cold.p, 1e-8, "pressures");
+    report("products " + std::to_string(warm.result.applications) + ", cold " + std::to_string(cold.result.applications));
+    check(warm.result.applications <= cold.result.applications, "a step takes more products than a cold solve");
+  }
+}
+
 void full_contact_is_no_harder() {
   const auto products = [](double depth, double least_share) {
     const Answer answer = solved(rugged(side, side, depth), haar, {{RC_OPT_TOL, "1e-8"}});
@@ -143,6 +157,7 @@ int main(int argc, char** argv) {
                     {"threads_and_runs_do_not_change_a_bit", threads_and_runs_do_not_change_a_bit},
                     {"a_coarse_start_saves_products", a_coarse_start_saves_products},
                     {"load_control_costs_little_more", load_control_costs_little_more},
+                    {"a_large_step_costs_no_more_than_a_cold_one", a_large_step_costs_no_more_than_a_cold_one},
                     {"full_contact_is_no_harder", full_contact_is_no_harder},
                     {"pivoting_takes_over", pivoting_takes_over},
                     {"auto_leaves_what_has_too_little_memory", auto_leaves_what_has_too_little_memory}},

@@ -90,8 +90,9 @@ const Options haar_cg_options = listed(specs);
 
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   // A regular surface shows in the values of the whole grid, which ranks do not have.
-  if (!any_positive(problem, p) && (problem.ranks() || !start_regular(problem, p)))
-    start_haar_cg(problem, problem.option_int("haar-cg.nested") != 0 ? "haar-cg" : nullptr, p, d);
+  const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? "haar-cg" : nullptr;
+  if (!serves(problem, coarse_solver, p) && (problem.ranks() || !start_regular(problem, p)))
+    start_haar_cg(problem, coarse_solver, p, d);
   const rc_status status = iterate(problem, p, d);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
   problem.note("haar-cg: stalled; nnls finished");

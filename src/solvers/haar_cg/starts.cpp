@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/chunks.h"
+#include "core/sums.h"
 #include "grid/downsample.h"
 
 namespace rc {
@@ -12,9 +13,10 @@ namespace rc {
 namespace {
 
 constexpr std::int64_t coarsest_side = 64;
-constexpr double coarse_tol = 1e-2;             // spreading the pressures to the finer grid loses further digits
-constexpr double many = 0.25;                   // of the points: within the length unit where a load starts everywhere
-constexpr std::size_t few_loaded = 4;           // points that carry a load each by itself: then the others start without pressure
+constexpr double coarse_tol = 1e-2;    // spreading the pressures to the finer grid loses further digits
+constexpr double farthest = 1.25;      // ratio of two loads: beyond, coarser grids tell more than the other load's pressures
+constexpr double many = 0.25;          // of the points: within the length unit where a load starts everywhere
+constexpr std::size_t few_loaded = 4;  // points that carry a load each by itself: then the others start without pressure
 constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
 
 // Whether any chunk's most(begin, count) is positive; of all ranks, where the problem is shared.
@@ -47,11 +49,13 @@ bool spread(const Problem& problem, std::int64_t coarse_nx, const Vector& pressu
   });
 }
 
+bool nests(const rc_grid& grid) { return std::min(grid.nx, grid.ny) >= 2 * coarsest_side; }
+
 // A start from the solution on a grid of half the resolution, which starts from a still coarser grid. p and d stay as they are
 // where the grid is too small, or its coarse problem cannot be solved. Returns whether some pressure is positive.
 bool start_nested(const Problem& problem, const char* solver, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
-  if (std::min(grid.nx, grid.ny) < 2 * coarsest_side) return false;
+  if (!nests(grid)) return false;
   const Ranks* const ranks = problem.ranks();
   CoarseGrid coarse;
   Vector pressure;
@@ -143,16 +147,23 @@ void start_cold(const Problem& problem, std::span<double> p) {
 
 }  // namespace
 
-bool any_positive(const Problem& problem, std::span<const double> p) {
-  return some_positive(problem, [&](std::int64_t begin, std::int64_t count) {
-    double most = 0;
-    for (std::int64_t i = begin; i < begin + count; ++i) most = std::max(most, p[static_cast<std::size_t>(i)]);
-    return most;
-  });
+bool serves(const Problem& problem, const char* solver, std::span<const double> p) {
+  const auto sum = [&](std::int64_t begin, std::int64_t count) {
+    return sum_of(static_cast<std::size_t>(count),
+                  [&](std::size_t i) { return std::max(p[static_cast<std::size_t>(begin) + i], 0.0); });
+  };
+  const double load =
+      reduce<double>(problem.size(), problem.team(), sum, 0, std::plus<>(), Chunks::of(problem.ranks(), problem.grid()->nx));
+  const rc_grid& grid = *problem.grid();
+  // Where few points may touch, a coarse grid of all would cost more than the steps.
+  const bool sparse = grid.index && problem.size() < grid.nx * grid.ny / 8;
+  if (!problem.load_control() || !solver || !nests(grid) || sparse) return load > 0;
+  return load * farthest > problem.load() && load < problem.load() * farthest;
 }
 
 void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d) {
   if (solver && start_nested(problem, solver, p, d)) return;
+  std::ranges::fill(p, 0.0);
   if (problem.load_control()) start_cold(problem, p);
 }
 

@@ -1,4 +1,4 @@
-// What haar-cg starts from where it is given no pressures.
+// What haar-cg starts from where it is given no pressures, or those of another load.
 #pragma once
 
 #include <span>
@@ -7,11 +7,12 @@
 
 namespace rc {
 
-// Of all ranks, where the problem is shared.
-bool any_positive(const Problem& problem, std::span<const double> p);
+// Whether the given pressures are a start: some are positive and, where this solver could begin on half the grid (null: it could
+// not), their load is near the one wanted. Of all ranks, where the problem is shared.
+bool serves(const Problem& problem, const char* solver, std::span<const double> p);
 
-// For pressures of which none is positive: p and, by load, d from the solution on half the grid by this solver; null: not from
-// there. Where that is impossible too, pressures that carry the load in load control; else p stays as it is.
+// For pressures that do not serve: p and, by load, d from the solution on half the grid by this solver; null: not from
+// there. Where that is impossible too, pressures that carry the load in load control; else none.
 void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d);
 
 }  // namespace rc
