@@ -22,15 +22,29 @@ void grow(Device& device, Memory& room, std::size_t wanted) {
 
 }  // namespace
 
-void Engine::make_room(const Rooms& wanted, std::size_t held, double limit, const std::string& what) {
-  const std::pair<Memory*, std::size_t> rooms[] = {{&torus_, wanted.torus}, {&vectors_, wanted.vectors}, {&work_, work_bytes_}};
-  std::size_t all = held, fresh = 0, returned = 0;
-  for (const auto& [room, bytes] : rooms) {
-    all += std::max(room->bytes(), bytes);
+// Bytes: of all rooms with what is held, to be allocated, and to be given back before that.
+struct Engine::Need {
+  std::size_t all, fresh = 0, returned = 0;
+};
+
+Engine::Need Engine::need(const Rooms& wanted, std::size_t held) const {
+  Need need{held};
+  for (const auto& [room, bytes] : {std::pair{&torus_, wanted.torus}, {&vectors_, wanted.vectors}, {&work_, work_bytes_}}) {
+    need.all += std::max(room->bytes(), bytes);
     if (more(*room, bytes) == 0) continue;
-    fresh += bytes;
-    returned += room->bytes();
+    need.fresh += bytes;
+    need.returned += room->bytes();
   }
+  return need;
+}
+
+bool Engine::has_room(const Rooms& wanted, std::size_t held, double limit) {
+  const Need found = need(wanted, held);
+  return static_cast<double>(found.all) <= limit && (found.fresh == 0 || found.fresh <= device_.free_bytes() + found.returned);
+}
+
+void Engine::make_room(const Rooms& wanted, std::size_t held, double limit, const std::string& what) {
+  const auto [all, fresh, returned] = need(wanted, held);
   if (static_cast<double>(all) > limit)
     fail(RC_ERR_MEMORY, what, " needs ", all, " bytes on device ", device_.index(), ", more than the limit ", component.name,
          ".memory_limit of ", limit / 1048576, " MiB; raise it, or use a smaller domain or another backend (\"fft\")");
@@ -38,7 +52,9 @@ void Engine::make_room(const Rooms& wanted, std::size_t held, double limit, cons
   if (const std::size_t there = device_.free_bytes() + returned; fresh > there)
     fail(RC_ERR_MEMORY, what, " needs ", fresh, " bytes more on device ", device_.index(), ", which has ", there,
          "; use a smaller domain or another backend (\"fft\")");
-  for (const auto& [room, bytes] : rooms) grow(device_, *room, bytes);
+  grow(device_, torus_, wanted.torus);
+  grow(device_, vectors_, wanted.vectors);
+  grow(device_, work_, work_bytes_);
 }
 
 std::size_t Engine::most_for_vectors(std::size_t held, double limit) {

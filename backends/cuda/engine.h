@@ -36,8 +36,11 @@ class Engine {
   // Makes the rooms at least so large. Fails before anything is allocated where that and `held` are beyond the limit [bytes], or
   // the device has less. what: for whom, as in "a solve of 32 x 32 points".
   void make_room(const Rooms& wanted, std::size_t held, double limit, const std::string& what);
+  // Whether make_room() would do so.
+  bool has_room(const Rooms& wanted, std::size_t held, double limit);
   // The most bytes for which make_room() makes the vectors' room, nothing of the others being wanted.
   std::size_t most_for_vectors(std::size_t held, double limit);
+  std::size_t bytes() const { return torus_.bytes() + vectors_.bytes() + work_.bytes(); }  // of the rooms
   unsigned char* vectors() const { return vectors_.as<unsigned char>(); }
 
   // The plans for products between these windows; the work area that they need is part of what make_room() makes.
@@ -49,6 +52,9 @@ class Engine {
 
  private:
   friend class Spectrum;
+  struct Need;
+  Need need(const Rooms& wanted, std::size_t held) const;
+
   template <class R> using Plans = std::map<std::tuple<Index, Index, Index, bool>, std::unique_ptr<Lines<R>>>;
   template <class R> Plans<R>& plans();
   template <class R> Lines<R>& lines(const typename Lines<R>::Shape& shape);

@@ -9,7 +9,7 @@ architectures=${ARCHITECTURES:-80 90 100}
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 for architecture in $architectures; do
-  for source in engine operator small/many solver trees; do
+  for source in engine history operator small/many solver trees; do
     echo "architecture $architecture" >>"$log"
     "$nvcc" -x cu -std=c++20 -O3 -fmad=false --expt-relaxed-constexpr -arch="sm_$architecture" -cubin -Xptxas -v -I"$root/include" -I"$root/src" \
       -I"$root/backends" -I. -o /dev/null $source.cpp >>"$log" 2>&1

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "history.h"
 #include "machine.h"
 #include "names.h"
 #include "session.h"
@@ -35,6 +36,7 @@ class Cells {
         domain, grid.nx, [&](Index, Index column, Index row) { place_.push_back((row - box_.y) * box_.nx + column - box_.x); });
   }
 
+  const rc_common::Box& box() const { return box_; }
   Window window() const { return {box_.nx, box_.ny}; }
   Index count() const { return box_.points(); }
 
@@ -74,9 +76,7 @@ class Cells {
     device.upload(to, all.data(), all.size() * sizeof(double));
   }
 
-  // Between their ends, beyond which they are where a stop came between a step and its cut.
-  void download_pressures(Device& device, double* from, double cap, double* p) const {
-    device.each(count(), Clamp{from, cap});
+  void download_pressures(Device& device, const double* from, double* p) const {
     if (place_.empty()) return device.download(p, from, static_cast<std::size_t>(count()) * sizeof(double));
     std::vector<double> all(static_cast<std::size_t>(count()));
     device.download(all.data(), from, all.size() * sizeof(double));
@@ -109,9 +109,10 @@ template <class M> class Count {
   Index told_ = 0;
 };
 
+// from_history: p is as the core gave it.
 template <class R>
-rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options* options, const rc::Problem& problem, double* p,
-                  double& d) {
+rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options* options, const rc::Problem& problem,
+                  bool from_history, double* p, double& d) {
   const rc_grid& grid = *problem.grid();
   const Settings settings(host, options);
   const auto coefficients = [&](Index mx, Index my, double* out) {
@@ -132,13 +133,17 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
   using M = DeviceMachine<R, WholeDevice>;
   engine->plan<R>(torus, box, box);
   engine->plan<double>(torus, box, box);
-  engine->make_room({torus.bytes<double>(), M::bytes(cells.count(), trees.bytes())}, spectrum->bytes(), settings.limit,
+  History history(given, settings.index);
+  const Rooms rooms{torus.bytes<double>(), M::bytes(cells.count(), trees.bytes())};
+  if (history.bytes() > 0 && !engine->has_room(rooms, spectrum->bytes() + history.bytes(), settings.limit)) history.give_way();
+  engine->make_room(rooms, spectrum->bytes() + history.bytes(), settings.limit,
                     "a solve over " + std::to_string(box.nx) + "x" + std::to_string(box.ny) + " points");
   const typename M::Memory memory = M::place(engine->vectors(), cells.count(), trees.bytes());
   trees.place(device, memory.trees);
   cells.upload_state(device, memory.state);
   cells.upload_compenetration(device, memory.u, memory.spare);
-  cells.upload_pressures(device, p, memory.p);
+  const Start start{cells.box(), problem.pressure_unit(), problem.cap(), memory.p};
+  if (!from_history || !history.write(device, start)) cells.upload_pressures(device, p, memory.p);
 
   WholeDevice whole(*engine, *spectrum, box, given.zero_mode);
   M machine(whole, cells.count(), problem.cap(), memory, trees.passes());
@@ -166,7 +171,10 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
     if (stop.code < 0) throw;
     status = stop.code;
   }
-  cells.download_pressures(device, memory.p, problem.cap(), p);
+  // A stop may come between a step and its cut.
+  device.each(cells.count(), Clamp{memory.p, problem.cap()});
+  if (status == RC_OK) history.keep(device, start, engine->bytes() + spectrum->bytes(), settings.limit);
+  cells.download_pressures(device, memory.p, p);
   engine.give_back();
   return status;
 }
@@ -178,10 +186,11 @@ rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* 
     const rc::Problem problem(*host, *given, *options);
     const std::span<double> pressures(p, static_cast<std::size_t>(given->n));
     const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? names::solver : nullptr;
-    if (!rc::serves(problem, coarse_solver, pressures)) rc::start_haar_cg(problem, coarse_solver, pressures, *d);
+    const bool warm = rc::serves(problem, coarse_solver, pressures);
+    if (!warm) rc::start_haar_cg(problem, coarse_solver, pressures, *d);
     const bool mixed = problem.option_text("haar-cg.products") == "mixed";
-    rc_status status =
-        mixed ? iterate<float>(host, *given, options, problem, p, *d) : iterate<double>(host, *given, options, problem, p, *d);
+    const auto iterate_in = mixed ? iterate<float> : iterate<double>;
+    rc_status status = iterate_in(host, *given, options, problem, warm, p, *d);
     if (status == RC_STOP_STALLED && !problem.load_control() && problem.has_subset()) {
       problem.note(std::string(names::solver) + ": stalled; nnls finished");
       status = problem.by_nnls(p);

@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 11u /* grows when a vtable gets a new member at its end                           */
+#define RC_PLUGIN_ABI_MINOR 12u /* grows when a vtable gets a new member at its end                           */
 
 #ifdef __cplusplus
 extern "C" {
@@ -252,6 +252,22 @@ typedef struct rc_coarse {
   double tol;          /* 0: that of the step                                                                  */
 } rc_coarse;
 
+/** Answers that a solver keeps between the steps of a history where it works, as a device does. Valid while solve() runs. */
+typedef struct rc_history rc_history;
+struct rc_history {
+  size_t struct_size;
+  /* What this solver kept of the last step, NULL where the start is not made of that, and of the one before it. NULL: nothing.
+     Where `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's pressures a and b in these
+     steps; b plays no part where ahead is 0. p has these values in any case. The solver may drop what it kept, and no later
+     step starts from `before`: its memory is free for use                                                              */
+  void *last, *before;
+  double ahead;
+  double hardness; /* [force/length^2] pressure of a point with p = cap, others have p*rc_problem.pressure; INFINITY: none */
+  /** Hands over an object that stands for the p that solve() then returns. It is passed to destroy once no later step can start
+   *  from it: during a later step, or with the contact; rc_host is still valid. */
+  void (*keep)(const rc_history *, void *object, void (*destroy)(void *object));
+};
+
 /** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (displacement
  *  control) or w = H p - u - d (load control, d found): p >= 0, w >= 0, p w = 0. */
 typedef struct rc_problem rc_problem;
@@ -305,6 +321,7 @@ struct rc_problem {
    *  it last said so: rc_result counts them. Since plugin ABI minor 9. */
   void (*multiplied)(const rc_problem *, int64_t products);
   double zero_mode; /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out. Since minor 9 */
+  const rc_history *history; /* NULL: no later step starts from this answer as it is. Since plugin ABI minor 12 */
 };
 
 /** What a solver says of one step of one of many contacts; in the caller's units. */

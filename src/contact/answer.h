@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/kept_history.h"
 #include "contact/pressures.h"
 #include "contact/step/auto_choice.h"
 #include "core/chunks.h"
@@ -28,6 +29,7 @@ struct Answer {
   std::optional<Deflected> checked;                           // H p where it matters, if the operator screened all points
   bool handed_over = false;  // the solver's own load control stalled; an iteration on the approach took over
   double datum_shift = 0;    // [length] what the trial set's zero mode adds to H p
+  KeptHistory history;       // of p
 
   double cap() const { return hardness / pressure_unit; }  // the largest p
 

@@ -34,6 +34,7 @@ Contact::Contact(const rc_system& system, const rc_options& options, const Ranks
     : grid_(system, options, nullptr, ranks) {
   grid_.leave_indentations();
   grid_.work().goal = goal_of(options);
+  grid_.work().keeps_history = true;
 }
 
 void Contact::set_options(const rc_options& options) {

@@ -156,7 +156,7 @@ void GridContact::remember(Finished&& finished, const rc_result& result) {
     kept = {};  // the answer is written: all of them are kept
   }
   if (kept.empty()) kept = std::move(finished.pressures);
-  memory_.record({std::move(kept), result.approach, result.load, true});
+  memory_.record({std::move(kept), result.approach, result.load, true, std::move(finished.kept)});
   if (leaves_indentation_) overlap_ = std::move(finished.overlap);
 }
 

@@ -78,6 +78,11 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
   return p;
 }
 
+KeptHistory Memory::history(const rc_step& step) const {
+  const bool from_last = !step.p0 && step.warm_start && !last.pressures.empty();
+  return {from_last ? last.kept : KeptAnswer{}, before.kept, ahead(step), {}};
+}
+
 std::vector<double> Memory::earlier(const rc_step& step, const TrialSet& trial) const {
   std::vector<double> p;
   for (std::int64_t i = 0; step.p0 && i < trial.n; ++i) p.push_back(std::max(0.0, step.p0[trial.point(i)]));

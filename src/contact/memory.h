@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/kept_history.h"
 #include "contact/pressures.h"
 #include "contact/step_surface.h"
 
@@ -16,6 +17,7 @@ struct CertifiedStep {
   double approach = 0;    // [length]
   double load = 0;        // [force]
   bool same_gap = false;  // its surface is that of the current step
+  KeptAnswer kept = {};   // of its pressures, by their solver
 };
 
 struct Memory {
@@ -32,6 +34,8 @@ struct Memory {
   // step's.
   std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
                             const Pressures* nearer) const;
+  // What start() without `nearer` made its pressures of.
+  KeptHistory history(const rc_step& step) const;
   // Pressures there at the approach that a warm step comes from; empty where it comes from none.
   std::vector<double> earlier(const rc_step& step, const TrialSet& trial) const;
   // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.

@@ -93,7 +93,9 @@ class Workspace {
   const System system;
   const Host host;  // with the system's kernel
   rc_options options;
-  Goal goal;  // set by Contact: the contact of a coarser grid has no goal
+  // Both set by Contact: the contact of a coarser grid has no goal, and its solvers keep nothing between steps.
+  Goal goal;
+  bool keeps_history = false;
   StepSurface surface;
   GapOnDevice gap_on_device;  // of the surface, where it is_of() that
   StepRecord record;

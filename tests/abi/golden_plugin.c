@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 11);
+VALUE(RC_PLUGIN_ABI_MINOR, 12);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -174,7 +174,7 @@ AT(rc_coarse, keep, 76);
 AT(rc_coarse, load, 80);
 AT(rc_coarse, tol, 88);
 
-SIZE(rc_problem, 208);
+SIZE(rc_problem, 216);
 AT(rc_problem, struct_size, 0);
 AT(rc_problem, n, 8);
 AT(rc_problem, control, 16);
@@ -203,6 +203,15 @@ AT(rc_problem, cap, 176);
 AT(rc_problem, rows, 184);
 AT(rc_problem, multiplied, 192);
 AT(rc_problem, zero_mode, 200);
+AT(rc_problem, history, 208);
+
+SIZE(rc_history, 48);
+AT(rc_history, struct_size, 0);
+AT(rc_history, last, 8);
+AT(rc_history, before, 16);
+AT(rc_history, ahead, 24);
+AT(rc_history, hardness, 32);
+AT(rc_history, keep, 40);
 
 SIZE(rc_many_answer, 80);
 AT(rc_many_answer, solved, 0);

@@ -56,14 +56,15 @@ inline rc_system grid_of(std::int64_t n) {
 // A context that has the plugin, and a contact on it.
 class Contact {
  public:
-  explicit Contact(double memory_limit = 1048576, std::int64_t n = side, const rc_plugin* plugin = device::plugin()) {
+  explicit Contact(double memory_limit = 1048576, std::int64_t n = side, const rc_plugin* plugin = device::plugin())
+      : Contact(memory_limit, grid_of(n), plugin) {}
+  Contact(double memory_limit, const rc_system& system, const rc_plugin* plugin) {
     const rc_context_config config = {sizeof config, RC_CONTEXT_NO_PLUGINS, 0, nullptr, nullptr, nullptr};
     assert_int_equal(rc_context_create(&config, &context_), RC_OK);
     assert_int_equal(rc_context_register(context_, plugin), RC_OK);
     assert_int_equal(rc_options_create(context_, &options_), RC_OK);
     assert_int_equal(rc_options_set_real(options_, "cuda-host.memory_limit", memory_limit), RC_OK);
     use("haar-cuda-host", "cuda-host");
-    const rc_system system = grid_of(n);
     assert_int_equal(rc_contact_create(&system, options_, &contact_), RC_OK);
   }
   ~Contact() {

@@ -39,6 +39,39 @@ struct Clamp {
   RC_ANYWHERE void operator()(Index i) const { p[i] = p[i] > 0 ? (p[i] < cap ? p[i] : cap) : 0; }
 };
 
+// Pressures [force/length^2] over a box of a grid, 0 beyond it; null: none.
+struct StoredPressures {
+  const double* p;
+  Index x, y, nx, ny;
+  RC_ANYWHERE double at(Index column, Index row) const {
+    const bool there = p && column >= x && column < x + nx && row >= y && row < y + ny;
+    return there ? p[(row - y) * nx + column - x] : 0.0;
+  }
+};
+
+// The start of a step from the last one and, where `ahead` is not 0, the one before it.
+struct Restart {
+  StoredPressures last, before;
+  double ahead, unit, cap;
+  double* p;
+  Index x, y, nx;  // of its box
+  RC_ANYWHERE void operator()(Index i) const {
+    const Place place = place_of(i, nx);
+    double value = last.at(x + place.column, y + place.row);
+    if (ahead != 0) value += ahead * (value - before.at(x + place.column, y + place.row));
+    const double start = value / unit > 0 ? value / unit : 0;
+    p[i] = start < cap ? start : cap;
+  }
+};
+
+// To pressures; hardness: where p is the cap.
+struct Store {
+  const double* p;
+  double unit, cap, hardness;
+  double* to;
+  RC_ANYWHERE void operator()(Index i) const { to[i] = p[i] < cap ? p[i] * unit : hardness; }
+};
+
 template <class R> struct Scale {
   double *p, by, cap;
   R* z;

@@ -182,7 +182,7 @@ class Device {
   cudaStream_t stream() const { return stream_; }
   std::size_t free_bytes() { return free_bytes_of(index_); }
   void* allocate(std::size_t bytes);
-  void release(void* memory) noexcept { cudaFree(memory); }
+  static void release(void* memory) noexcept { cudaFree(memory); }
   void upload(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyHostToDevice); }
   void download(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyDeviceToHost); }
   void clear(void* memory, std::size_t bytes) { checked(cudaMemsetAsync(memory, 0, bytes, stream_), "cudaMemsetAsync"); }

@@ -49,7 +49,7 @@ class Device {
   Index index() const { return index_; }
   std::size_t free_bytes();
   void* allocate(std::size_t bytes);
-  void release(void* memory) noexcept;
+  static void release(void* memory) noexcept;
   void upload(void* to, const void* from, std::size_t bytes) {
     call("upload");
     count(bytes, 0);

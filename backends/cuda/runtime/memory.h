@@ -11,14 +11,14 @@ namespace rc_cuda {
 class Memory {
  public:
   Memory() = default;
-  Memory(Device& device, std::size_t bytes) : device_(&device), at_(device.allocate(bytes)), bytes_(bytes) {}
+  Memory(Device& device, std::size_t bytes) : at_(device.allocate(bytes)), bytes_(bytes) {}
   Memory(Memory&& other) noexcept { swap(other); }
   Memory& operator=(Memory&& other) noexcept {
     swap(other);
     return *this;
   }
   ~Memory() {
-    if (at_) device_->release(at_);
+    if (at_) Device::release(at_);
   }
 
   std::size_t bytes() const { return bytes_; }
@@ -28,12 +28,10 @@ class Memory {
 
  private:
   void swap(Memory& other) {
-    std::swap(device_, other.device_);
     std::swap(at_, other.at_);
     std::swap(bytes_, other.bytes_);
   }
 
-  Device* device_ = nullptr;
   void* at_ = nullptr;
   std::size_t bytes_ = 0;
 };

@@ -312,7 +312,7 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
   const double depth = !answer.op ? without : stopped ? fitting_compression(work, found) : answer.compression;
   Overlap overlap = overlap_of(work, found, depth);
   finish(work, step, answer, found, depth, std::move(rate), monitor, result);
-  return {result.status, std::move(found.pressures), std::move(overlap)};
+  return {result.status, std::move(found.pressures), std::move(overlap), std::move(answer.history.own)};
 }
 
 rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {

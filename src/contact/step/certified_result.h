@@ -11,6 +11,7 @@ struct Finished {
   rc_status status = RC_OK;  // the result's
   Pressures pressures = {};  // of use only if the step is certified or within its goal
   Overlap overlap = {};      // likewise: where the pressures are the hardness
+  KeptAnswer kept = {};      // likewise: of the pressures
 };
 
 // Certifies the answer of a step, writes the result and at last the caller's arrays. answer: default constructed where nothing

@@ -18,13 +18,14 @@ Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& ste
   on_all(work.ranks(), [&] {
     answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr);
   });
+  if (!nearer) answer.history = memory.history(step);
   nearer.reset();
   if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(step, trial);
   answer.compression = answer.limit = depth;
   const std::vector<double> u = compenetrations(answer, step.target, work);
   const double tol = solver_tol(work) * (residual_scale(step, work, depth) / depth);
   double unused = 0;
-  answer.status = SolverRun(work, answer, monitor)(step.control, u, 0, tol, step.target, answer.p, unused);
+  answer.status = SolverRun(work, answer, monitor, &answer.history)(step.control, u, 0, tol, step.target, answer.p, unused);
   return answer;
 }
 

@@ -135,6 +135,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     on_all(work.ranks(),
            [&] { answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr); });
+    if (!nearer) answer.history = memory.history(from);
     nearer.reset();
     if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
     const double wanted = load / answer.pressure_unit;
@@ -142,7 +143,8 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     if (direct) {
       const std::vector<double> u = compenetrations(answer, lowest, work);
       double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
-      answer.status = SolverRun(work, answer, monitor)(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
+      SolverRun run_solver(work, answer, monitor, &answer.history);
+      answer.status = run_solver(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
       answer.compression = d;
     } else {
       double first = estimate                         ? (likely - lowest) / height

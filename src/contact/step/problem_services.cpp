@@ -10,7 +10,12 @@
 
 namespace rc {
 
-// rc_problem, and the state that its callbacks need.
+// rc_history and rc_problem, and the state that their callbacks need.
+struct BoundHistory : rc_history {
+  KeptHistory* all;
+  const rc_solver* by;
+};
+
 struct BoundProblem : rc_problem {
   explicit BoundProblem(SolverRun& solver_run) : rc_problem{}, run(solver_run) {}
   BoundProblem(const BoundProblem&) = delete;
@@ -24,6 +29,7 @@ struct BoundProblem : rc_problem {
   SharedRows shared;
   TrialSet trial;
   rc_grid where{};
+  BoundHistory kept{};
   std::int64_t most_iterations = std::numeric_limits<std::int64_t>::max();
 };
 
@@ -133,6 +139,15 @@ void note(const rc_problem* problem, const char* text) {
     run_of(problem).note(text);
     return RC_OK;
   });
+}
+
+void keep(const rc_history* history, void* object, void (*destroy)(void*)) {
+  const BoundHistory& own = *static_cast<const BoundHistory*>(history);
+  try {
+    own.all->own = {own.by, std::shared_ptr<void>(object, destroy)};
+  } catch (const std::bad_alloc&) {
+    // it is destroyed: the next step starts from the host's copy
+  }
 }
 
 void connect(BoundProblem& problem);
@@ -246,11 +261,16 @@ void connect(BoundProblem& problem) {
   }
 }
 
+bool warms_up(const rc_solver& solver, const rc_options& options) {
+  const std::string& first = options.text(RC_OPT_WARMUP);
+  return first != "none" && first != solver.name;
+}
+
 // The warm-up: some iterations of another solver come first. They need not converge.
 rc_status warm_up(BoundProblem& problem, double* p, double* d) {
   const SolverRun& run = problem.run;
+  if (!warms_up(run.solver, run.work.options)) return RC_OK;
   const std::string& name = run.work.options.text(RC_OPT_WARMUP);
-  if (name == "none" || name == run.solver.name) return RC_OK;
   const rc_solver& solver = run.work.options.context->solver(name);
   if (!(solver.controls & static_cast<std::uint32_t>(problem.control))) {
     run.note(join("warmup: \"", name, "\" cannot prescribe the load and was left out"));
@@ -268,11 +288,10 @@ rc_status warm_up(BoundProblem& problem, double* p, double* d) {
 }  // namespace
 
 bool takes_gap(const rc_solver& solver, const rc_options& options) {
-  const std::string& first = options.text(RC_OPT_WARMUP);
-  return (solver.needs & RC_READS_GAP) && (first == "none" || first == solver.name);
+  return (solver.needs & RC_READS_GAP) && !warms_up(solver, options);
 }
 
-SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch)
+SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch, KeptHistory* history)
     : work(workspace),
       solver(*answer.choice.solver),
       backend(*answer.choice.backend),
@@ -284,6 +303,7 @@ SolverRun::SolverRun(Workspace& workspace, const Answer& answer, Monitor& watch)
       pressure_unit(workspace.system.halfspace() ? answer.pressure_unit : 0),
       cap(answer.cap()),
       most_iterations(workspace.record.look > 0 ? workspace.record.look : std::numeric_limits<std::int64_t>::max()),
+      history_(history),
       warmed_up_(workspace.record.look > 0) {}
 
 void SolverRun::note(const std::string& text) const {
@@ -312,6 +332,19 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   if (!warmed_up_) {
     warmed_up_ = true;
     if (const rc_status status = warm_up(problem, p.data(), &d); status != RC_OK) return status;
+  }
+  if (history_ && work.keeps_history && grid.nx > 0 && !work.ranks()) {
+    const bool as_given = !warms_up(solver, work.options);
+    problem.kept = {{.struct_size = sizeof(rc_history),
+                     .last = as_given ? history_->last.of(solver) : nullptr,
+                     .before = as_given ? history_->before.of(solver) : nullptr,
+                     .ahead = history_->ahead,
+                     .hardness = work.system.hardness,
+                     .keep = keep},
+                    history_,
+                    &solver};
+    problem.history = &problem.kept;
+    history_ = nullptr;
   }
   const rc_status status = solve(solver, problem, p.data(), &d);
   work.record.by_solver = status < 0 && !op.failed();

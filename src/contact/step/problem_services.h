@@ -20,8 +20,9 @@ struct BoundProblem;
 // Runs one solver for one answer. It makes the problem that the solver sees, and its services.
 class SolverRun {
  public:
-  // Runs the solver of answer.choice on answer.op. All three must outlive it.
-  SolverRun(Workspace& work, const Answer& answer, Monitor& monitor);
+  // Runs the solver of answer.choice on answer.op. history: null, or what the first run's start was made of, with room for what
+  // its solver keeps of its answer. All four must outlive it.
+  SolverRun(Workspace& work, const Answer& answer, Monitor& monitor, KeptHistory* history = nullptr);
 
   // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
   // p and d: start in, answer out. `approach`: the grid's. u may be empty for a solver that reads the gap.
@@ -48,6 +49,7 @@ class SolverRun {
   void note(const std::string& text) const;
 
  private:
+  KeptHistory* history_;
   bool warmed_up_;  // the warm-up runs once, however often the solver does
 };
 
