@@ -94,8 +94,13 @@ contains
   ! for all.
   ! Outputs have the shape (steps, contacts), p and p0 the shape (nx, ny, contacts). status: of every step. fn: as above, with the
   ! contact's number, from 0, before the step's; it is called from several threads at the same time.
+  ! progress: likewise, of
+  !   integer(c_int32_t) function progress(ended, user) bind(c)    ! nonzero: end the batch
+  !     integer(c_int64_t), value :: ended                         ! steps of all contacts so far
+  !     type(c_ptr), value :: user
   subroutine rcf_batch_solve(system, undeformed_gap, displacements, loads, mask, warm_start, p0, p, load, approach, contact_area, &
-    stiffness, certificate, status, iterations, applications, fn, user, options, certified, first, stat, errmsg)
+    stiffness, certificate, status, iterations, applications, fn, user, options, certified, first, progress, &
+    stat, errmsg)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :, :)
     real(c_double), intent(in), optional, target, contiguous :: displacements(:, :), loads(:, :), p0(:, :, :)
@@ -104,7 +109,7 @@ contains
       contact_area(:, :), stiffness(:, :), certificate(:, :)
     integer(rc_status), intent(inout), optional, target, contiguous :: status(:, :)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: iterations(:, :), applications(:, :)
-    type(c_funptr), intent(in), optional :: fn
+    type(c_funptr), intent(in), optional :: fn, progress
     type(c_ptr), intent(in), optional :: user, options
     integer, intent(out), optional :: certified, first  ! certified contacts; the one whose status is returned, or 0
     integer, intent(out), optional :: stat
@@ -171,6 +176,7 @@ contains
 
     if (present(warm_start)) batch%warm_start = merge(1, 0, warm_start)
     if (present(fn)) batch%fn = fn
+    if (present(progress)) batch%progress = progress
     batch%user = rcf_or_null(user)
     answer = rc_batch_solve(sized, rcf_or_null(options), batch)
     if (present(certified)) certified = int(batch%certified)

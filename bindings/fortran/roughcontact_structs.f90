@@ -90,7 +90,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_batch
-    integer(c_size_t) :: struct_size = merge(200, 136, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(208, 140, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0, steps = 0
     type(c_ptr) :: targets = c_null_ptr  ! const double *
@@ -108,6 +108,7 @@ module roughcontact_structs
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
+    type(c_funptr) :: progress = c_null_funptr  ! integer(c_int32_t) function progress(ended, user) bind(c)
   end type
 
   type, bind(c) :: rc_level

@@ -81,6 +81,11 @@ RC_API rc_status rc_contact_restore(rc_contact *contact, const rc_state *state);
  *  time. Return nonzero to end the batch: fn is then not called for further steps. Must return: no exception, no longjmp. */
 typedef int32_t (*rc_batch_fn)(int64_t contact, int64_t step, const rc_result *result, void *user);
 
+/** Called after each step that is solved by itself and after each group of contacts that are solved at once, on the thread that did
+ *  so; by several threads at the same time. ended: steps of the batch with outputs, so far; in any order where there are
+ *  several threads. Return nonzero to end the batch. Must return: no exception, no longjmp. */
+typedef int32_t (*rc_batch_progress_fn)(int64_t ended, void *user);
+
 enum { RC_BATCH_SHARED = -1 }; /* as a stride: one array for all contacts                                            */
 
 /** The loading histories of many contacts on one system: surfaces of a Monte Carlo study, Gauss points of a finite element
@@ -112,14 +117,15 @@ typedef struct rc_batch {
   int64_t *iterations;  /* out, of the solver                                                                        */
   int64_t *applications; /* out, products with H                                                                     */
   rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                                */
-  void *user;           /* handed to fn                                                                              */
+  void *user;           /* handed to fn and progress                                                                 */
   int64_t written;      /* out: contacts whose outputs are written: n, or 0 if the call itself was refused           */
   int64_t certified;    /* out: contacts of which every step is certified                                            */
   int64_t first;        /* out: the contact whose status is returned; -1: none, or RC_WITHIN_GOAL                    */
+  rc_batch_progress_fn progress; /* sees how far the batch is; NULL: none                                            */
 } rc_batch;
 #define RC_BATCH_INIT                                                                                                  \
   { sizeof(rc_batch), 0, 1, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, \
-    NULL, NULL, NULL, 0, 0, -1 }
+    NULL, NULL, NULL, 0, 0, -1, NULL }
 
 /** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_path: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
@@ -130,7 +136,8 @@ typedef struct rc_batch {
  *  A contact that fails does not stop the others. RC_OK: every step of every contact is certified. Otherwise the status of the
  *  first contact that failed or, if none did, of the first that is not certified, and rc_last_error() says how many
  *  contacts ended with which status. RC_WITHIN_GOAL: some steps ended so, all others are certified. All outputs are then
- *  written (rc_batch.written is n). RC_STOP_CANCELLED if fn ended the batch and no contact failed: what was finished stays.
+ *  written (rc_batch.written is n). RC_STOP_CANCELLED if fn or progress ended the batch and no contact failed: what was
+ *  finished stays.
  *  Errors: as rc_contact_create and rc_contact_solve; ARGUMENT and SHAPE for the batch itself, with written = 0. */
 RC_API rc_status rc_batch_solve(const rc_system *system, const rc_options *options, rc_batch *batch);
 /** @} */

@@ -180,7 +180,7 @@ AT(rc_path, fn, 96);
 AT(rc_path, user, 104);
 AT(rc_path, completed, 112);
 
-SIZE(rc_batch, 200);
+SIZE(rc_batch, 208);
 AT(rc_batch, struct_size, 0);
 AT(rc_batch, control, 8);
 AT(rc_batch, warm_start, 12);
@@ -207,6 +207,7 @@ AT(rc_batch, user, 168);
 AT(rc_batch, written, 176);
 AT(rc_batch, certified, 184);
 AT(rc_batch, first, 192);
+AT(rc_batch, progress, 200);
 
 SIZE(rc_gradient, 88);
 AT(rc_gradient, struct_size, 0);

@@ -122,6 +122,74 @@ void fn_ends_it_after_the_last_step() {
   check(says(outcome, "rc_batch.fn ended the batch; all 3 contacts are certified"), outcome.message);
 }
 
+struct Heard {
+  std::atomic<std::int64_t> calls{0}, most{0}, end_at{-1};
+};
+
+std::int32_t hear(std::int64_t ended, void* user) {
+  Heard& heard = *static_cast<Heard*>(user);
+  ++heard.calls;
+  std::int64_t most = heard.most;
+  while (most < ended && !heard.most.compare_exchange_weak(most, ended)) {
+  }
+  return heard.end_at >= 0 && ended >= heard.end_at;
+}
+
+void progress_hears_of_every_step() {
+  for (const int threads : {1, 3}) {
+    Study study = rough_study(6, 3, RC_CONTROL_LOAD);
+    study.target(2, 1) = -1;  // its last two steps have outputs all the same
+    Heard heard;
+    const auto with_progress = [&](rc_batch& batch) {
+      batch.progress = hear;
+      batch.user = &heard;
+    };
+    check_same(study.solve(1), study.solve(threads, with_progress));
+    check_equal(heard.most.load(), std::int64_t{18}, "steps");
+    check_equal(heard.calls.load(), std::int64_t{17}, "calls: one for both steps that failed");
+  }
+}
+
+void progress_ends_the_batch() {
+  for (const int threads : {1, 3}) {
+    const Study study = rough_study(8, 2);
+    const Outcome sound = study.solve(1);
+    Heard heard;
+    heard.end_at = 5;
+    const Outcome outcome = study.solve(threads, [&](rc_batch& batch) {
+      batch.progress = hear;
+      batch.user = &heard;
+    });
+    check(outcome.status == RC_STOP_CANCELLED && outcome.written == 8, outcome.message);
+    check(says(outcome, "rc_batch.progress ended the batch"), outcome.message);
+    std::int64_t certified_steps = 0;
+    for (std::size_t at = 0; at < outcome.statuses.size(); ++at) {
+      if (outcome.statuses[at] != RC_OK) {
+        check_equal(outcome.statuses[at], RC_STOP_CANCELLED, "status");
+        continue;
+      }
+      ++certified_steps;
+      check(outcome.load[at] == sound.load[at], "what was finished does not stay");
+    }
+    check(certified_steps >= 5 && certified_steps < 5 + threads, std::to_string(certified_steps) + " steps");
+  }
+}
+
+// What lies behind an older caller's struct is not looked at.
+void an_older_callers_batch_has_no_progress() {
+  const Study study = rough_study(2, 1);
+  Heard heard;
+  heard.end_at = 0;
+  check_outcome(study.solve(1,
+                            [&](rc_batch& batch) {
+                              batch.struct_size = offsetof(rc_batch, progress);
+                              batch.progress = hear;
+                              batch.user = &heard;
+                            }),
+                RC_OK, 2, 2, -1);
+  check_equal(heard.calls.load(), std::int64_t{0}, "calls");
+}
+
 void the_time_limit_is_the_batchs() {
   Study study = rough_study(4, 2);
   study.settings = {{RC_OPT_TIME_LIMIT, "1e-9"}};
@@ -161,6 +229,9 @@ std::vector<Test> ending_tests() {
           {"an_uncertified_step_is_written_and_ends_its_contact", an_uncertified_step_is_written_and_ends_its_contact},
           {"fn_ends_the_batch", fn_ends_the_batch},
           {"fn_ends_it_after_the_last_step", fn_ends_it_after_the_last_step},
+          {"progress_hears_of_every_step", progress_hears_of_every_step},
+          {"progress_ends_the_batch", progress_ends_the_batch},
+          {"an_older_callers_batch_has_no_progress", an_older_callers_batch_has_no_progress},
           {"the_time_limit_is_the_batchs", the_time_limit_is_the_batchs},
           {"a_running_solve_is_stopped", a_running_solve_is_stopped}};
 }

@@ -64,7 +64,7 @@ void null_pointers_are_refused() {
   check(std::string(rc_last_error()) == "rc_batch_solve: rc_batch is null", rc_last_error());
   check_equal(rc_batch_solve(nullptr, nullptr, &b), RC_ERR_ARGUMENT, "system null");
   check(std::string(rc_last_error()) == "rc_batch_solve: rc_system is null", rc_last_error());
-  for (const std::size_t size : {std::size_t{0}, sizeof b - 1, std::size_t{100000}}) {
+  for (const std::size_t size : {std::size_t{0}, offsetof(rc_batch, progress) - 1, std::size_t{100000}}) {
     b.struct_size = size;
     b.written = 5;
     check_equal(rc_batch_solve(&system, nullptr, &b), RC_ERR_ARGUMENT, "struct_size");

@@ -448,6 +448,54 @@ void any_call_may_fail_in_the_middle_of_a_batch(void**) {
   }
 }
 
+struct Heard {
+  std::vector<std::int64_t> ended;
+  std::int64_t end_at = -1;
+};
+
+void with_progress(rc_batch& batch, Heard& heard) {
+  batch.user = &heard;
+  batch.progress = [](std::int64_t ended, void* user) {
+    Heard& all = *static_cast<Heard*>(user);
+    all.ended.push_back(ended);
+    return static_cast<std::int32_t>(all.end_at >= 0 && ended >= all.end_at);
+  };
+}
+
+// A progress function leaves them together; it hears of each part.
+void progress_hears_of_parts(void**) {
+  const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 2);
+  const Contact context, little(0.15);
+  Heard of_all, of_parts;
+  const Found plain = solved(s, context);
+  const Found all = solved(s, context, 1, [&](rc_batch& b) { with_progress(b, of_all); });
+  const Found parts = solved(s, little, 1, [&](rc_batch& b) { with_progress(b, of_parts); });
+  expect_same(plain, all);
+  expect_same(plain, parts);
+  assert_true(all.calls == plain.calls && all.calls < few_calls);
+  assert_true(of_all.ended == std::vector<std::int64_t>{2 * s.n});
+  const std::vector<std::int64_t>& ended = of_parts.ended;
+  assert_true(ended.size() > 1 && std::is_sorted(ended.begin(), ended.end()) && ended.back() == 2 * s.n);
+}
+
+void progress_ends_a_batch_between_parts(void**) {
+  const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 2);
+  const Contact context, little(0.15);
+  const Found plain = solved(s, context);
+  Heard heard;
+  heard.end_at = 1;
+  const Found stopped = solved(s, little, 1, [&](rc_batch& b) { with_progress(b, heard); });
+  assert_int_equal(stopped.status, RC_STOP_CANCELLED);
+  if (stopped.words.find("rc_batch.progress ended the batch") == std::string::npos) fail_msg("%s", stopped.words.c_str());
+  assert_int_equal(heard.ended.size(), 1);
+  assert_true(stopped.certified > 0 && stopped.certified < s.n && heard.ended[0] == 2 * stopped.certified);
+  for (std::size_t at = 0; at < stopped.statuses.size(); ++at) {
+    const bool done = at < static_cast<std::size_t>(heard.ended[0]);
+    assert_int_equal(stopped.statuses[at], done ? RC_OK : RC_STOP_CANCELLED);
+    assert_true(!done || stopped.load[at] == plain.load[at]);
+  }
+}
+
 void too_little_memory_for_one(void**) {
   const Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);
   const Contact context(0.01);
@@ -486,6 +534,8 @@ int main() {
                               cmocka_unit_test(strides_and_shared_arrays),
                               cmocka_unit_test(bits_are_the_same_however_many_are_taken_at_once),
                               cmocka_unit_test(any_call_may_fail_in_the_middle_of_a_batch),
+                              cmocka_unit_test(progress_hears_of_parts),
+                              cmocka_unit_test(progress_ends_a_batch_between_parts),
                               cmocka_unit_test(too_little_memory_for_one),
                               cmocka_unit_test(a_batch_ends_in_time)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);

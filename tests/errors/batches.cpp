@@ -136,6 +136,12 @@ Section batches() {
                           return step == 1;
                         };
                       })},
+          {"batch that `progress` ends",
+           RC_STOP_CANCELLED,
+           {"rc_batch_solve: 2 of 3 contacts are not certified (2 RC_STOP_CANCELLED); first contact 1, step 1, target 0.4: "
+            "rc_batch.progress ended the batch"},
+           batch_with(3,
+                      [](Study& s) { s.batch.progress = [](std::int64_t ended, void*) -> std::int32_t { return ended == 3; }; })},
       }};
 }
 

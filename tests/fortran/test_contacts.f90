@@ -12,6 +12,15 @@ contains
     seen = seen + 1
     stop_now = merge(1, 0, step == 1 .and. result%load > 0)
   end function
+
+  integer(c_int32_t) function half_is_enough(ended, user) bind(c) result(stop_now)
+    integer(c_int64_t), value :: ended
+    type(c_ptr), value :: user
+    integer, pointer :: seen
+    call c_f_pointer(user, seen)
+    seen = int(ended)
+    stop_now = merge(1, 0, ended == 3)
+  end function
 end module
 
 program test_contacts
@@ -275,6 +284,8 @@ contains
     integer(c_int64_t) :: iterations(2, 3)
     type(rc_result) :: alone
     integer :: k, certified, first
+    integer, target :: seen
+    type(c_funptr) :: progress
     do k = 1, 3
       gaps(:, :, k) = rcf_gap_from_heights(k * z)
     end do
@@ -282,6 +293,9 @@ contains
     call rcf_batch_solve(system, gaps, approaches, p=all_p, load=load, status=statuses, iterations=iterations, &
       certified=certified, first=first)
     call check('a batch', certified == 3 .and. first == 0 .and. all(statuses == RC_OK) .and. all(iterations > 0))
+    progress = c_funloc(half_is_enough)
+    call rcf_batch_solve(system, gaps, approaches, certified=certified, progress=progress, user=c_loc(seen), stat=stat)
+    call check('ended by progress', stat == RC_STOP_CANCELLED .and. seen == 3 .and. certified == 1)
     call rcf_solve(system, gaps(:, :, 1), displacement=0.4_c_double, result=alone)
     call check('a contact of a batch', abs(load(2, 1) / alone%load - 1) < 1e-6)
     call rcf_batch_solve(system, gaps(:, :, 1:1), loads=load, stat=stat)

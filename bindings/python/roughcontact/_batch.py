@@ -1,6 +1,5 @@
 """Many contacts in one call."""
 
-import itertools
 from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional, Tuple
@@ -19,7 +18,7 @@ from ._keywords import Constant, lists_options, load_of, modulus_of, options_of,
 from ._maps import as_surface
 from ._progress import Bars
 from ._status import Status
-from ._structs import rc_batch, rc_batch_fn
+from ._structs import rc_batch, rc_batch_fn, rc_batch_progress_fn
 from ._threads import with_threads
 from .contact import control_and_target, refuse_another_pitch
 from .context import Context, Options, OptionSet
@@ -113,20 +112,24 @@ def batch(
     shared = masks if masks is not None and masks.ndim == axes else None
     grid = Grid(system.shape, system.pitch, system.periodic, shared, system.modulus)
 
-    bars, solved = Bars(), itertools.count(1)
+    bars = Bars()
 
     def after(contact: int, step: int, answer: Any, _: Any) -> object:
-        bars.show(next(solved))
-        if each is not None and not stop:
-            own = grid if masks is None or shared is not None else replace(grid, mask=masks[contact])
-            return each(contact, step, result_with_copies(answer.contents, own))
+        if stop or each is None:
+            return bool(stop)
+        own = grid if masks is None or shared is not None else replace(grid, mask=masks[contact])
+        return each(contact, step, result_with_copies(answer.contents, own))
+
+    def so_far(ended: int, _: Any) -> object:
+        bars.show(ended)
         return bool(stop)
 
     callbacks = Callbacks()
-    struct.fn = rc_batch_fn(callbacks.guarded(after))
+    struct.progress = rc_batch_progress_fn(callbacks.guarded(so_far))
+    if each is not None:
+        struct.fn = rc_batch_fn(callbacks.guarded(after))
     description, product = system.struct()
-    # Without `each` the function is there for Ctrl-C alone: bounds, which only it would see, are not computed.
-    chosen = dict(options or {}) if each is not None else {_constants.RC_OPT_BOUNDS: 0, **with_threads(options, system, n)}
+    chosen = dict(options or {}) if each is not None else with_threads(options, system, n)
 
     def call() -> int:
         with OptionSet(chosen, context) as handle:

@@ -47,4 +47,4 @@ class Bars:
             if residual is not None:
                 bar.set_postfix_str(f"residual {residual:.1e}", refresh=False)
             if done is not None:
-                bar.update(done - bar.n)
+                bar.update(max(done - bar.n, 0))

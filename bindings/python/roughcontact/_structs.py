@@ -64,12 +64,16 @@ class rc_state(Sized):
 rc_batch_fn = callback(int32_t, int64_t, int64_t, rc_result, handle)
 
 
+rc_batch_progress_fn = callback(int32_t, int64_t, handle)
+
+
 @struct
 class rc_batch(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
     doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride;
     doubles p0 p load approach contact_area stiffness certificate; statuses status;
-    integers iterations applications; rc_batch_fn fn; handle user; int64_t written certified first=-1"""
+    integers iterations applications; rc_batch_fn fn; handle user; int64_t written certified first=-1;
+    rc_batch_progress_fn progress"""
 
 
 @struct

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 
 from . import _constants
 from ._answers import _needed
-from ._arrays import Doubles, as_doubles, as_mask, as_switch, given
+from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given
 from ._c import members_for
 from ._calls import check as check_status
 from ._errors import ArgumentError, error_for
@@ -111,7 +111,8 @@ class Contact(OwnsHandle):
         self, system: HalfSpace, comm: Any = None, *, options: Options = None, context: Optional[Context] = None, **keywords: Any
     ) -> None:
         self._world = world = _world(comm)
-        self._handle, self._mask = ctypes.c_void_p(), None
+        self._handle = ctypes.c_void_p()
+        self._mask: Optional[Mask] = None
         with contextlib.ExitStack() as stack:
 
             def made() -> Any:

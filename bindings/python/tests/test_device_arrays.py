@@ -164,3 +164,22 @@ def test_what_cannot_be_handed_over_is_refused(sphere_gap, context, monkeypatch)
     refused(rc.ArgumentError, "kind 2, which no backend reaches", solved, Exported(sphere_gap), context)
     monkeypatch.setattr(_device, "BACKENDS", {2: b"dense"})
     refused(rc.IncompatibleError, "no device with a memory of its own", solved, Exported(sphere_gap), context)
+
+
+def test_a_batch_is_solved_at_once_where_nobody_looks_at_each_step(context):
+    gaps = np.stack([gap * k for k in (1.0, 1.2, 1.4) for gap in [rc.surface.spectral((24, 24), seed=1).undeformed_gap()]])
+    how = dict(pitch=PITCH, modulus=MODULUS, load=1e-3, context=context, keep_pressure=True, **PAIR)
+    together = rc.batch(undeformed_gap=gaps, **how)
+    alone = rc.batch(undeformed_gap=gaps, each=lambda *_: None, **how)
+    assert together.certified == alone.certified == 3
+    # The one gives other bits than the other, with the same certificate.
+    assert np.allclose(together.pressure, alone.pressure, atol=1e-4 * alone.pressure.max())
+    assert not np.array_equal(together.pressure, alone.pressure)
+
+
+def test_a_progress_bar_does_not_part_a_batch(context, monkeypatch):
+    seen = []
+    monkeypatch.setattr("roughcontact._batch.Bars.show", lambda _, ended: seen.append(ended))
+    gaps = np.stack([rc.surface.spectral((24, 24), seed=k).undeformed_gap() for k in range(3)])
+    rc.batch(undeformed_gap=gaps, pitch=PITCH, modulus=MODULUS, load=[1e-4, 1e-3], context=context, **PAIR)
+    assert seen == [6]

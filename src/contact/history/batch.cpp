@@ -103,8 +103,10 @@ struct Request {
 // What the threads share: the number of the next contacts, why the batch ends early, and the message that the call returns.
 class Progress {
  public:
-  Progress(std::int64_t n, double time_limit)
-      : endings_(static_cast<std::size_t>(n), RC_OK),
+  Progress(const rc_batch& batch, double time_limit)
+      : endings_(static_cast<std::size_t>(batch.n), RC_OK),
+        tell_(batch.progress),
+        user_(batch.user),
         time_limit_(time_limit),
         out_of_time_(join("time_limit = ", time_limit, " s is over")) {}
 
@@ -118,7 +120,18 @@ class Progress {
     rc_status none = RC_OK;
     stop_.compare_exchange_strong(none, why, std::memory_order_relaxed);
   }
-  const char* why_stopped() const { return stop_ == RC_STOP_TIME ? out_of_time_.c_str() : "rc_batch.fn ended the batch"; }
+  // `caller` ends the batch.
+  void stop_by(const char* caller) {
+    caller_.store(caller, std::memory_order_relaxed);
+    stop(RC_STOP_CANCELLED);
+  }
+  const char* why_stopped() const { return stop_ == RC_STOP_TIME ? out_of_time_.c_str() : caller_.load(); }
+
+  // So many more steps have outputs.
+  void add(std::int64_t steps) {
+    const std::int64_t all = steps_.fetch_add(steps, std::memory_order_relaxed) + steps;
+    if (tell_ && stopped() == RC_OK && tell_(all, user_) != 0) stop_by("rc_batch.progress ended the batch");
+  }
 
   // Contact i ended at step k, not certified. Allocates nothing, because an allocation may be what failed.
   void ended(std::int64_t i, std::int64_t k, double target, rc_status status, const char* message) {
@@ -165,10 +178,13 @@ class Progress {
 
  private:
   std::vector<rc_status> endings_;
+  const rc_batch_progress_fn tell_;  // null: nobody
+  void* const user_;
   const double time_limit_;
   const std::string out_of_time_;
   const Clock::time_point start_ = Clock::now();
-  std::atomic<std::int64_t> next_{0};
+  std::atomic<std::int64_t> next_{0}, steps_{0};
+  std::atomic<const char*> caller_{"rc_batch.fn ended the batch"};
   std::atomic<rc_status> stop_{RC_OK};
   std::mutex mutex_;  // guards the members below
   std::int64_t first_ = -1, first_step_ = 0;
@@ -208,8 +224,12 @@ class Worker {
   // reason, are solved by themselves.
   std::int64_t together(std::int64_t i, std::int64_t end) {
     const ManyAnswers answers = many_->solved(i, end);
+    std::vector<std::int64_t> others;
     for (std::int64_t k = 0; k < answers.contacts; ++k)
-      if (!take(i + k, answers.all.data() + k * request_.given.steps)) follow(i + k);
+      if (!take(i + k, answers.all.data() + k * request_.given.steps)) others.push_back(i + k);
+    const std::int64_t taken = answers.contacts - static_cast<std::int64_t>(others.size());
+    if (taken > 0) progress_.add(taken * request_.given.steps);
+    for (const std::int64_t other : others) follow(other);
     if (answers.contacts > 0) return answers.contacts;
     for (std::int64_t k = i; k < end; ++k) follow(k);
     return end - i;
@@ -240,13 +260,15 @@ class Worker {
   // History i ends at step k; from step `unanswered` on it has no answers.
   void end(std::int64_t i, std::int64_t k, std::int64_t unanswered, rc_status status, const char* message) {
     request_.write_none(i, unanswered, status);
+    progress_.add(request_.given.steps - unanswered);
     progress_.ended(i, k, request_.target(i, k), status, message);
   }
 
   void deliver(std::int64_t i, std::int64_t k, const rc_result& result) {
     request_.write(i, k, result);
-    if (!request_.given.fn || progress_.stopped() != RC_OK) return;
-    if (request_.given.fn(i, k, &result, request_.given.user) != 0) progress_.stop(RC_STOP_CANCELLED);
+    if (request_.given.fn && progress_.stopped() == RC_OK && request_.given.fn(i, k, &result, request_.given.user) != 0)
+      progress_.stop_by("rc_batch.fn ended the batch");
+    progress_.add(1);
   }
 
   rc_status solve(std::int64_t i, std::int64_t k, rc_result& result) {
@@ -334,7 +356,7 @@ BatchOutcome solve_batch(const rc_system& system, const rc_options& options, con
   const auto contact = [&] { return std::make_unique<Contact>(system, each); };
   std::unique_ptr<Contact> first = contact();  // checks the system and the options
   const Request request(batch, system.nx * system.ny);
-  Progress progress(batch.n, options.real(RC_OPT_TIME_LIMIT));
+  Progress progress(batch, options.real(RC_OPT_TIME_LIMIT));
   const std::int64_t threads = std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS));
   const std::optional<ManySolve> many = ManySolve::of(first->work(), request.given, threads);
   const ManySolve* const shared = many ? &*many : nullptr;
