@@ -33,7 +33,8 @@ made() { [ -e "$prefix/lib/$1" ]; }
 made libz.a || {
   unpack zlib
   cd "$prefix/unpacked"
-  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CHOST=$host CFLAGS="-O2 -fPIC" ./configure --static --prefix="$prefix"
+  # It takes today's macOS for one without fdopen, and would define a macro of that name.
+  CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CHOST=$host CFLAGS="-O2 -fPIC -Dfdopen=fdopen" ./configure --static --prefix="$prefix"
   make -j "$jobs" libz.a
   mkdir -p "$prefix/lib/pkgconfig"
   cp zlib.pc "$prefix/lib/pkgconfig"
