@@ -95,7 +95,7 @@ else
   if full; then
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
   else
-    families="batch errors faults formats honesty options plugins backend_contract threads"
+    families="batch device errors faults formats honesty options plugins backend_contract threads"
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
   fi
 

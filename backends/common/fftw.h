@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <optional>
 #include <roughcontact/plugin.hpp>
 #include <type_traits>
 
@@ -66,9 +67,10 @@ template <class Real> class PlannerLock {
 };
 
 template <class Real> struct DestroyPlan {
-  const rc_host* host = nullptr;
+  const rc_host* host = nullptr;  // null: it may be gone; FFTW's own lock, which PlannerLock has set up, is then enough
   void operator()(typename Fftw<Real>::Plan plan) const {
-    const PlannerLock<Real> lock(host);
+    std::optional<PlannerLock<Real>> lock;
+    if (host) lock.emplace(host);
     Fftw<Real>::destroy(plan);
   }
 };

@@ -1,8 +1,10 @@
 // What can go wrong with a device: each time a status, the driver's words, pressures that are not touched, and a contact that
 // goes on with another backend.
+#include <roughcontact/derivatives.h>
 #include <roughcontact/history.h>
 
 #include <cstdio>
+#include <cstring>
 #include <roughcontact/plugin.hpp>
 
 #include "lengths.h"
@@ -113,6 +115,39 @@ void coarser_grids_may_fail(void**) {
       expect_untouched(p);
     }
   assert_true(without > 0);
+}
+
+// Derivatives of a step make products on the device.
+void derivatives_may_fail(void**) {
+  for (const bool of_tangent : {false, true}) {
+    Contact contact;
+    std::vector<double> p, weight(hills().size(), 1), out(hills().size());
+    assert_int_equal(contact.solve(p), RC_OK);
+    const auto derive = [&] {
+      out.assign(hills().size(), untouched);
+      rc_gradient gradient = RC_GRADIENT_INIT;
+      gradient.dJ_dp = weight.data();
+      gradient.dJ_dundeformed_gap = out.data();
+      rc_tangent tangent = RC_TANGENT_INIT;
+      tangent.dundeformed_gap = weight.data();
+      tangent.dp = out.data();
+      return of_tangent ? rc_contact_tangent(contact.get(), &tangent) : rc_contact_gradient(contact.get(), &gradient);
+    };
+    host_faults() = {.fault = Fault::once, .at = 0};
+    assert_int_equal(derive(), RC_OK);
+    const std::int64_t all = host_faults().calls;
+    const std::vector<double> wanted = out;
+    assert_true(all > 10);
+    for (std::int64_t k = 1; k <= all; k += 1 + k / 8) {
+      host_faults() = {.fault = Fault::once, .at = k};
+      assert_int_equal(derive(), RC_ERR_EXTERNAL);
+      host_faults() = {};
+      assert_non_null(std::strstr(rc_last_error(), "the kernel failed"));
+      expect_untouched(out);
+      assert_int_equal(derive(), RC_OK);
+      for (std::size_t i = 0; i < out.size(); ++i) assert_true(std::abs(out[i] - wanted[i]) <= 1e-6 * (1 + std::abs(wanted[i])));
+    }
+  }
 }
 
 void a_history_goes_on_elsewhere(void**) {
@@ -227,6 +262,7 @@ int main() {
                               cmocka_unit_test(a_missing_device_is_told_in_the_drivers_words),
                               cmocka_unit_test(too_little_memory_is_told_in_bytes),
                               cmocka_unit_test(coarser_grids_may_fail),
+                              cmocka_unit_test(derivatives_may_fail),
                               cmocka_unit_test(a_history_goes_on_elsewhere),
                               cmocka_unit_test(contacts_of_a_batch_fail_by_themselves),
                               cmocka_unit_test(auto_passes_over_a_device_that_fails),

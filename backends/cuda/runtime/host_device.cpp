@@ -86,6 +86,7 @@ template <class Real> Lines<Real>::Lines(Device& device, const Shape& shape) : s
     plan_ = planner.complex_to_real(shape.length, in.data(), out.data(), flags | FFTW_PRESERVE_INPUT);
   else
     plan_ = planner.real_to_complex(shape.length, in.data(), out.data(), flags);
+  plan_.get_deleter().host = nullptr;  // contacts lend plans to each other
 }
 
 template <class Real> void Lines<Real>::run(Device& device, Real* data, void*) const {

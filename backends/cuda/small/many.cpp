@@ -23,7 +23,7 @@ std::size_t rounded(std::size_t bytes) { return (bytes + alignment - 1) / alignm
 // The arrays of a call on the device, one after the other; without memory it counts their bytes.
 class Arrays {
  public:
-  Arrays(const rc_many& many, Index contacts, unsigned char* memory) : at_(memory), begin_(memory) {
+  Arrays(const rc_many& many, Index contacts, unsigned char* memory) : memory_(memory) {
     const Index points = many.grid->nx * many.grid->ny;
     const auto of_all = [&](Index stride) { return stride == 0 ? points : contacts * points; };
     next(gaps, of_all(many.undeformed_gap_stride));
@@ -33,7 +33,7 @@ class Arrays {
     next(answers, contacts * many.steps);
     next(taken, 1);
   }
-  std::size_t bytes() const { return static_cast<std::size_t>(at_ - begin_); }
+  std::size_t bytes() const { return bytes_; }
 
   double *gaps = nullptr, *targets = nullptr, *pressures = nullptr;
   std::uint8_t* masks = nullptr;
@@ -42,10 +42,11 @@ class Arrays {
 
  private:
   template <class T> void next(T*& to, Index count) {
-    if (count > 0) to = reinterpret_cast<T*>(at_);
-    at_ += rounded(static_cast<std::size_t>(count) * sizeof(T));
+    if (count > 0 && memory_) to = reinterpret_cast<T*>(memory_ + bytes_);
+    bytes_ += rounded(static_cast<std::size_t>(count) * sizeof(T));
   }
-  unsigned char *at_, *begin_;
+  unsigned char* memory_;
+  std::size_t bytes_ = 0;
 };
 
 // contacts rows of `count` values, `stride` apart; 0: one for all.
