@@ -17,11 +17,25 @@ plugin=$(echo "$build"/lib/roughcontact/*/rcb_cuda.so)
 symbols=$(nm -D --defined-only "$plugin" | awk '$2 == "T" || $3 ~ /rc_|2rc|roughcontact/ { print $3 }')  # the others are the standard library's
 [ "$symbols" = rc_plugin_query ] || { echo "others can see: $symbols"; exit 1; }
 "$source/.ci/globals.sh" "$build"
-answer=$("$build/bin/device_solves" 64 load 1e-8 haar-cuda cuda 1 1)
+solve=("$build/bin/device_solves" 64 load 1e-8 haar-cuda cuda 1 1)
+answer=$("${solve[@]}")
 echo "$answer"
 if nvidia-smi -L >/dev/null 2>&1; then
   grep -q '"status": "RC_OK"' <<<"$answer"
 else
   grep -q 'cuda: no device: .*; driver for CUDA .*, built with CUDA' <<<"$answer"
 fi
+
+# What other drivers say, and a device that answers no call: WORDS, then as in other_driver.c.
+"${CC:-cc}" -shared -fPIC -I"$(dirname "$(readlink -f "$(command -v nvcc)")")/../include" -o "$build/other_driver.so" "$source/tests/device/other_driver.c"
+other() {
+  local answer
+  answer=$(RC_OTHER_DRIVER="${*:2}" LD_PRELOAD=$build/other_driver.so "${solve[@]}")
+  grep -q "$1" <<<"$answer" || { echo "lacks \"$1\": $answer"; exit 1; }
+}
+other 'no device: CUDA driver version is insufficient for CUDA runtime version; driver for CUDA 11.4, built with CUDA' 35 0 11040 0
+other 'no device: no CUDA-capable device is detected; driver for CUDA 13.0' 100 0 13000 0
+other 'no device: the driver has none' 0 0 13000 0
+other 'none of 2 device(s) has compute capability 8.0 or above' 0 2 13000 75
+nvidia-smi -L >/dev/null 2>&1 || other 'cuda: cuda[A-Za-z]*: .*; the contact can go on with another backend' 0 1 13000 90
 echo "one symbol for others, no warning; compiled for $(sed -n "s/^RC_CUDA_ARCHITECTURES:[A-Z]*=//p" "$build/CMakeCache.txt")"
