@@ -33,9 +33,9 @@ made() { [ -e "$prefix/lib/$1" ]; }
 made libz.a || {
   unpack zlib
   cd "$prefix/unpacked"
-  # It takes today's macOS for one without fdopen, and would define a macro of that name.
+  # For macOS it would define a macro of the name fdopen, and call that system's own archiver.
   CC="${CMAKE_C_COMPILER_LAUNCHER:-} $cc" AR=$ar RANLIB=$ranlib CHOST=$host CFLAGS="-O2 -fPIC -Dfdopen=fdopen" ./configure --static --prefix="$prefix"
-  make -j "$jobs" libz.a
+  make -j "$jobs" AR="$ar" ARFLAGS=rcs libz.a
   mkdir -p "$prefix/lib/pkgconfig"
   cp zlib.pc "$prefix/lib/pkgconfig"
   cp zlib.h zconf.h "$prefix/include"
