@@ -1,7 +1,7 @@
-/* rank_solver N THREADS ranks|process mixed|double [SHARE]: one cold solve of a rough surface of N x N points, about a tenth of
-   them in contact, by load control. double: products in double precision alone, and no coarser grids, so that counters can be
-   told. The surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by rc_contact, on one
-   rank. SHARE: of that load alone, with solver and backend by `auto`, which then see sparse contact. Seconds are those of
+/* rank_solver N THREADS ranks|process mixed|double [SHARE [periodic]]: one cold solve of a rough surface of N x N points, about a
+   tenth of them in contact, by load control. double: products in double precision alone, and no coarser grids, so that counters
+   can be told. The surface is made row by row from the points' numbers. Rank 0 prints a line of JSON. `process`: by rc_contact,
+   on one rank. SHARE: of that load alone, with solver and backend by `auto`, which then see sparse contact. Seconds are those of
    MPI_Wtime: of the clock, or of the simulation where SMPI runs the program; without those of making the contact, which SMPI
    takes longer for than any MPI: it duplicates a communicator. */
 #include <math.h>
@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (argc != 5 && argc != 6) {
-    if (rank == 0) fprintf(stderr, "usage: rank_solver N THREADS ranks|process mixed|double [SHARE]\n");
+  if (argc < 5 || argc > 7) {
+    if (rank == 0) fprintf(stderr, "usage: rank_solver N THREADS ranks|process mixed|double [SHARE [periodic]]\n");
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
   const int64_t n = atoll(argv[1]);
@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
   system.nx = system.ny = n;
   system.hx = system.hy = 1.0 / (double)n;
   system.modulus = 1;
+  if (argc == 7) system.boundary = RC_BOUNDARY_PERIODIC;
   int64_t first = 0, count = n;
   if (!alone && rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count) != RC_OK) stop("rows");
 

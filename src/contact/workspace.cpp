@@ -73,8 +73,9 @@ Operator& Workspace::bound_operator(const rc_backend& backend, const TrialSet& t
   const auto begun = Clock::now();
   auto it = operators_.find(backend.name);
   if (it == operators_.end()) {
-    auto made =
-        std::make_unique<Operator>(backend, host, system.unit, system.kernel, options, *team_, system.operator_scale, ranks_);
+    auto made = rows_ ? std::make_unique<Operator>(rows_->bound_operator(backend, {rows_->own_points(), {}}))
+                      : std::make_unique<Operator>(backend, host, system.unit, system.kernel, options, *team_,
+                                                   system.operator_scale, ranks_);
     it = operators_.emplace(backend.name, std::move(made)).first;
   }
   it->second->bind(trial);

@@ -74,6 +74,9 @@ class Workspace {
   // Null, or the ranks that all do alike, with all points, what this one does; then they agree on stops.
   const Ranks* alike() const { return surface.tiles() ? surface.tiles()->shared().ranks() : alike_; }
   void do_alike(const Ranks* ranks) { alike_ = ranks; }
+  // Null, or the workspace of this rank's rows on the same grid: its operators make the products of this one, all ranks together.
+  Workspace* rows() const { return rows_; }
+  void multiply_by(Workspace* rows) { rows_ = rows; }
   std::int64_t own_rows() const { return ranks_ ? ranks_->rows() : system.given.ny; }
   std::int64_t own_points() const { return system.given.nx * own_rows(); }  // of this process
   rc_grid grid() const;                                                     // of a half-space; without its gap
@@ -112,6 +115,7 @@ class Workspace {
   const rc_team* team_;
   const Ranks* ranks_;
   const Ranks* alike_ = nullptr;
+  Workspace* rows_ = nullptr;
   std::map<std::string, std::unique_ptr<Operator>> operators_;
   Table table_;
 };

@@ -10,6 +10,7 @@ namespace rc {
 namespace {
 
 constexpr int most_halvings = 5;
+constexpr std::int64_t small_bytes = 256;  // of each piece and rank that a small exchange carries
 
 }  // namespace
 
@@ -35,15 +36,27 @@ std::vector<std::int64_t> first_rows(const RowPieces& pieces) {
 
 }  // namespace
 
-Ranks::Ranks(const rc_exchange& exchange, std::int64_t ny) : link_(std::make_shared<Link>()) {
+Ranks::Link::Link(const rc_exchange& with)
+    : exchange(with), bytes(static_cast<std::size_t>(with.ranks)), with_head(bytes.size()) {}
+
+void Ranks::Link::make_room(std::int64_t pieces) {
+  const auto most = static_cast<std::size_t>(small_bytes * (pieces + exchange.ranks));
+  if (sent.size() >= most) return;
+  sent.resize(most);
+  received.resize(most);
+}
+
+Ranks::Ranks(const rc_exchange& exchange, std::int64_t ny) {
   const RowPieces pieces(ny, exchange.ranks);
-  link_->exchange = exchange;
+  link_ = std::make_shared<Link>(exchange);
+  link_->make_room(pieces.count());
   first_ = first_rows(pieces);
   halvings_ = pieces.halvings;
 }
 
 Ranks Ranks::on(std::int64_t ny) const {
   const RowPieces pieces(ny, size());
+  link_->make_room(pieces.count());
   return {link_, first_rows(pieces), pieces.halvings};
 }
 
@@ -63,11 +76,11 @@ std::int64_t Ranks::sent_to_others(const std::int64_t* sent) const {
   return std::accumulate(sent, sent + size(), std::int64_t{0}) - sent[rank()];
 }
 
-void Ranks::gather(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
+void Ranks::gather(const void* mine, const std::int64_t* bytes, void* all) const {
   const rc_exchange& exchange = link_->exchange;
   ++link_->counts.gathers;
-  link_->counts.gathered += bytes[static_cast<std::size_t>(rank())];
-  if (const char* const what = exchange.gather(exchange.user, mine, bytes.data(), all)) failed(RC_ERR_EXTERNAL, what);
+  link_->counts.gathered += bytes[rank()];
+  if (const char* const what = exchange.gather(exchange.user, mine, bytes, all)) failed(RC_ERR_EXTERNAL, what);
 }
 
 void Ranks::transpose(const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) const {
@@ -88,24 +101,16 @@ void Ranks::shift(std::int64_t to, const void* from, std::int64_t sent, std::int
 }
 
 void Ranks::sum_parts(const void* mine, std::size_t size_of_part, void* all) const {
-  std::vector<std::int64_t> bytes;
   for (std::int64_t r = 0; r < size(); ++r)
-    bytes.push_back(size_of_part > 0 ? pieces_of(r) * static_cast<std::int64_t>(size_of_part) : 0);
+    link_->bytes[static_cast<std::size_t>(r)] = size_of_part > 0 ? pieces_of(r) * static_cast<std::int64_t>(size_of_part) : 0;
   ++link_->counts.reductions;
-  link_->counts.reduced += bytes[static_cast<std::size_t>(rank())];
-  if (link_->alike) exchange_statuses();
-  exchange_checked(mine, bytes, all);
-}
-
-void Ranks::exchange_statuses() const {
-  ++link_->counts.gathers;
-  exchange_checked(nullptr, std::vector<std::int64_t>(static_cast<std::size_t>(size()), 0), nullptr);
+  link_->counts.reduced += link_->bytes[static_cast<std::size_t>(rank())];
+  exchange_checked(mine, link_->bytes, all);
 }
 
 void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
   ++link_->counts.gathers;
   link_->counts.gathered += bytes[static_cast<std::size_t>(rank())];
-  if (link_->alike) exchange_statuses();
   exchange_checked(mine, bytes, all);
 }
 
@@ -113,61 +118,78 @@ void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, vo
 void Ranks::finish_alike() const {
   if (link_->told == RC_OK) guarded([&] { exchange_statuses(); });
   link_->alike = false;
-  if (link_->told == RC_OK) return;
   link_->failed = RC_OK;
+  if (link_->told == RC_OK) return;
   fail(std::exchange(link_->told, RC_OK), static_cast<const char*>(link_->told_message));
 }
 
-// Each rank's status, and the stop that it asks for, go before its bytes.
+void Ranks::exchange_statuses() const {
+  ++link_->counts.gathers;
+  std::fill(link_->with_head.begin(), link_->with_head.end(), sizeof(Head));
+  exchange_with_heads(nullptr, link_->sent.data(), link_->received.data());
+}
+
+// For a large exchange memory is needed, which each must have got before any waits for it.
 void Ranks::exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
-  struct Head {
-    std::int32_t status, stop;
-  };
   constexpr auto head = static_cast<std::int64_t>(sizeof(Head));
-  const rc_exchange& exchange = link_->exchange;
-  const auto here = static_cast<std::size_t>(rank());
-  std::vector<std::int64_t> with_head = bytes;
-  for (std::int64_t& each : with_head) each += head;
-  std::vector<std::byte> sent(static_cast<std::size_t>(with_head[here])),
-      received(static_cast<std::size_t>(std::accumulate(with_head.begin(), with_head.end(), std::int64_t{0})));
-  const Head own{link_->failed, link_->asked_stop};
-  std::memcpy(sent.data(), &own, head);
-  if (bytes[here] > 0) std::memcpy(sent.data() + head, mine, static_cast<std::size_t>(bytes[here]));
-  if (const char* const what = exchange.gather(exchange.user, sent.data(), with_head.data(), received.data())) {
-    failed(RC_ERR_EXTERNAL, what);
+  const std::int64_t total = std::accumulate(bytes.begin(), bytes.end(), head * size());
+  const std::int64_t own = bytes[static_cast<std::size_t>(rank())] + head;
+  std::vector<std::byte> room;
+  std::byte *sent = link_->sent.data(), *received = link_->received.data();
+  const bool large = total > static_cast<std::int64_t>(link_->received.size());
+  if (large) {
+    guarded([&] { room.resize(static_cast<std::size_t>(own + total)); });
+    exchange_statuses();
+    sent = room.data();
+    received = sent + own;
+  } else if (link_->alike) {
+    exchange_statuses();
   }
-  std::vector<rc_status> statuses;
-  const std::byte* from = received.data();
+  std::transform(bytes.begin(), bytes.end(), link_->with_head.begin(), [](std::int64_t each) { return each + head; });
+  exchange_with_heads(mine, sent, received);
   auto* to = static_cast<std::byte*>(all);
   for (const std::int64_t count : bytes) {
-    Head its{};
-    std::memcpy(&its, from, head);
-    statuses.push_back(its.status);
-    link_->stop = std::max(link_->stop, its.stop);
-    if (count > 0) {
-      std::memcpy(to, from + head, static_cast<std::size_t>(count));
-      to += count;
-    }
-    from += head + count;
+    if (count > 0) to = std::copy_n(received + head, count, to);
+    received += head + count;
   }
-  if (std::any_of(statuses.begin(), statuses.end(), [](rc_status each) { return each != RC_OK; })) raise(statuses);
+}
+
+// link_->with_head: the bytes of each rank, its head included.
+void Ranks::exchange_with_heads(const void* mine, std::byte* sent, std::byte* received) const {
+  const rc_exchange& exchange = link_->exchange;
+  const std::int64_t own = link_->with_head[static_cast<std::size_t>(rank())];
+  const Head head{link_->failed, link_->asked_stop};
+  std::memcpy(sent, &head, sizeof head);
+  if (own > static_cast<std::int64_t>(sizeof head))
+    std::memcpy(sent + sizeof head, mine, static_cast<std::size_t>(own) - sizeof head);
+  if (const char* const what = exchange.gather(exchange.user, sent, link_->with_head.data(), received))
+    failed(RC_ERR_EXTERNAL, what);
+  std::int64_t first = -1;
+  rc_status status = RC_OK;
+  for (std::int64_t r = 0; r < size(); received += link_->with_head[static_cast<std::size_t>(r++)]) {
+    Head its{};
+    std::memcpy(&its, received, sizeof its);
+    link_->stop = std::max(link_->stop, its.stop);
+    if (its.status == RC_OK || first >= 0) continue;
+    first = r;
+    status = its.status;
+  }
+  if (first >= 0) raise(first, status);
 }
 
 // With the message of the first rank that failed.
-void Ranks::raise(const std::vector<rc_status>& statuses) const {
+void Ranks::raise(std::int64_t first, rc_status status) const {
   const rc_exchange& exchange = link_->exchange;
-  const auto first = std::find_if(statuses.begin(), statuses.end(), [](rc_status each) { return each != RC_OK; });
-  std::vector<std::int64_t> bytes(statuses.size(), 0);
-  bytes[static_cast<std::size_t>(first - statuses.begin())] = sizeof link_->message;
+  std::fill(link_->with_head.begin(), link_->with_head.end(), 0);
+  link_->with_head[static_cast<std::size_t>(first)] = sizeof link_->message;
   char message[sizeof link_->message] = "";
-  exchange.gather(exchange.user, link_->message, bytes.data(), message);
+  exchange.gather(exchange.user, link_->message, link_->with_head.data(), message);
   message[sizeof message - 1] = 0;
   link_->failed = RC_OK;
   forget_stop();
-  link_->told = *first;
-  std::snprintf(link_->told_message, sizeof link_->told_message, "rank %d: %s", static_cast<int>(first - statuses.begin()),
-                message);
-  fail(*first, static_cast<const char*>(link_->told_message));
+  link_->told = status;
+  std::snprintf(link_->told_message, sizeof link_->told_message, "rank %d: %s", static_cast<int>(first), message);
+  fail(status, static_cast<const char*>(link_->told_message));
 }
 
 }  // namespace rc

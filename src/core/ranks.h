@@ -35,6 +35,8 @@ struct RowPieces {
 };
 
 class Ranks {
+  struct Link;
+
  public:
   Ranks(const rc_exchange& exchange, std::int64_t ny);
   // The same ranks on a grid of so many rows; on one of half as many rows, each with half of its own.
@@ -76,14 +78,32 @@ class Ranks {
     }
   }
 
-  // Runs an action that all ranks do alike, each with exchanges in it. If one fails, the others learn of it at their next checked
-  // exchange, wherever that is: all throw the same Error.
+  // Runs an action that all ranks do alike, each with exchanges in it. If one fails, wherever that is, the others learn of it at
+  // their next checked exchange, or at the end: all throw the same Error.
   template <class Action> void alike(const Action& action) const {
+    if (link_->alike) return action();
     link_->alike = true;
     link_->told = RC_OK;
     guarded(action);
     finish_alike();
   }
+
+  // A part of such an action that may fail in guarded() alone, and saves the exchanges of statuses.
+  class Unwatched {
+   public:
+    explicit Unwatched(const Ranks* ranks) : link_(ranks ? ranks->link_ : nullptr), before_(link_ && link_->alike) {
+      if (link_) link_->alike = false;
+    }
+    ~Unwatched() {
+      if (link_) link_->alike = before_;
+    }
+    Unwatched(const Unwatched&) = delete;
+    Unwatched& operator=(const Unwatched&) = delete;
+
+   private:
+    std::shared_ptr<Link> link_;
+    bool before_;
+  };
 
   // A stop that one rank asks for reaches all of them with the next checked exchange.
   void ask_stop(rc_status stop) const { link_->asked_stop = std::max(link_->asked_stop, stop); }
@@ -100,23 +120,28 @@ class Ranks {
   // The parts of the pieces of all ranks, in their order. mine: [pieces of this rank]
   template <class Part> std::vector<Part> of_all(const std::vector<Part>& mine) const {
     static_assert(std::is_trivially_copyable_v<Part> && !std::is_same_v<Part, bool>);
-    std::vector<Part> all(static_cast<std::size_t>((all_rows() + piece_rows() - 1) / piece_rows()));
+    std::vector<Part> all;
+    guarded([&] { all.resize(static_cast<std::size_t>((all_rows() + piece_rows() - 1) / piece_rows())); });
     sum_parts(mine.data(), sizeof(Part), all.data());
     return all;
   }
   // One value of each rank, in their order.
   template <class Value> std::vector<Value> of_each(const Value& mine) const {
     static_assert(std::is_trivially_copyable_v<Value>);
-    std::vector<Value> all(static_cast<std::size_t>(size()));
-    checked(&mine, std::vector<std::int64_t>(all.size(), sizeof(Value)), all.data());
+    std::vector<Value> all;
+    guarded([&] { all.resize(static_cast<std::size_t>(size())); });
+    std::fill(link_->bytes.begin(), link_->bytes.end(), sizeof(Value));
+    checked(&mine, link_->bytes, all.data());
     return all;
   }
 
   // Of each rank as many as it has, in their order.
   template <class Value> std::vector<Value> of_any(const std::vector<Value>& mine) const {
-    std::vector<std::int64_t> bytes = of_each(static_cast<std::int64_t>(mine.size() * sizeof(Value)));
-    std::vector<Value> all(static_cast<std::size_t>(std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0})) /
-                           sizeof(Value));
+    const std::vector<std::int64_t> bytes = of_each(static_cast<std::int64_t>(mine.size() * sizeof(Value)));
+    std::vector<Value> all;
+    guarded([&] {
+      all.resize(static_cast<std::size_t>(std::accumulate(bytes.begin(), bytes.end(), std::int64_t{0})) / sizeof(Value));
+    });
     checked(mine.data(), bytes, all.data());
     return all;
   }
@@ -126,7 +151,7 @@ class Ranks {
   }
 
   // Unchecked ones: a failure is told at the next checked one.
-  void gather(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
+  void gather(const void* mine, const std::int64_t* bytes, void* all) const;
   void transpose(const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) const;
   void shift(std::int64_t to, const void* from, std::int64_t sent, std::int64_t source, void* into, std::int64_t received) const;
   // A row of values to the next rank; the previous rank's into `into`. And back.
@@ -140,15 +165,22 @@ class Ranks {
   }
   // The rows of all ranks [all_rows * columns], from this rank's.
   template <class Value> void gather_rows(const Value* mine, std::int64_t columns, Value* all) const {
-    std::vector<std::int64_t> bytes;
-    for (std::int64_t r = 0; r < size(); ++r) bytes.push_back(rows_of(r) * columns * static_cast<std::int64_t>(sizeof(Value)));
-    gather(mine, bytes, all);
+    for (std::int64_t r = 0; r < size(); ++r)
+      link_->bytes[static_cast<std::size_t>(r)] = rows_of(r) * columns * static_cast<std::int64_t>(sizeof(Value));
+    gather(mine, link_->bytes.data(), all);
   }
 
   rc_ranks_counts& counts() const { return link_->counts; }
 
  private:
+  // Goes before the bytes of each rank: its status, and the stop that it asks for.
+  struct Head {
+    std::int32_t status, stop;
+  };
   struct Link {
+    explicit Link(const rc_exchange& with);
+    void make_room(std::int64_t pieces);
+
     rc_exchange exchange;
     rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
     rc_status failed = RC_OK, asked_stop = RC_OK, stop = RC_OK;
@@ -157,6 +189,9 @@ class Ranks {
     bool alike = false;
     rc_status told = RC_OK;  // the failure that all have heard of
     char told_message[420] = "";
+    // What small exchanges need, so that none lacks memory once others take part in it.
+    std::vector<std::int64_t> bytes, with_head;  // [ranks]
+    std::vector<std::byte> sent, received;
   };
 
   Ranks(std::shared_ptr<Link> link, std::vector<std::int64_t> first, int halvings)
@@ -164,9 +199,10 @@ class Ranks {
   void sum_parts(const void* mine, std::size_t size, void* all) const;
   void checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
   void exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
+  void exchange_with_heads(const void* mine, std::byte* sent, std::byte* received) const;
   void exchange_statuses() const;
   void finish_alike() const;
-  [[noreturn]] void raise(const std::vector<rc_status>& statuses) const;
+  [[noreturn]] void raise(std::int64_t first, rc_status status) const;
   std::int64_t sent_to_others(const std::int64_t* sent) const;
 
   std::shared_ptr<Link> link_;

@@ -3,6 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -30,6 +31,15 @@ class Operator {
   // ranks: null, or those that share the grid by rows: vectors are then of every point of this rank's rows.
   Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
            const rc_options& options, const rc_team& team, double scale, const Ranks* ranks = nullptr);
+  // Of ranks that all have the same trial set and vectors: they make each product together. rows: their operator, bound to every
+  // point of this rank's rows; it must outlive this one.
+  explicit Operator(Operator& rows)
+      : backend_(rows.backend_),
+        system_(rows.system_),
+        kernel_(rows.kernel_),
+        scale_(rows.scale_),
+        self_(rows.self_),
+        rows_(&rows) {}
   ~Operator();
   Operator(const Operator&) = delete;
   Operator& operator=(const Operator&) = delete;
@@ -42,7 +52,8 @@ class Operator {
   bool forget();
   // No product follows soon.
   void rest() {
-    if (backend_.rest) backend_.rest(self_);
+    room_.reset();
+    if (backend_.rest && !rows_) backend_.rest(self_);
   }
 
   // While it lives, it is asked before every product; a status other than 0 stops it.
@@ -57,9 +68,10 @@ class Operator {
     Operator& watched_;
   };
 
-  rc_status apply(const double* x, double* y);                 // y = H[T,T] x
-  rc_status apply_float(const float* x, float* y);             // likewise; only with RC_CAP_FLOAT
-  void field(std::span<const double> x, std::span<double> y);  // y = H[all,T] x
+  rc_status apply(const double* x, double* y);      // y = H[T,T] x
+  rc_status apply_float(const float* x, float* y);  // likewise; only with RC_CAP_FLOAT
+  // y = H[all,T] x; all: with ranks this rank's rows.
+  void field(std::span<const double> x, std::span<double> y);
   // H[T,T] x into request.y, and the points outside T that overlap. Only with RC_CAP_SCREEN. request.unit: that of apply's H x.
   void screen(std::span<const double> x, rc_screen& request);
   std::int64_t modelled() { return backend_.modelled(self_); }
@@ -86,7 +98,12 @@ class Operator {
     failed_ = failed_ || status < 0;
     return status;
   }
-  template <class Real> rc_status product(rc_status (*multiply)(void*, const Real*, Real*), const Real* x, Real* y);
+  template <class Real> using Multiply = rc_status (*)(void*, const Real*, Real*);
+  template <class Real> rc_status product(Multiply<Real> multiply, const Real* x, Real* y);
+  void locate_own();
+  template <class Real> Real* own_values();
+  template <class Real> void multiply_rows(Multiply<Real> multiply, const Real* x, Real* y);
+  template <class Real> void multiply_together(Multiply<Real> multiply, const Real* x, Real* y);
   rc_status subset_by_products(std::span<const std::int64_t> a, const double* b, double* x, double tol);
 
   const rc_backend& backend_;
@@ -105,6 +122,10 @@ class Operator {
   bool bound_ = false;
   std::int64_t applications_ = 0;
   bool failed_ = false;
+
+  Operator* rows_ = nullptr;            // null: products are its own
+  std::vector<std::int64_t> first_of_;  // [ranks + 1] positions in the trial set: where the points of each rank's rows begin
+  std::unique_ptr<std::byte[]> room_;   // two vectors over this rank's rows
 };
 
 }  // namespace rc

@@ -130,18 +130,15 @@ rc_status SharedContact::run(const rc_step& step, rc_result& result, Action acti
   rc_result answer = result;
   if (ranks_.rows() == 0) stand_in_for(given, today, answer);
   const rc_status status = alike_ ? run_alike(today, answer, action) : (*contact_.*action)(today, answer);
-  const std::string message = last_message();
-  ranks_.part();
   answer.p = result.p;  // as the caller has them, where stand-ins took their place
   answer.p_single = result.p_single;
   answer.gap = result.gap;
   answer.gap_single = result.gap_single;
   result = answer;
-  set_message(message.c_str());
   return status;
 }
 
-rc_status SharedContact::solve_path(const rc_path& path, std::int64_t& completed) {
+rc_status SharedContact::run(const rc_path& path, std::int64_t& completed) {
   rc_path today = path;
   check_agreement(ranks_, facts_of(today), ranks_.rows() > 0);
   const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(today.mask != nullptr)),
@@ -175,11 +172,7 @@ rc_status SharedContact::solve_path(const rc_path& path, std::int64_t& completed
     inner.undeformed_gap = gathered(today.undeformed_gap, gap);
     inner.mask = gathered(today.mask, mask);
   }
-  const rc_status status = rc::solve_path(*contact_, inner, completed);
-  const std::string message = last_message();
-  ranks_.part();
-  set_message(message.c_str());
-  return status;
+  return rc::solve_path(*contact_, inner, completed);
 }
 
 }  // namespace rc

@@ -209,13 +209,16 @@ int main(int argc, char** argv) {
   const scene s = {"", 64, 64, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.8, 0, whole, "mixed", 0, 0, NULL};
   const scene small = {"", 8, 6, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.05, 0, whole, "mixed", 0, 0, NULL};
   const scene sparse = {"", 520, 512, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL};
+  const scene periodic = {"", 520, 512, RC_BOUNDARY_PERIODIC, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL};
   disagreements(&s);
   communicators(&s);
   stops(&s);
   stops(&sparse);
+  stops(&periodic);
   every_call(&small, 1);
   every_call(&s, getenv("RC_TEST_QUICK") ? 23 : 1);
   every_call(&sparse, getenv("RC_TEST_QUICK") ? 29 : 5);
+  every_call(&periodic, getenv("RC_TEST_QUICK") ? 61 : 7);
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();
   return worst > 0;

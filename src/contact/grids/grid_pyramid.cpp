@@ -56,6 +56,7 @@ rc_options coarse_options(const rc_options& fine, const Monitor& monitor) {
 struct HalvedGrid::Shared {
   Ranks ranks;
   StepSurface rows{};
+  std::unique_ptr<Workspace> multiplies{};  // with them
 };
 
 HalvedGrid::HalvedGrid(const Workspace& finer, const rc_options& options, int halvings) : halvings_(halvings) {
@@ -80,6 +81,11 @@ void HalvedGrid::halve_shared(const Workspace& finer, const StepSurface& rows) {
   const std::int64_t ny = shared_->ranks.all_rows();
   if (surface_.nx * ny >= most_gathered && ranks.halvings() > 1) {
     shared_->rows = StepSurface({surface_.nx, surface_.ny, surface_.gap, surface_.mask, true}, finer.team(), &shared_->ranks);
+    if (finer.rows()) {
+      Workspace& work = contact_->work();
+      shared_->multiplies = std::make_unique<Workspace>(work.system.given, work.options, &finer.team(), &shared_->ranks);
+      work.multiply_by(shared_->multiplies.get());
+    }
     return contact_->adopt(StepSurface(shared_->rows, finer.team()));
   }
   surface_.gap = ranks.of_any(surface_.gap);

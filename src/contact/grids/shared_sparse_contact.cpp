@@ -20,8 +20,9 @@ bool all_can(const Workspace& work, const rc_step& step) {
   struct Names {
     char solver[64] = "", backend[64] = "";
   } mine;
-  if (const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control);
-      choice && (choice->backend->caps & RC_CAP_SCREEN_ROWS)) {
+  const bool by_rows = work.system.periodic();
+  if (const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control, by_rows);
+      choice && (by_rows || (choice->backend->caps & RC_CAP_SCREEN_ROWS))) {
     std::snprintf(mine.solver, sizeof mine.solver, "%s", choice->solver->name);
     std::snprintf(mine.backend, sizeof mine.backend, "%s", choice->backend->name);
   }
@@ -78,12 +79,13 @@ void write_gap(Workspace& work, const Pressures& own, double compression, const 
 std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
                                               rc_result& result) {
   const Ranks* const ranks = work.ranks();
-  if (!ranks || work.system.periodic() || step.p0 || !all_can(work, step)) return std::nullopt;
+  if (!ranks || step.p0 || !all_can(work, step)) return std::nullopt;
   const std::int64_t contacts = step.warm_start ? contacts_of(memory.last, work) : 0;
   const double before = step.control == RC_CONTROL_LOAD ? memory.last.load : memory.last.approach;
-  const bool sparse_before = few(contacts, work.system.points());
+  const bool sparse_before = few(contacts, work.system.points(), work.system.periodic());
   if (contacts > 0 && !sparse_before && memory.last.same_gap && step.target >= before) return std::nullopt;  // it grows denser
-  if (!work.facts.tilt) work.facts.tilt = plane_share(work.surface, work.system.given.nx, work.system.given.ny);
+  if (!work.facts.tilt && !work.system.periodic())
+    work.facts.tilt = plane_share(work.surface, work.system.given.nx, work.system.given.ny);
 
   rc_result told = result;
   told.p = told.gap = nullptr;
@@ -93,6 +95,7 @@ std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& mem
   ranks->alike([&] {
     all = std::make_unique<Workspace>(work.system.given, work.options, &work.team());
     all->facts.tilt = work.facts.tilt;
+    if (work.system.periodic()) all->multiply_by(&work);
     all->record.warm = work.record.warm;
     all->surface = StepSurface(work.surface, work.team());
     Memory known;

@@ -1,7 +1,7 @@
 // Contact at few of the points. A coarser grid estimates where, and the tiles there become the unknowns. The operator screens all
 // other points for overlap, without a product over the whole grid. Tiles that overlap are added and the step is solved again, so
 // the answer is that of all points. Where the operator cannot screen, as with periodic boundaries, single points become the
-// unknowns, and a product over the whole grid shows all others.
+// unknowns, and a product over the whole grid shows all others; ranks make it together, each looks at its rows.
 #include "contact/grids/sparse_contact.h"
 
 #include <algorithm>
@@ -85,6 +85,45 @@ Deflected everywhere(const Workspace& work, const Answer& answer) {
   return result;
 }
 
+// H p on the trial set, and at least at the points outside it whose gap is below the margin: of a product of all ranks, in which
+// each looks at its rows. Bounds of round-off need the largest size of H p, too.
+Deflected near_surface(const Workspace& work, const Answer& answer, double compression, double margin) {
+  GatheredTiles& tiles = *work.surface.tiles();
+  const StepSurface& own = tiles.shared();
+  const Ranks& ranks = *own.ranks();
+  const std::int64_t before = own.first_row() * own.nx();
+  std::vector<double> product(static_cast<std::size_t>(own.points()));
+  answer.op->field(answer.p, product);
+  double largest = 0;
+  for (double& value : product) {
+    value *= answer.length_unit;
+    largest = std::max(largest, std::abs(value));
+  }
+  for (const double each : ranks.of_each(largest)) largest = std::max(largest, each);
+  const TrialSet& trial = answer.op->trial();
+  auto unknown = std::lower_bound(trial.index.begin(), trial.index.end(), before);
+  std::vector<std::int64_t> points;
+  std::vector<double> products;
+  for (std::size_t i = 0; i < product.size(); ++i) {
+    const auto point = static_cast<std::int64_t>(i) + before;
+    const bool of_trial = unknown != trial.index.end() && *unknown == point;
+    unknown += of_trial;
+    const bool close = own.included(i) && product[i] - (compression - own.height(i)) < margin;
+    if (!of_trial && !close && std::abs(product[i]) < largest) continue;
+    points.push_back(point);
+    products.push_back(product[i]);
+  }
+  Deflected result;
+  result.pressures.on.index = ranks.of_any(points);
+  result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
+  result.product = ranks.of_any(products);
+  tiles.hold_tiles_of(result.pressures.on.index);
+  result.pressures.p = answer.pressures().at(result.pressures.on);
+  if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
+  result.beyond = margin;
+  return result;
+}
+
 // The entries of all ranks that screen their own rows.
 template <class Value> void unite(const Ranks& ranks, std::vector<Value>& found, std::int64_t count) {
   found.resize(static_cast<std::size_t>(count));
@@ -93,6 +132,7 @@ template <class Value> void unite(const Ranks& ranks, std::vector<Value>& found,
 
 // H p on the trial set, and at least at the points outside it whose gap is below the margin.
 Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
+  if (work.rows()) return near_surface(work, answer, compression, margin);
   if (!screens(answer.choice)) return everywhere(work, answer);
   const StepSurface& surface = work.surface;
   const TrialSet& trial = answer.op->trial();
@@ -274,7 +314,7 @@ std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep
   const double now = by_load ? step.target : step.target - work.surface.lowest();
   if (!(std::abs(now - before) <= near * before)) return std::nullopt;
   Estimate estimate{last.pressures.positive(), by_load ? last.approach : step.target};
-  if (!few(estimate.pressures.on.n, work.system.points())) return std::nullopt;
+  if (!few(estimate.pressures.on.n, work.system.points(), work.rows())) return std::nullopt;
   return estimate;
 }
 
@@ -282,7 +322,7 @@ std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep
 bool grows_dense(const Workspace& work, const CertifiedStep& last, const rc_step& step) {
   if (!step.warm_start || last.pressures.empty() || !last.same_gap) return false;
   return step.target >= (step.control == RC_CONTROL_LOAD ? last.load : last.approach) &&
-         !few(count_positive(last.pressures.p), work.system.points());
+         !few(count_positive(last.pressures.p), work.system.points(), work.rows());
 }
 
 // How often a grid is halved for its estimate: once, but the largest grids until little memory is needed.
@@ -321,7 +361,7 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
 
   Monitor watch = monitor.silent();
   std::optional<Estimate> coarser = coarse_estimate(half, at, monitor, dense);
-  const std::optional<Choice> choice = choose_for_few(options, half.system, at.control);
+  const std::optional<Choice> choice = choose_for_few(options, half.system, at.control, half.rows());
   std::optional<Answer> answer;
   if (choice && coarser && !coarser->dense) answer = solve_few(half, {}, at, *choice, *coarser, watch);
   if (!answer) {
@@ -334,7 +374,7 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
   const Blocks blocks{system.nx, system.ny, std::int64_t{1} << halvings};
   if (GatheredTiles* const tiles = work.surface.tiles()) tiles->hold_tiles_of(points_of(answer->pressures(), blocks));
   return Estimate{spread(answer->pressures(), blocks, work.surface, Cut::same_pressure),
-                  half.surface.lowest() + answer->compression, !few(contacts, half.system.points())};
+                  half.surface.lowest() + answer->compression, !few(contacts, half.system.points(), work.rows())};
 }
 
 }  // namespace
@@ -342,9 +382,9 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
 std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
                                      std::optional<Estimate>& estimate) {
   if (work.ranks() || step.p0 || !work.record.failed.empty()) return std::nullopt;
-  const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control);
+  const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control, work.rows());
   if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.control))) return std::nullopt;
-  if (estimate && !few(count_positive(estimate->pressures.p), work.system.points())) return std::nullopt;
+  if (estimate && !few(count_positive(estimate->pressures.p), work.system.points(), work.rows())) return std::nullopt;
   std::optional<Estimate> start = estimate ? estimate : last_estimate(work, memory.last, step);
   if (!start) {
     if (grows_dense(work, memory.last, step)) return std::nullopt;

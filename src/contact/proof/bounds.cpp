@@ -49,7 +49,7 @@ class Proof {
         found_(found),
         given_(answer.p()),
         product_(answer.product) {
-    if (!all_listed()) candidates_ = surface_.extent_below(surface_.limit_of(compression_));
+    if (!all_listed()) candidates_ = surface_.extent_below(system_.positive ? surface_.limit_of(compression_) : infinity);
     measure();
     residual();
   }
@@ -224,25 +224,30 @@ class Proof {
     long double u = 0;  // [length]
     Whole operator+(const Whole& b) const { return {u + b.u}; }
   };
+  struct Square {
+    double of = 0;
+    Square operator+(const Square& b) const { return {of + b.of}; }
+  };
   struct Energies {
-    double e_square = 0, ep = 0, php = 0;
-    Energies operator+(const Energies& b) const { return {e_square + b.e_square, ep + b.ep, php + b.php}; }
+    double ep = 0, php = 0;
+    Energies operator+(const Energies& b) const { return {ep + b.ep, php + b.php}; }
   };
   // Periodic, no mask, d off the mean plane (above it the pressures need a cap): with e = u + eps of mean 0 and H q = e,  eps
   // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
-    if (!surface_.whole() || !all_listed()) return {};
-    const Whole sums =
-        surface_.sum_over_all<Whole>([&](Whole& part, std::size_t i) { part.u += compression_ - surface_.height(i); });
+    if (!surface_.whole()) return {};
+    const StepSurface& all = surface_.tiles() ? surface_.tiles()->shared() : surface_;
+    const Whole sums = all.sum_over_all<Whole>([&](Whole& part, std::size_t i) { part.u += compression_ - all.height(i); });
     const double mean_gap = static_cast<double>(-sums.u / static_cast<long double>(n())),
                  off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_) / length_;
     if (!(eps > 0)) return {};
-    const auto [e_square, ep, php] = surface_.sum_over_all<Energies>([&](Energies& part, std::size_t i) {
-      const double e = (compression_ - height(i) + mean_gap) / length_;
-      part.e_square += square(e);
+    const auto e = [&](double height) { return (compression_ - height + mean_gap) / length_; };
+    const double e_square =
+        all.sum_over_all<Square>([&](Square& part, std::size_t i) { part.of += square(e(all.height(i))); }).of;
+    const auto [ep, php] = sum_of_touching<Energies>([&](Energies& part, std::size_t i) {
       if (!(given_[i] > 0)) return;
-      part.ep += e * p(i);
+      part.ep += e(height(i)) * p(i);
       part.php += product_[i] / length_ * p(i);
     });
     const double doubt = doubt_ * sum_ + epsilon * n() * (e_square / spectrum_.lowest + work_);
@@ -303,7 +308,8 @@ class Proof {
     if (!all_listed() && !(reach < answer_.beyond)) {
       undecided += candidates_.n;
       for (std::size_t i = 0; i < given_.size(); ++i) undecided -= may_carry(i);
-      if (sets) list(surface_.below(surface_.limit_of(compression_)), sets->possible);
+      if (sets && system_.positive) list(surface_.below(surface_.limit_of(compression_)), sets->possible);
+      if (sets) sets->listed = system_.positive;
     }
     result.proven_contacts = contacts;
     result.proven_open = system_.points() - contacts - undecided;

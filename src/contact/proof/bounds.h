@@ -26,10 +26,11 @@ struct Bounds {
 struct ProvenSets {
   std::vector<std::int64_t> contacts;  // proven to be in contact, below the hardness
   std::vector<std::int64_t> possible;  // proven neither to be open nor to carry the hardness
+  bool listed = true;                  // false: all points are possible, too many to list
 };
 
-// compression: the approach less the lowest gap. p must be 0 on excluded points. found: of the answer. If the answer does not
-// list all points, H must have no negative entries.
+// compression: the approach less the lowest gap. p must be 0 on excluded points. found: of the answer. If H has
+// negative entries and the answer does not list all points, the others have a deformed gap of at least answer.beyond.
 Bounds prove_bounds(const System&, const Spectrum&, const StepSurface&, double compression, const Deflected& answer,
                     const Survey& found, ProvenSets* sets = nullptr);
 

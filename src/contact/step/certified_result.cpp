@@ -162,7 +162,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
     ProvenSets sets;
     const bool asked = work.options.integer(RC_OPT_STIFFNESS) == 2;
     bounds = prove_bounds(system, *spectrum, surface, compression, answer, found, asked ? &sets : nullptr);
-    work.record.proven = asked && bounds.undecided >= 0 ? std::optional(std::move(sets)) : std::nullopt;
+    work.record.proven = asked && bounds.undecided >= 0 && sets.listed ? std::optional(std::move(sets)) : std::nullopt;
   }
   Certificate certificate =
       certify(surface, compression, answer, found, residual_scale(step, work, compression), system.hardness);

@@ -244,7 +244,7 @@ void connect(BoundProblem& problem) {
   problem.factors = (caps & RC_CAP_SUBSET) != 0;
   problem.shifted = ranks ? nullptr : run.fallbacks || (caps & RC_CAP_SHIFTED) ? shifted : nullptr;
   problem.norm = !ranks && (caps & RC_CAP_NORM) ? norm : nullptr;
-  problem.inner = ranks ? nullptr : inner;
+  problem.inner = ranks || run.work.rows() ? nullptr : inner;
   problem.apply_float = (caps & RC_CAP_FLOAT) ? apply_float : nullptr;
   problem.team = &run.work.team();
   problem.length = run.length_unit;

@@ -123,7 +123,7 @@ void HaarTreePair::join_whole_level(bool clear) {
         std::accumulate(tree.whole_values().begin(), tree.whole_values().begin() + ranks_->rank(), std::int64_t{0});
     mine.insert(mine.end(), tree.whole_rows() + before, tree.whole_rows() + before + tree.whole_values()[here]);
   }
-  ranks_->gather(mine.data(), bytes, joined_.data());
+  ranks_->gather(mine.data(), bytes.data(), joined_.data());
   const float* from = joined_.data();
   std::int64_t at[2] = {0, 0};
   for (std::size_t rank = 0; rank < bytes.size(); ++rank)
