@@ -60,9 +60,9 @@ RC_API rc_status rc_ranks_rows(int64_t rank, int64_t ranks, const rc_system *sys
  *
  *  system: a half-space. Systems whose smaller side is below 32 points are solved by every rank alike, and sparse contact is, on
  *  gathered tiles, with products of all ranks where it is periodic. Ranks that disagree on system, options or version are refused:
- *  ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be auto or haar-cg, `backend` auto or one that works on rows (fft), `accuracy` 0,
- *  `certify_backend` and `warmup` not set: else INCOMPATIBLE. All of exchange but what user points to is copied. Errors: as
- *  rc_contact_create, EXTERNAL. */
+ *  ARGUMENT. options: as for rc_contact_create; threads: of each rank. `solver` must be auto or haar-cg, `backend` auto or one that
+ *  works on rows (fft), `accuracy` 0, `certify_backend` and `warmup` not set: else INCOMPATIBLE. All of exchange but what user
+ *  points to is copied. Errors: as rc_contact_create, EXTERNAL. */
 RC_API rc_status rc_ranks_contact_create(const rc_exchange *exchange, const rc_system *system, const rc_options *options,
                                          rc_ranks_contact **out);
 /** May be called by one rank alone. */
