@@ -1,6 +1,8 @@
 // haar-cg: all precisions, numbers of threads and starts lead to one answer; its counts of products stay within limits for every
 // share of contact; and where it stalls an exact solver takes over and is named.
 #include <algorithm>
+#include <cstdio>
+#include <cstring>
 #include <random>
 
 #include "contact.h"
@@ -132,6 +134,25 @@ void pivoting_takes_over() {
   check_status(solve(problem, haar, strict), RC_STOP_STALLED);
 }
 
+// A process takes 61 bytes a point for it, and 75 with all products in double precision: `auto` must not refuse grids that fit.
+void its_estimate_of_memory_is_what_it_takes() {
+  const auto bytes_a_point = [](const char* products) {
+    const Problem problem = rugged(2 * side, 2 * side, 8);
+    const Contact contact(problem, automatic, {{"haar-cg.products", products}});
+    check_status(contact.solve(problem), RC_OK, products);
+    const char* text = "";
+    check(rc_contact_explain(contact.handle(), &text) == RC_OK, rc_last_error());
+    const char* const of = std::strstr(text, "haar-cg on fft: ");
+    double seconds = 0, mebibytes = 0;
+    check(of && std::sscanf(of, "haar-cg on fft: %lf s, %lf MiB", &seconds, &mebibytes) == 2, text);
+    return mebibytes * 1048576 / static_cast<double>(problem.points());
+  };
+  const double mixed = bytes_a_point("mixed"), all_double = bytes_a_point("double");
+  report("bytes a point: " + text(mixed) + ", in double precision " + text(all_double));
+  check(mixed >= 50 && mixed <= 75, "mixed");
+  check(all_double >= 70 && all_double <= 95, "double");
+}
+
 // What "auto" would take has too little memory, and says so before it is made.
 void auto_leaves_what_has_too_little_memory() {
   const Problem problem = rugged(48, 48, 0.9);
@@ -160,6 +181,7 @@ int main(int argc, char** argv) {
                     {"a_large_step_costs_no_more_than_a_cold_one", a_large_step_costs_no_more_than_a_cold_one},
                     {"full_contact_is_no_harder", full_contact_is_no_harder},
                     {"pivoting_takes_over", pivoting_takes_over},
+                    {"its_estimate_of_memory_is_what_it_takes", its_estimate_of_memory_is_what_it_takes},
                     {"auto_leaves_what_has_too_little_memory", auto_leaves_what_has_too_little_memory}},
                    argc, argv);
 }

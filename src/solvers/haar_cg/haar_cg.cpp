@@ -5,6 +5,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,13 +26,14 @@ constexpr rc_option_spec products =
 constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
 constexpr rc_option_spec patience =
     int_option("haar-cg.patience", "120", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
+constexpr std::string_view mixed_products = "mixed";
 const rc_option_spec* const specs[] = {&products, &nested, &patience};
 
 constexpr std::int64_t few_overlaps = 16;  // points without a gap at the approach: then all products are in double precision
 
 // Whether products in single precision save anything: not where few points overlap, which a step or two solve to all digits.
 bool worth_mixing(const Problem& problem) {
-  if (!problem.has_float() || problem.option_text("haar-cg.products") != "mixed") return false;
+  if (!problem.has_float() || problem.option_text(products.key) != mixed_products) return false;
   if (problem.load_control()) return true;
   std::int64_t overlaps = 0;
   for (std::int64_t i = 0; i < problem.size() && overlaps <= few_overlaps; ++i) overlaps += problem.compenetration(i) > 0 ? 1 : 0;
@@ -101,7 +103,10 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
 
 rc_status haar_cg_score(const rc_facts* facts, rc_estimate* estimate) {
   estimate->seconds = with_the_rest(*facts, iterating(*facts, 40));
-  estimate->bytes = 10 * sizeof(double) * static_cast<double>(facts->n);
+  // Five vectors and the free set; u is made where it is read. The trees lie in one of the vectors.
+  const bool mixed =
+      (facts->caps & RC_CAP_FLOAT) != 0 && roughcontact::option_text(facts->host, facts->options, products.key) == mixed_products;
+  estimate->bytes = (5 * (mixed ? sizeof(float) : sizeof(double)) + 4) * static_cast<double>(facts->n);
   return RC_OK;
 }
 
