@@ -90,6 +90,15 @@ void Ranks::transpose(const void* from, const std::int64_t* sent, void* into, co
   if (const char* const what = exchange.transpose(exchange.user, from, sent, into, received)) failed(RC_ERR_EXTERNAL, what);
 }
 
+std::int64_t Ranks::previous(bool around) const {
+  if (rows() == 0) return -1;
+  if (rank() > 0) return rank() - 1;
+  if (!around) return -1;
+  std::int64_t last = size() - 1;
+  while (rows_of(last) == 0) --last;
+  return last;
+}
+
 void Ranks::shift(std::int64_t to, const void* from, std::int64_t sent, std::int64_t source, void* into,
                   std::int64_t received) const {
   if (to < 0 && source < 0) return;

@@ -56,9 +56,9 @@ class Ranks {
     return first_[static_cast<std::size_t>(rank) + 1] - first_[static_cast<std::size_t>(rank)];
   }
   bool has_last_row() const { return rows() > 0 && first_row() + rows() == all_rows(); }
-  // Ranks with the rows before and after; -1: none.
-  std::int64_t previous() const { return rows() > 0 && rank() > 0 ? rank() - 1 : -1; }
-  std::int64_t next() const { return rows() > 0 && !has_last_row() ? rank() + 1 : -1; }
+  // Ranks with the rows before and after; -1: none. around: the first row comes after the last.
+  std::int64_t previous(bool around = false) const;
+  std::int64_t next(bool around = false) const { return rows() == 0 ? -1 : !has_last_row() ? rank() + 1 : around ? 0 : -1; }
   int halvings() const { return halvings_; }  // of a piece's rows, until one is left
   std::int64_t piece_rows() const { return std::int64_t{1} << halvings_; }
   std::int64_t pieces_of(std::int64_t rank) const { return (rows_of(rank) + piece_rows() - 1) / piece_rows(); }
@@ -155,13 +155,11 @@ class Ranks {
   void transpose(const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) const;
   void shift(std::int64_t to, const void* from, std::int64_t sent, std::int64_t source, void* into, std::int64_t received) const;
   // A row of values to the next rank; the previous rank's into `into`. And back.
-  template <class Value> void down(const Value* from, Value* into, std::int64_t count) const {
-    const auto bytes = count * static_cast<std::int64_t>(sizeof(Value));
-    shift(next(), from, next() >= 0 ? bytes : 0, previous(), into, previous() >= 0 ? bytes : 0);
+  template <class Value> void down(const Value* from, Value* into, std::int64_t count, bool around = false) const {
+    pass(next(around), from, previous(around), into, count);
   }
-  template <class Value> void up(const Value* from, Value* into, std::int64_t count) const {
-    const auto bytes = count * static_cast<std::int64_t>(sizeof(Value));
-    shift(previous(), from, previous() >= 0 ? bytes : 0, next(), into, next() >= 0 ? bytes : 0);
+  template <class Value> void up(const Value* from, Value* into, std::int64_t count, bool around = false) const {
+    pass(previous(around), from, next(around), into, count);
   }
   // The rows of all ranks [all_rows * columns], from this rank's.
   template <class Value> void gather_rows(const Value* mine, std::int64_t columns, Value* all) const {
@@ -196,6 +194,14 @@ class Ranks {
 
   Ranks(std::shared_ptr<Link> link, std::vector<std::int64_t> first, int halvings)
       : link_(std::move(link)), first_(std::move(first)), halvings_(halvings) {}
+  template <class Value>
+  void pass(std::int64_t to, const Value* from, std::int64_t source, Value* into, std::int64_t count) const {
+    const auto bytes = count * static_cast<std::int64_t>(sizeof(Value));
+    if (to == rank())
+      std::copy_n(from, count, into);
+    else
+      shift(to, from, to >= 0 ? bytes : 0, source, into, source >= 0 ? bytes : 0);
+  }
   void sum_parts(const void* mine, std::size_t size, void* all) const;
   void checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
   void exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;

@@ -15,7 +15,7 @@ const Pair haar{"haar-cg", "fft"};
 const Settings settings = {{RC_OPT_TOL, "1e-8"}};
 constexpr std::int64_t side = 256;
 constexpr double slope = 0.08, hardness = 0.1;  // rms; in units of the modulus
-constexpr double most_excess = 1.5;             // products over those of the elastic contact, which needs no search for its load
+constexpr double most_excess = 1.65;            // products over those of the elastic contact, which needs no search for its load
 const double mean_pressures[] = {0.01, 0.03, 0.05, 0.07, 0.09, 0.095, 0.0999};
 
 Problem rough(std::int64_t nx, std::int64_t ny, std::int32_t boundary, double mean_pressure) {

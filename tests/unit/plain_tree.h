@@ -25,10 +25,11 @@ class PlainTree {
  public:
   using Values = std::vector<double>;
 
-  // shifted: the blocks of every second level begin one cell earlier.
+  // shifted: the blocks of every second level begin one cell earlier. Where cells fill a period the first begins with the last cell.
   PlainTree(std::int64_t nx, std::int64_t ny, const CouplingTable& table, bool shifted) : least_top_(table.nx > 0 ? 0.03 : 0.1) {
     double hx = table.hx, hy = table.hy, scale = 1;
     std::int64_t wide = 1, high = 1;  // cells of the grid along the sides of a block
+    const bool period_x = nx == table.nx, period_y = ny == table.ny;
     for (int depth = 0; nx * ny > 1 || depth == 0; ++depth) {
       Level level{nx, ny};
       const bool large = scale < 1 && table.nx > 0;  // against the period of a periodic surface
@@ -44,12 +45,13 @@ class PlainTree {
       const bool shift = shifted && depth % 2 == 0;
       level.shift_x = shift && level.merge_x && nx > 2;
       level.shift_y = shift && level.merge_y && ny > 2;
+      const bool around_x = level.shift_x && period_x && nx % 2 == 0, around_y = level.shift_y && period_y && ny % 2 == 0;
       if (level.merge_x) {
-        nx = (nx + level.shift_x + 1) / 2;
+        nx = around_x ? nx / 2 : (nx + level.shift_x + 1) / 2;
         hx *= 2;
       }
       if (level.merge_y) {
-        ny = (ny + level.shift_y + 1) / 2;
+        ny = around_y ? ny / 2 : (ny + level.shift_y + 1) / 2;
         hy *= 2;
       }
       // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides.
@@ -64,7 +66,9 @@ class PlainTree {
       level.blocks.resize(static_cast<std::size_t>(nx * ny));
       for (std::int64_t y = 0; y < level.ny; ++y)
         for (std::int64_t x = 0; x < level.nx; ++x) {
-          const std::int64_t i = level.merge_x ? x + level.shift_x : 2 * x, j = level.merge_y ? y + level.shift_y : 2 * y;
+          std::int64_t i = level.merge_x ? x + level.shift_x : 2 * x, j = level.merge_y ? y + level.shift_y : 2 * y;
+          if (around_x) i %= level.nx;
+          if (around_y) j %= level.ny;
           level.blocks[static_cast<std::size_t>(j / 2 * nx + i / 2)].child[static_cast<std::size_t>(j % 2 * 2 + i % 2)] =
               static_cast<int>(y * level.nx + x);
         }

@@ -10,6 +10,7 @@ struct Level {
   Index mx, my;                               // cells
   int merge_x, merge_y;                       // how they join to blocks
   int shift_x, shift_y;                       // 1: the blocks begin one cell earlier
+  int around_x, around_y;                     // 1: the first of them begins with the last cell
   Index columns, rows;                        // of blocks
   float x, y, xy;                             // couplings of neighbours
   float *child = nullptr, *parent = nullptr;  // values of cells and blocks; the finest level has no child
@@ -52,7 +53,9 @@ RC_ANYWHERE inline float at_least(float value) { return value > 1e-12F ? value :
 // Where a block's child is among the level's cells; -1: there is none.
 RC_ANYWHERE inline Index child_of(const Level& l, Index column, Index row, int c) {
   if ((c % 2 != 0 && !l.merge_x) || (c / 2 != 0 && !l.merge_y)) return -1;
-  const Index x = l.merge_x ? 2 * column - l.shift_x + c % 2 : column, y = l.merge_y ? 2 * row - l.shift_y + c / 2 : row;
+  Index x = l.merge_x ? 2 * column - l.shift_x + c % 2 : column, y = l.merge_y ? 2 * row - l.shift_y + c / 2 : row;
+  if (x < 0 && l.around_x) x = l.mx - 1;
+  if (y < 0 && l.around_y) y = l.my - 1;
   return x >= 0 && x < l.mx && y >= 0 && y < l.my ? y * l.mx + x : -1;
 }
 struct Children {
@@ -214,7 +217,9 @@ template <class R> struct DownFinest {
     for (int tree = 0; tree < 2; ++tree) {
       const Level& l = level[tree];
       const Place cell = place_of(i, l.mx);
-      const Index x = cell.column + l.shift_x, y = cell.row + l.shift_y;
+      Index x = cell.column + l.shift_x, y = cell.row + l.shift_y;
+      if (x == l.mx && l.around_x) x = 0;
+      if (y == l.my && l.around_y) y = 0;
       const Index block = (l.merge_y ? y / 2 : y) * l.columns + (l.merge_x ? x / 2 : x);
       const int own = (l.merge_x ? static_cast<int>(x % 2) : 0) + (l.merge_y ? 2 * static_cast<int>(y % 2) : 0);
       const Children c = children_of(l, block);

@@ -51,10 +51,12 @@ template <Machine M, class Poll> class HaarIteration {
   static constexpr double few = 2;         // points whose caps make up the missing load: then the nearest one is released
   static constexpr double blur = 1e-5;     // of the compenetration: error of such a state's datum
   static constexpr double drift = 0.1;     // of the tolerance: error of a kept load that is put right without a cut
-  static constexpr double most_swing = 3;  // of the limit: by how much the datum of the trees may raise it
+  static constexpr double most_swing = 6;  // of the limit: by how much the datum of the trees may raise it
   static constexpr double known = 0.5;     // residual over the datum below which the datum of a load that is sought is known
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
+  static constexpr double sure = single ? 1e-3 : 1e-11;         // the same, for all but a small part of the residual
+  static constexpr double surely = 0.9;                         // of the tolerance: a residual that has such an error
   static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -70,7 +72,7 @@ template <Machine M, class Poll> class HaarIteration {
   }
   constexpr double worst() const { return std::max(now_.largest / scale(), imbalance()); }
   // Single precision is reliable for a few digits below the residual of the last product in double precision.
-  constexpr bool blurred() const { return single && worst() <= drop * exact_; }
+  constexpr bool blurred(double residual) const { return single && residual <= drop * exact_; }
 
   // to = (H + mean 11') from. The mean makes the energy of a periodic contact depend on the mean pressure, also in full contact.
   template <class Handle> constexpr void product(Handle from, Handle to) {
@@ -185,7 +187,8 @@ template <Machine M, class Poll> class HaarIteration {
       }
       datum_ += level_;
     }
-    if (++since_refresh_ >= refresh_every) return refresh();
+    // Where the residual will call for a product in double precision, that has the cut as well.
+    if (++since_refresh_ >= refresh_every || (cut_any_ && blurred(last_ * fall_))) return refresh();
     if (cut_any_) {
       prepared_ = false;
       product(m_.z(), m_.y());
@@ -280,19 +283,35 @@ template <Machine M, class Poll> class HaarIteration {
     lower(-m_.nearest(false));
   }
 
-  // Confirms a residual that looks small enough, by a product in double precision. By load the pressures are scaled to exactly
-  // that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures below the cap, vanishes.
-  // Where there are none it becomes the least at which no point at the cap has a gap.
-  constexpr void settle() {
+  // The pressures' factor to exactly the prescribed load.
+  constexpr double to_load() const {
     const double at_cap = now_.load - now_.free_load;
-    if (task_.by_load) m_.multiply(now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1, true);
+    return task_.by_load && now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1;
+  }
+
+  // Whether a product in double precision would tell no more than w does.
+  constexpr bool exact() const {
+    return mean_ == 0 && (now_.free_load > 0 || !capped()) && task_.tol >= sure * exact_ && worst() <= surely * task_.tol &&
+           std::abs(to_load() - 1) <= drift * task_.tol;
+  }
+
+  // Confirms a residual that looks small enough, by a product in double precision where w is not exact. By load the pressures
+  // are scaled to exactly that load, and the approach becomes the one at which the mean of the gap, weighted by the pressures
+  // below the cap, vanishes. Where there are none it becomes the least at which no point at the cap has a gap. Whether the
+  // residual is within the tolerance.
+  constexpr bool settle() {
+    bool known_well = exact();
+    if (task_.by_load) m_.multiply(to_load(), true);
     if (!task_.by_load) datum_ = mean_ * now_.load;
-    refresh();
-    if (task_.by_load && now_.free_load > 0)
-      lower(now_.free_moment / now_.free_load);
-    else if (task_.by_load && capped())
-      descend();
-    exact_ = worst();
+    for (;; known_well = false) {
+      if (!known_well) refresh();
+      if (task_.by_load && now_.free_load > 0)
+        lower(now_.free_moment / now_.free_load);
+      else if (task_.by_load && capped())
+        descend();
+      if (!known_well) exact_ = worst();
+      if (!known_well || worst() <= task_.tol) return worst() <= task_.tol;
+    }
   }
 
   // Worse than no pressure at all: a periodic operator does not resist a uniform one, so steps raise the load without end.
@@ -353,12 +372,11 @@ template <Machine M, class Poll> class HaarIteration {
         continue;
       }
       bound();
-      if (worst() <= task_.tol)
-        settle();
-      else if (blurred())
-        refresh();
+      const bool solved = worst() <= task_.tol && settle();
+      if (!solved && blurred(worst())) refresh();
+      fall_ = last_ < infinite ? worst() / last_ : 1;
       last_ = worst();
-      if (last_ <= task_.tol && since_refresh_ == 0) return HaarEnding::solved;
+      if (solved || (last_ <= task_.tol && since_refresh_ == 0)) return HaarEnding::solved;
       if (!poll_(steps, last_)) return HaarEnding::stopped;
       const bool trouble = progress_.in_trouble(last_, merit(), merit_noise, !follows()) || runs_away();
       if (progress_.stalled() > task_.patience) return HaarEnding::stalled;
@@ -390,6 +408,7 @@ template <Machine M, class Poll> class HaarIteration {
   double highest_ = 0;                       // largest u
   HaarMeasure now_;                          // of the present p and w
   double last_ = infinite;                   // residual after the last bound
+  double fall_ = 1;                          // that over the one before
   double exact_ = 1;                         // residual of the last product in double precision
   int since_refresh_ = 0;                    // bounds since then
   double curvature_ = 0;                     // (t, q) of the last step

@@ -48,9 +48,10 @@ void HaarTree::link(Level& level, std::vector<std::int32_t>& x, std::vector<std:
 HaarTree::HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest, const Ranks* ranks)
     : full_(cells.full()), loops_(best_haar_rows()), least_top_(haar_least_top(table)) {
   std::vector<std::int32_t> x = cells.x, y = cells.y;
-  for (const HaarTreeLevel& shape : haar_tree_levels(cells.mx, cells.my, table, shifted)) {
+  for (const HaarTreeLevel& shape : haar_tree_levels(cells.mx, cells.my, table, shifted, full_)) {
     Level level{shape};
     level.parents = shape.columns * shape.rows;
+    level.before = level.around_y && !levels_.empty();
     if (!full_) {
       link(level, x, y);
       level.rows = 1;
@@ -73,9 +74,9 @@ void HaarTree::share(const Ranks& ranks) {
     if (level.merge_y && merges == ranks.halvings()) break;
     merges += level.merge_y;
     level.my = rows;
-    level.before = level.shift_y != 0 && rows > 0 && first > 0;
+    level.before = level.shift_y != 0 && rows > 0 && (first > 0 || level.around_y);
     if (level.merge_y) {
-      rows = rows == 0 ? 0 : ranks.has_last_row() ? (rows + level.shift_y + 1) / 2 : rows / 2;
+      rows = rows == 0 ? 0 : ranks.has_last_row() && !level.around_y ? (rows + level.shift_y + 1) / 2 : rows / 2;
       first /= 2;
     }
     level.rows = rows;

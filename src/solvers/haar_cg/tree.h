@@ -31,6 +31,7 @@ template <class Real> struct HaarFinestValues {
 class HaarTree {
  public:
   // `shifted`: the blocks of every second level begin one cell earlier, so that two trees cut the surface at different places.
+  // Where every cell of a period exists, the first of these blocks begins with the last cell.
   // `finest`: factor of the differences inside the finest blocks.
   // `ranks`: null, or those that share the cells by rows; then every cell exists.
   HaarTree(const Cells& cells, const CouplingTable& table, bool shifted, float finest, const Ranks* ranks = nullptr);
@@ -59,8 +60,9 @@ class HaarTree {
   float* whole_rows() { return cells(first_whole_) + levels_[first_whole_].lead_y * levels_[first_whole_].pitch; }
   const std::vector<std::int64_t>& whole_values() const { return whole_values_; }
   void clear_around_whole_rows();
-  // Whether blocks of this level begin one row of cells earlier.
+  // Whether blocks of this level begin one row of cells earlier; and the first of them with the last row.
   bool shifted_rows(std::size_t level) const { return levels_[level].shift_y != 0; }
+  bool rows_around(std::size_t level) const { return levels_[level].around_y; }
   // Above the finest level: values of the row before the first, and of the last row.
   std::int64_t row_values(std::size_t level) const { return levels_[level].pitch; }
   float* row_before(std::size_t level) { return cells(level); }
@@ -90,7 +92,7 @@ class HaarTree {
     std::int64_t parents = 0;             // number of blocks
     std::int64_t groups = 0;              // of eight blocks in a row
     std::int64_t lead_x = 0, lead_y = 0;  // empty cells before the first, so that the first block is whole
-    std::int64_t before = 0;              // 1: the row of cells before the first is there, the previous rank's
+    std::int64_t before = 0;              // 1: the row of cells before the first is there, the previous rank's or a period's last
     std::int64_t offset = 0;              // of its rows of blocks among the next level's rows of cells
     std::int64_t pitch = 0, height = 0;   // columns and rows of values of the cells
     std::size_t values = 0, blocks = 0;   // where those of this level begin; not on the finest level
@@ -104,6 +106,8 @@ class HaarTree {
     std::int64_t first[16], second[16];
     // end > 0: the children begin .. end-1 of a row lie side by side from first[0] or second[0] on; there are no others.
     std::int64_t begin = 0, end = 0;
+    // With that: the first child of each row, where it is the last cell of a period; -1: none.
+    std::int64_t around_first = -1, around_second = -1;
 
     template <class Value> void gather(const Value* from, Value* to_first, Value* to_second) const;
     template <class Value> void scatter(const Value* from_first, const Value* from_second, Value* to) const;
@@ -111,8 +115,9 @@ class HaarTree {
     void keep(std::int64_t from, std::int64_t stop);
 
    private:
-    template <class Value> void gather_row(const Value* from, const std::int64_t* place, Value* to) const;
-    template <class Value> void scatter_row(const Value* from, const std::int64_t* place, Value* to) const;
+    template <class Value> void gather_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const;
+    template <class Value>
+    void scatter_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const;
   };
 
   void share(const Ranks& ranks);
@@ -129,6 +134,10 @@ class HaarTree {
     return block_ + levels_[level].blocks + static_cast<std::size_t>(row * levels_[level].groups);
   }
   void clear_margins(std::size_t level, std::int64_t row);
+  void to_front(std::size_t level, std::int64_t row);
+  void to_back(std::size_t level, std::int64_t row);
+  bool has_row(std::int64_t y) const;
+  std::int64_t row_at(std::int64_t y) const;
   Places places(std::size_t level, std::int64_t row, std::int64_t group) const;
   template <class Visit> void each_row(std::size_t level, std::int64_t part, const Visit& visit) const;
   template <class Run, class Single> void each_group(std::int64_t row, const Run& run, const Single& single) const;

@@ -89,27 +89,33 @@ void HaarTreePair::take(const std::uint8_t* active, const rc_team& team) {
 template <class Value> void HaarTreePair::lend_row(Value* vector) const {
   if (!ranks_ || !tree_[1].shifted_rows(0)) return;
   const std::int64_t columns = tree_[1].columns();
-  ranks_->down(vector + unknowns_ - columns, vector - columns, columns);
+  ranks_->down(vector + unknowns_ - columns, vector - columns, columns, tree_[1].rows_around(0));
 }
 
 // Adds what the next rank has found for this rank's last row.
 template <class Real> void HaarTreePair::take_back_row(Real* z) const {
   const std::int64_t columns = tree_[1].columns();
   std::vector<Real> share(static_cast<std::size_t>(columns), Real{0});
-  ranks_->up(z - columns, share.data(), columns);
+  ranks_->up(z - columns, share.data(), columns, tree_[1].rows_around(0));
   for (std::int64_t x = 0; x < columns && unknowns_ > 0; ++x) z[unknowns_ - columns + x] += share[static_cast<std::size_t>(x)];
 }
 
 void HaarTreePair::lend_rows(std::size_t level) {
   HaarTree& tree = tree_[1];
-  if (level < shared_by_ranks() && tree.shifted_rows(level))
-    ranks_->down(tree.last_row(level), tree.row_before(level), tree.row_values(level));
+  if (level >= tree.levels() || !tree.shifted_rows(level)) return;
+  if (level < shared_by_ranks())
+    ranks_->down(tree.last_row(level), tree.row_before(level), tree.row_values(level), tree.rows_around(level));
+  else if (tree.rows_around(level))
+    std::copy_n(tree.last_row(level), tree.row_values(level), tree.row_before(level));
 }
 
 void HaarTreePair::return_rows(std::size_t level) {
   HaarTree& tree = tree_[1];
-  if (level < shared_by_ranks() && tree.shifted_rows(level))
-    ranks_->up(tree.row_before(level), tree.last_row(level), tree.row_values(level));
+  if (level >= tree.levels() || !tree.shifted_rows(level)) return;
+  if (level < shared_by_ranks())
+    ranks_->up(tree.row_before(level), tree.last_row(level), tree.row_values(level), tree.rows_around(level));
+  else if (tree.rows_around(level))
+    std::copy_n(tree.row_before(level), tree.row_values(level), tree.last_row(level));
 }
 
 void HaarTreePair::join_whole_level(bool clear) {
@@ -151,8 +157,10 @@ void HaarTreePair::set_up(std::uint8_t* active, float surplus, const rc_team& te
   if (small == shared_by_ranks()) join_whole_level(true);
   roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
-    for (std::size_t level = small; level < tree.levels(); ++level)
+    for (std::size_t level = small; level < tree.levels(); ++level) {
+      if (i == 1) lend_rows(level);
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.solve(level, part);
+    }
     tree.solve_top(surplus);
   });
 }
@@ -176,8 +184,10 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
   if (small == shared_by_ranks()) join_whole_level(false);
   roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
-    for (std::size_t level = small; level < tree.levels(); ++level)
+    for (std::size_t level = small; level < tree.levels(); ++level) {
+      if (i == 1) lend_rows(level);
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.up(level, part);
+    }
   });
   // Shares add up to 1 and differences to 0, so the sum of a tree's z is what comes down from its top.
   const double softness[2] = {tree_[0].softness(), tree_[1].softness()}, both = softness[0] + softness[1];
@@ -186,8 +196,10 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
   roughcontact::for_each(team, 2, worth_sharing(0), [&](std::int64_t i, std::int64_t) {
     HaarTree& tree = tree_[i];
     tree.turn_top(static_cast<float>(level_of));
-    for (std::size_t level = tree.levels(); level-- > small;)
+    for (std::size_t level = tree.levels(); level-- > small;) {
       for (std::int64_t part = 0; part < tree.parts(level); ++part) tree.down(level, part);
+      if (i == 1) return_rows(level);
+    }
   });
   for (std::size_t level = small; level-- > 1;) {
     on_level(level, team, [&](HaarTree& tree, std::int64_t part) { tree.down(level, part); });

@@ -53,8 +53,10 @@ double periodic_coupling(const CouplingTable& table, double wide, double high, i
 
 }  // namespace
 
-std::vector<HaarTreeLevel> haar_tree_levels(std::int64_t mx, std::int64_t my, const CouplingTable& table, bool shifted) {
+std::vector<HaarTreeLevel> haar_tree_levels(std::int64_t mx, std::int64_t my, const CouplingTable& table, bool shifted,
+                                            bool around) {
   std::vector<HaarTreeLevel> levels;
+  const bool period_x = around && mx == table.nx, period_y = around && my == table.ny;
   std::vector<double> k = table.k;
   std::int64_t kx = table.mx, ky = table.my;
   double hx = table.hx, hy = table.hy, scale = 1;
@@ -77,12 +79,14 @@ std::vector<HaarTreeLevel> haar_tree_levels(std::int64_t mx, std::int64_t my, co
     const bool shift = shifted && depth % 2 == 0;
     level.shift_x = shift && level.merge_x && mx > 2;
     level.shift_y = shift && level.merge_y && my > 2;
+    level.around_x = level.shift_x && period_x && mx % 2 == 0;
+    level.around_y = level.shift_y && period_y && my % 2 == 0;
     if (level.merge_x) {
-      mx = (mx + level.shift_x + 1) / 2;
+      mx = level.around_x ? mx / 2 : (mx + level.shift_x + 1) / 2;
       hx *= 2;
     }
     if (level.merge_y) {
-      my = (my + level.shift_y + 1) / 2;
+      my = level.around_y ? my / 2 : (my + level.shift_y + 1) / 2;
       hy *= 2;
     }
     // Where the table is too short for larger blocks, couplings are taken to halve when cells double their sides, which they do
