@@ -72,10 +72,13 @@ template <class R, class Place> class DeviceMachine {
     return false;
   }
   constexpr rc::HaarMeasure add_and_measure(Vector change, double shift) {
-    return measured({m_.w, change, nullptr, m_.u, m_.p, m_.state, shift, cap_, false});
+    return measured({m_.w, change, nullptr, m_.u, m_.p, m_.state, shift, cap_, NewW::changed});
+  }
+  constexpr rc::HaarMeasure grow_and_measure(double share) {
+    return measured({m_.w, nullptr, nullptr, m_.u, m_.p, m_.state, share, cap_, NewW::grown});
   }
   constexpr rc::HaarMeasure replace_and_measure(Wide product, double shift) {
-    return measured({m_.w, nullptr, product, m_.u, m_.p, m_.state, shift, cap_, true});
+    return measured({m_.w, nullptr, product, m_.u, m_.p, m_.state, shift, cap_, NewW::replaced});
   }
   constexpr bool choose_set(double threshold) {
     return place_.template reduce<Any>(n_, Choose<R>{m_.p, m_.w, m_.state, static_cast<R>(threshold), cap_}).value;

@@ -129,6 +129,13 @@ template <class R> class PlainMachine {
     for (std::size_t i = 0; i < n_; ++i) w_[i] += (change ? (*change)[i] : 0) - static_cast<Real>(shift);
     return measure();
   }
+  HaarMeasure grow_and_measure(double share) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      const auto w = static_cast<double>(w_[i]);
+      w_[i] = static_cast<Real>(w + share * (w + u_[i]));
+    }
+    return measure();
+  }
   HaarMeasure replace_and_measure(Wide product, double shift) {
     for (std::size_t i = 0; i < n_; ++i) w_[i] = static_cast<Real>((product ? (*product)[i] : 0) - u_[i] - shift);
     return measure();

@@ -142,7 +142,8 @@ template <class R> struct Cut {
   }
 };
 
-// The new w: w + change - shift or, fresh, product - u - shift.
+// w + change - shift, w + shift (w + u), product - u - shift.
+enum class NewW { changed, grown, replaced };
 template <class R> struct Update {
   R* w;
   const R* change;
@@ -150,11 +151,13 @@ template <class R> struct Update {
   const double *u, *p;
   const std::uint8_t* state;
   double shift, cap;
-  bool fresh;
+  NewW next;
   RC_ANYWHERE Measured operator()(Index i) const {
     if (!(state[i] & is_unknown)) return {};
-    if (fresh)
+    if (next == NewW::replaced)
       w[i] = static_cast<R>((product ? product[i] : 0.0) - u[i] - shift);
+    else if (next == NewW::grown)
+      w[i] = static_cast<R>(static_cast<double>(w[i]) + shift * (static_cast<double>(w[i]) + u[i]));
     else
       w[i] += (change ? change[i] : R{0}) - static_cast<R>(shift);
     const double value = static_cast<double>(w[i]), pressure = p[i];

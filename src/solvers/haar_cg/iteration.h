@@ -53,6 +53,7 @@ template <Machine M, class Poll> class HaarIteration {
   static constexpr double drift = 0.1;     // of the tolerance: error of a kept load that is put right without a cut
   static constexpr double most_swing = 6;  // of the limit: by how much the datum of the trees may raise it
   static constexpr double known = 0.5;     // residual over the datum below which the datum of a load that is sought is known
+  static constexpr double most_stretch = 0.01, least_stretch = 0.05;  // of the pressures; of the residual
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
   static constexpr double sure = single ? 1e-3 : 1e-11;         // the same, for all but a small part of the residual
@@ -194,6 +195,17 @@ template <Machine M, class Poll> class HaarIteration {
       product(m_.z(), m_.y());
     }
     now_ = m_.add_and_measure(cut_any_ ? m_.y() : Vector(nullptr), keeps_load_ ? level_ : 0);
+    stretch();
+  }
+
+  // Replaces the pressures by their multiple of least energy, whose product is known. By displacement the steps find that
+  // multiple last.
+  constexpr void stretch() {
+    if (task_.by_load || keeps_load_ || task_.periodic_mean > 0 || capped()) return;
+    const double share = -now_.moment / (2 * (now_.moment - now_.merit));  // p'Hp = 2 (moment - merit)
+    if (!(std::abs(share) < most_stretch) || std::abs(share) <= least_stretch * worst()) return;
+    m_.multiply(1 + share, false);
+    now_ = m_.grow_and_measure(share);
   }
 
   constexpr void lower(double change) {

@@ -77,6 +77,8 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   { m.add_and_measure(a, number) } -> std::same_as<HaarMeasure>;
   // w = wide - u - number; without wide: w = -u - number, for p = 0.
   { m.replace_and_measure(wide, number) } -> std::same_as<HaarMeasure>;
+  // w += number (w + u): by so much H p grows where p has grown by that share and the datum is 0.
+  { m.grow_and_measure(number) } -> std::same_as<HaarMeasure>;
   // The free set becomes the unknowns with 0 < p < cap, p = 0 and w < -number, or p = cap and w > number. Returns whether it
   // changed.
   { m.choose_set(number) } -> std::same_as<bool>;

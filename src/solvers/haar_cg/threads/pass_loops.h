@@ -7,8 +7,8 @@
 
 namespace rc {
 
-// The new w: w + change, w - shift, product - u - shift, -u - shift.
-enum class HaarUpdate { add, lower, replace, begin };
+// The new w: w + change, w - shift, w + shift (w + u), product - u - shift, -u - shift.
+enum class HaarUpdate { add, lower, grow, replace, begin };
 
 // Runs of so many points. Idle: none of them is in the free set. Still: and t is 0 there; left: t may be something else.
 constexpr std::int64_t haar_run = 16;
@@ -43,7 +43,7 @@ template <class Real, class Pressure> struct HaarLoops {
   // are not busy. Returns whether some are at the cap.
   bool (*scale)(std::int64_t n, double number, Pressure* p, double cap, Real* cut, bool yes, const HaarRun* runs);
   // Without a cap add and lower read u only in runs that are busy.
-  Measure add, lower, replace, begin;
+  Measure add, lower, grow, replace, begin;
   // active = p > 0 or w < -limit, and where p = cap: w > limit. Returns whether it changed.
   Choose choose;
   // u = (approach - gap) * per_length

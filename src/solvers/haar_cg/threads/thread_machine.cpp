@@ -132,7 +132,7 @@ const HaarLoops<Real, Pressure>& ThreadMachine<Real, Pressure>::loops_at(std::in
 template <class Real, class Pressure>
 HaarMeasure ThreadMachine<Real, Pressure>::measure(typename Loops::Measure Loops::*loop, const Real* change,
                                                    const Pressure* product, double shift) {
-  const bool everywhere = loop == &Loops::replace || loop == &Loops::begin;
+  const bool everywhere = loop != &Loops::add && loop != &Loops::lower;
   const auto body = [&](std::int64_t begin, std::int64_t n) {
     const Loops& loops = loops_at(begin);
     const HaarRun* const runs = runs_at(begin);
@@ -151,6 +151,10 @@ HaarMeasure ThreadMachine<Real, Pressure>::measure(typename Loops::Measure Loops
 
 template <class Real, class Pressure> HaarMeasure ThreadMachine<Real, Pressure>::add_and_measure(Vector change, double shift) {
   return measure(change ? &Loops::add : &Loops::lower, change, nullptr, shift);
+}
+
+template <class Real, class Pressure> HaarMeasure ThreadMachine<Real, Pressure>::grow_and_measure(double share) {
+  return measure(&Loops::grow, nullptr, nullptr, share);
 }
 
 template <class Real, class Pressure> HaarMeasure ThreadMachine<Real, Pressure>::replace_and_measure(Wide product, double shift) {

@@ -53,6 +53,7 @@ template <class R, class Pressure = double> class ThreadMachine {
   double turn(double beta);
   bool advance(double length, bool cut);
   HaarMeasure add_and_measure(Vector change, double shift);
+  HaarMeasure grow_and_measure(double share);
   HaarMeasure replace_and_measure(Wide product, double shift);
   bool choose_set(double threshold);
   double nearest(bool unpressed);
