@@ -1,6 +1,9 @@
 #include "points.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <type_traits>
 
 namespace rc_fft {
 
@@ -16,13 +19,17 @@ Points::Points(const rc_domain& domain, const Box& box, std::int64_t grid_nx) : 
 }
 
 template <class Real> bool Points::row_is_zero(std::int64_t row, const Real* x) const {
+  using Bits = std::conditional_t<sizeof(Real) == sizeof(float), std::uint32_t, std::uint64_t>;
   constexpr std::int64_t together = 64;  // without a branch, so that they are compared side by side
-  for (std::int64_t i = begin(row), end = begin(row + 1); i < end; i += together) {
-    bool any = false;
-    for (std::int64_t k = i; k < std::min(i + together, end); ++k) any |= x[k] != 0;
+  const Real* const end = x + begin(row + 1);
+  for (x += begin(row); x + together <= end; x += together) {
+    Bits any = 0;
+    for (std::int64_t k = 0; k < together; ++k) any |= std::bit_cast<Bits>(x[k]) << 1;  // without the sign
     if (any) return false;
   }
-  return true;
+  Bits any = 0;
+  for (; x < end; ++x) any |= std::bit_cast<Bits>(*x) << 1;
+  return any == 0;
 }
 
 template <class Outer, class Real>

@@ -31,6 +31,7 @@ void forgetting_equals_a_fresh_operator(const rc_backend&);
 void float_products_agree_with_double_ones(const rc_backend&);
 void float_products_keep_their_accuracy_at_any_scale(const rc_backend&);
 void either_precision_may_come_first(const rc_backend&);
+void products_leave_alone_what_memory_holds_by_chance(const rc_backend&);
 
 // threads.cpp
 void results_do_not_depend_on_threads(const rc_backend&);

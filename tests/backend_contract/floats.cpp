@@ -1,5 +1,10 @@
 // Products in single precision.
+#include <cfenv>
 #include <cmath>
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 #include "cases.h"
 #include "fixtures.h"
@@ -73,6 +78,27 @@ void either_precision_may_come_first(const rc_backend& backend) {
       assert_true(first.apply_float(x) == in_float);
     }
   });
+}
+
+// Fresh memory is filled with numbers whose products overflow.
+void products_leave_alone_what_memory_holds_by_chance(const rc_backend& backend) {
+#ifdef M_PERTURB
+  for_each_problem(backend, 20, 33, 1.0, 1.0, [&](const Problem& problem) {
+    mallopt(M_PERTURB, 0x80);
+    StandInHost host(backend);
+    Operator op(backend, host, problem.system());
+    op.bind(problem.all(), problem.zero_mode());
+    const Vector x = exact_vector(problem.all().size(), 5, 4096);
+    op.apply(x);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    op.apply_float(x);
+    const int raised = std::fetestexcept(FE_OVERFLOW | FE_INVALID);
+    mallopt(M_PERTURB, 0);
+    assert_int_equal(raised, 0);
+  });
+#else
+  (void)backend;
+#endif
 }
 
 }  // namespace contract

@@ -58,6 +58,7 @@ const Case cases[] = {
     RC_CASE(float_products_agree_with_double_ones, has_float),
     RC_CASE(float_products_keep_their_accuracy_at_any_scale, has_float),
     RC_CASE(either_precision_may_come_first, has_float),
+    RC_CASE(products_leave_alone_what_memory_holds_by_chance, has_float),
     RC_CASE(results_do_not_depend_on_threads, claims_thread_invariance),
     RC_CASE(operators_work_side_by_side, takes_grids),
     RC_CASE(subset_solves_its_equations, has_subset),
