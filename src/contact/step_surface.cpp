@@ -172,10 +172,14 @@ template <class Visit> void StepSurface::visit_below(double limit, std::int64_t 
   for (std::int64_t y = tile_row * tile; y < std::min((tile_row + 1) * tile, ny_); ++y)
     for (std::int64_t column = 0; column < columns; ++column) {
       if (!(tile_lowest_[static_cast<std::size_t>(tile_row * columns + column)] < limit)) continue;
-      for (std::int64_t x = column * tile; x < std::min((column + 1) * tile, nx_); ++x) {
-        const auto point = static_cast<std::size_t>(y * nx_ + x);
-        if (gap_[point] < limit && included(point)) visit(static_cast<std::int64_t>(point), x, y);
-      }
+      std::int64_t found[tile], n = 0;  // listed without a branch, which would be foreseen wrongly
+      gap_.visit([&](const auto* gap) {
+        for (std::int64_t x = column * tile; x < std::min((column + 1) * tile, nx_); ++x) {
+          found[n] = x;
+          n += static_cast<double>(gap[y * nx_ + x]) < limit && included(static_cast<std::size_t>(y * nx_ + x));
+        }
+      });
+      for (std::int64_t k = 0; k < n; ++k) visit(y * nx_ + found[k], found[k], y);
     }
 }
 
@@ -277,6 +281,17 @@ const double* StepSurface::gap_in_double() const {
   if (gap_.in_double() || gap_.empty()) return gap_.in_double();
   if (gap_in_double_.empty()) gap_in_double_.assign(gap_.in_single(), gap_.in_single() + gap_.size());
   return gap_in_double_.data();
+}
+
+void StepSurface::heights(const TrialSet& of, std::size_t first, std::size_t n, double* to) const {
+  if (tiles_) {
+    for (std::size_t k = 0; k < n; ++k) to[k] = height(static_cast<std::size_t>(of.point(static_cast<std::int64_t>(first + k))));
+    return;
+  }
+  gap_.visit([&](const auto* gap) {
+    const std::int64_t* const index = of.index.empty() ? nullptr : of.index.data() + first;
+    for (std::size_t k = 0; k < n; ++k) to[k] = static_cast<double>(index ? gap[index[k]] : gap[first + k]) - lowest_;
+  });
 }
 
 double StepSurface::mean_height() const {

@@ -118,6 +118,8 @@ class StepSurface {
 
   // Heights and compressions count from the lowest gap, so that no answer depends on the datum of the gap.
   double height(std::size_t i) const { return gap_at(i) - lowest_; }
+  // The same for entries first .. first+n-1 of a trial set.
+  void heights(const TrialSet& of, std::size_t first, std::size_t n, double* to) const;
   double mean_height() const;  // of the included points
   double range() const { return highest_ - lowest_; }
   // A limit such that every included point below this height has gap < limit.

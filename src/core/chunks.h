@@ -55,7 +55,10 @@ Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = 
 class Marks {
  public:
   explicit Marks(std::int64_t n) : words_(static_cast<std::size_t>((n + 63) / 64)) {}
-  void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << i % 64; }
+  void add(std::size_t i) { words_[i / together] |= std::uint64_t{1} << i % together; }
+  // Of so many values from a multiple of their number on.
+  static constexpr std::size_t together = 64;
+  void set(std::size_t first, std::uint64_t marked) { words_[first / together] = marked; }
   // The marked values in ascending order.
   std::vector<std::size_t> list() const {
     std::size_t count = 0;

@@ -23,16 +23,33 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
   const auto n = static_cast<std::int64_t>(answer.size());
   Marks touching(n);
   const auto body = [&](std::int64_t begin, std::int64_t count) {
-    Largest largest;
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(begin + count); ++k) {
-      const std::size_t i = answer.point(k);
-      const double gap = answer.product[k] - (compression - surface.height(i));
-      const bool apart = gap >= 0 && gap <= most;
-      largest.product = std::max(largest.product, std::abs(answer.product[k]));
-      if (surface.included(i)) largest.gap = std::max(largest.gap, std::abs(gap));
-      if (answer.p()[k] != 0 || !apart) touching.add(k);
+    constexpr std::size_t lanes = 4;
+    Largest largest[lanes];
+    double gap[Marks::together];
+    const auto end = static_cast<std::size_t>(begin + count);
+    for (auto first = static_cast<std::size_t>(begin); first < end; first += Marks::together) {
+      const std::size_t n_here = std::min(Marks::together, end - first);
+      const double *const product = answer.product.data() + first, *const p = answer.p().data() + first;
+      surface.heights(answer.on(), first, n_here, gap);
+      std::uint64_t marked = 0;  // without branches, which would be foreseen wrongly
+      for (std::size_t k = 0; k < n_here; ++k) {
+        gap[k] = product[k] - (compression - gap[k]);
+        marked |= static_cast<std::uint64_t>((p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= most))) << k;
+      }
+      touching.set(first, marked);
+      if (!surface.whole())
+        for (std::size_t k = 0; k < n_here; ++k)
+          if (!surface.included(answer.point(first + k))) gap[k] = 0;
+      std::size_t k = 0;
+      const auto add = [&](std::size_t lane) {
+        largest[lane].product = std::max(largest[lane].product, std::abs(product[k + lane]));
+        largest[lane].gap = std::max(largest[lane].gap, std::abs(gap[k + lane]));
+      };
+      for (; k + lanes <= n_here; k += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) add(lane);
+      for (; k < n_here; ++k) add(0);
     }
-    return largest;
+    return (largest[0] + largest[1]) + (largest[2] + largest[3]);
   };
   const Largest largest = surface.united(reduce<Largest>(n, surface.team(), body));
   return {touching.list(), largest.product, largest.gap};

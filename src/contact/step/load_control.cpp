@@ -18,9 +18,11 @@ namespace {
 constexpr int most_rounds = 8;       // of enlarging the trial set
 constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
-constexpr double margin = 1.05;
-constexpr double spare = 1.02;  // the hardness on all points of the trial set, over the load, at least
-constexpr double farthest = 4;  // ratio of two loads above which the one's pressures are no help for the other
+constexpr double margin = 1.05;       // of the bed of springs
+constexpr double warm_margin = 1.02;  // of the last step's approach, in proportion to the load
+constexpr double near = 1.1;          // ratio of two loads up to which that is all that is needed
+constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
+constexpr double farthest = 4;        // ratio of two loads above which the one's pressures are no help for the other
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
@@ -29,9 +31,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // proportion, because the load is a convex function of the approach; a plastic indentation in between raises the lowest gap.
 double approach_estimate(double load, bool warm, const Workspace& work, const CertifiedStep& last) {
   const rc_system& s = work.system.given;
-  double height = margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy)));
-  if (warm) height = std::min(height, growth * (last.approach - work.surface.lowest()) * std::max(1.0, load / last.load));
-  return height;
+  const double ratio = warm ? std::max(1.0, load / last.load) : infinite;
+  const double foretold = warm ? warm_margin * (last.approach - work.surface.lowest()) * ratio : infinite;
+  if (ratio <= near) return foretold;
+  return std::min(foretold, margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of

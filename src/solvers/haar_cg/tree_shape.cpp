@@ -14,17 +14,19 @@ constexpr double anisotropy = 1.5;    // ratio of a cell's sides above which cel
 
 // Couplings between pairs of cells, from those between cells: averages with triangular weights along one direction.
 std::vector<double> halved(const std::vector<double>& k, std::int64_t mx, std::int64_t my, bool along_x) {
-  const std::int64_t n = along_x ? mx : my, half = n / 2, rest = along_x ? my : mx;
-  std::vector<double> out(static_cast<std::size_t>(half * rest));
-  for (std::int64_t r = 0; r < rest; ++r)
-    for (std::int64_t i = 0; i < half; ++i) {
-      const auto at = [&](std::int64_t offset) {
-        const std::int64_t j = std::min(std::abs(offset), n - 1);
-        return k[static_cast<std::size_t>(along_x ? r * mx + j : j * mx + r)];
-      };
-      out[static_cast<std::size_t>(along_x ? r * half + i : i * mx + r)] =
-          0.25 * at(2 * i - 1) + 0.5 * at(2 * i) + 0.25 * at(2 * i + 1);
+  const std::int64_t nx = along_x ? mx / 2 : mx, ny = along_x ? my : my / 2;
+  std::vector<double> out(static_cast<std::size_t>(nx * ny));
+  const auto averaged = [](double before, double here, double after) { return 0.25 * before + 0.5 * here + 0.25 * after; };
+  for (std::int64_t y = 0; y < ny; ++y) {
+    double* const to = out.data() + y * nx;
+    if (along_x) {
+      const double* const row = k.data() + y * mx;
+      for (std::int64_t x = 0; x < nx; ++x) to[x] = averaged(row[std::abs(2 * x - 1)], row[2 * x], row[2 * x + 1]);
+    } else {
+      const double *const row = k.data() + 2 * y * mx, *const after = row + mx, *const before = y == 0 ? after : row - mx;
+      for (std::int64_t x = 0; x < nx; ++x) to[x] = averaged(before[x], row[x], after[x]);
     }
+  }
   return out;
 }
 
