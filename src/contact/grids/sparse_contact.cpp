@@ -15,6 +15,7 @@
 #include "contact/step/problem_services.h"
 #include "contact/step/target.h"
 #include "contact/step/trial_set.h"
+#include "core/chunks.h"
 #include "core/error.h"
 
 namespace rc {
@@ -72,52 +73,48 @@ class Region {
   std::vector<std::int64_t> members_;
 };
 
-// H p at all points.
-Deflected everywhere(const Workspace& work, const Answer& answer) {
-  const auto n = static_cast<std::size_t>(work.system.points());
-  Deflected result;
-  result.product.resize(n);
-  answer.op->field(answer.p, result.product);
-  for (double& value : result.product) value *= answer.length_unit;
-  result.pressures.on.n = work.system.points();
-  result.pressures.p.resize(n);
-  answer.pressures().write(result.pressures.p.data(), work.system.points());
-  return result;
-}
-
-// H p on the trial set, and at least at the points outside it whose gap is below the margin: of a product of all ranks, in which
-// each looks at its rows. Bounds of round-off need the largest size of H p, too.
+// H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
+// ranks each looks at its rows. Bounds of round-off need the largest size of H p, too.
 Deflected near_surface(const Workspace& work, const Answer& answer, double compression, double margin) {
-  GatheredTiles& tiles = *work.surface.tiles();
-  const StepSurface& own = tiles.shared();
-  const Ranks& ranks = *own.ranks();
-  const std::int64_t before = own.first_row() * own.nx();
-  std::vector<double> product(static_cast<std::size_t>(own.points()));
+  GatheredTiles* const tiles = work.surface.tiles();
+  const StepSurface& own = tiles ? tiles->shared() : work.surface;
+  const Ranks* const ranks = own.ranks();
+  const std::int64_t n = own.points(), before = own.first_row() * own.nx();
+  std::vector<double> product(static_cast<std::size_t>(n));
   answer.op->field(answer.p, product);
-  double largest = 0;
-  for (double& value : product) {
-    value *= answer.length_unit;
-    largest = std::max(largest, std::abs(value));
-  }
-  for (const double each : ranks.of_each(largest)) largest = std::max(largest, each);
+  const auto scale = [&](std::int64_t begin, std::int64_t count) {
+    double largest = 0;
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i) {
+      product[i] *= answer.length_unit;
+      largest = std::max(largest, std::abs(product[i]));
+    }
+    return largest;
+  };
+  const auto larger = [](double a, double b) { return std::max(a, b); };
+  double largest = reduce<double>(n, own.team(), scale, 0, larger);
+  if (ranks)
+    for (const double each : ranks->of_each(largest)) largest = std::max(largest, each);
+  Marks marks(n);
+  each_chunk(n, own.team(), [&](std::int64_t begin, std::int64_t count) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i) {
+      const bool close = product[i] - (compression - own.height(i)) < margin && own.included(i);
+      if (close || !(std::abs(product[i]) < largest)) marks.add(i);
+    }
+  });
   const TrialSet& trial = answer.op->trial();
-  auto unknown = std::lower_bound(trial.index.begin(), trial.index.end(), before);
+  for (std::int64_t i = 0; i < trial.n; ++i)
+    if (const std::int64_t at = trial.point(i) - before; at >= 0 && at < n) marks.add(static_cast<std::size_t>(at));
   std::vector<std::int64_t> points;
   std::vector<double> products;
-  for (std::size_t i = 0; i < product.size(); ++i) {
-    const auto point = static_cast<std::int64_t>(i) + before;
-    const bool of_trial = unknown != trial.index.end() && *unknown == point;
-    unknown += of_trial;
-    const bool close = own.included(i) && product[i] - (compression - own.height(i)) < margin;
-    if (!of_trial && !close && std::abs(product[i]) < largest) continue;
-    points.push_back(point);
+  for (const std::size_t i : marks.list()) {
+    points.push_back(static_cast<std::int64_t>(i) + before);
     products.push_back(product[i]);
   }
   Deflected result;
-  result.pressures.on.index = ranks.of_any(points);
+  result.pressures.on.index = ranks ? ranks->of_any(points) : std::move(points);
   result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
-  result.product = ranks.of_any(products);
-  tiles.hold_tiles_of(result.pressures.on.index);
+  result.product = ranks ? ranks->of_any(products) : std::move(products);
+  if (tiles) tiles->hold_tiles_of(result.pressures.on.index);
   result.pressures.p = answer.pressures().at(result.pressures.on);
   if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
   result.beyond = margin;
@@ -132,8 +129,7 @@ template <class Value> void unite(const Ranks& ranks, std::vector<Value>& found,
 
 // H p on the trial set, and at least at the points outside it whose gap is below the margin.
 Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
-  if (work.rows()) return near_surface(work, answer, compression, margin);
-  if (!screens(answer.choice)) return everywhere(work, answer);
+  if (work.rows() || !screens(answer.choice)) return near_surface(work, answer, compression, margin);
   const StepSurface& surface = work.surface;
   const TrialSet& trial = answer.op->trial();
   Deflected result;
