@@ -53,11 +53,21 @@ Matrix operator*(const Matrix& a, const Matrix& b) {
 
 // The inverse transform of an even function on n points: cosines(i, k) is the share of wave number k = 0..n/2 at offset i. A wave
 // and its conjugate count together, but the mean and, for even n, the highest wave are their own conjugates.
-double cosine(std::int64_t n, std::int64_t i, std::int64_t k) {
-  const double pair = k == 0 || 2 * k == n ? 1 : 2;
-  const double turn = static_cast<double>(i * k % n) / static_cast<double>(n);
-  return pair / static_cast<double>(n) * std::cos(2 * std::numbers::pi * turn);
-}
+class Cosines {
+ public:
+  explicit Cosines(std::int64_t n) : n_(n) {
+    for (std::int64_t i = 0; i < n; ++i)
+      value_.push_back(std::cos(2 * std::numbers::pi * (static_cast<double>(i) / static_cast<double>(n))));
+  }
+  double operator()(std::int64_t i, std::int64_t k) const {
+    const double pair = k == 0 || 2 * k == n_ ? 1 : 2;
+    return pair / static_cast<double>(n_) * value_[static_cast<std::size_t>(i * k % n_)];
+  }
+
+ private:
+  std::int64_t n_;
+  std::vector<double> value_;  // of each part of a turn
+};
 
 }  // namespace
 
@@ -77,10 +87,11 @@ void from_symbol(std::vector<double> symbol, std::int64_t nx, std::int64_t ny, s
 
   const Matrix eigenvalues{half_y, half_x, std::move(symbol)};
   Matrix to_x(half_x, distinct_x), to_y(distinct_y, half_y);
+  const Cosines along_x(nx), along_y(ny);
   for (std::int64_t k = 0; k < half_x; ++k)
-    for (std::int64_t i = 0; i < distinct_x; ++i) to_x.row(k)[i] = cosine(nx, i, k);
+    for (std::int64_t i = 0; i < distinct_x; ++i) to_x.row(k)[i] = along_x(i, k);
   for (std::int64_t i = 0; i < distinct_y; ++i)
-    for (std::int64_t k = 0; k < half_y; ++k) to_y.row(i)[k] = cosine(ny, i, k);
+    for (std::int64_t k = 0; k < half_y; ++k) to_y.row(i)[k] = along_y(i, k);
 
   const Matrix coefficient = to_y * (eigenvalues * to_x);
   for (std::int64_t iy = 0; iy < my; ++iy)
