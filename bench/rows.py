@@ -8,6 +8,7 @@ import tempfile
 
 import numpy as np
 import roughcontact as rc
+from roughcontact import raw
 
 import counts
 import mapped
@@ -66,7 +67,8 @@ def small(request):
 
 
 def gauss(request):
-    """Trials a thousandth of the load or depth apart, as a finite element program asks for them; the call from Python included."""
+    """Trials a thousandth of the load or depth apart, as a finite element program asks for them, by the C function itself."""
+    library = raw.contact_library()
     gap = self_affine_gap(GAUSS, rms_slope=SLOPE)
     for percent, goal in ((1, '25'), (10, '120')):
         load = find_load(unit_square(GAUSS), gap, percent / 100, light_load(percent / 100), 6, {'threads': 1}).load
@@ -74,12 +76,17 @@ def gauss(request):
             with rc.Contact(unit_square(GAUSS), options={'threads': 1, 'tol': 1e-8, 'bounds': 0}) as contact:
                 result = certified(contact.solve(undeformed_gap=gap, load=load))
                 target, change = (load, 1e-3 * load) if control == 'load' else (result.approach, 1e-3 * (result.approach - gap.min()))
-                counts = []
+                counts, step, answer = [], raw.rc_step(), raw.rc_result()
+                step.control = raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT
 
                 def trials():
                     for k in range(request.trials):
-                        counts.append(contact.solve(want_pressure=False, **{control: target + change * (k % 20)}).applications)
-                seconds = least(trials, request.repeats) / request.trials
+                        step.target = target + change * (k % 20)
+                        if library.rc_contact_solve(handle, step, answer) != 0:
+                            raise RuntimeError(library.rc_last_error().decode())
+                        counts.append(answer.applications)
+                with contact._holding() as handle:
+                    seconds = least(trials, request.repeats) / request.trials
             yield {'row': f'Gauss point {GAUSS}², {percent} %, {control}: next trial [us]', 'goal': goal, 'value': 1e6 * seconds,
                    'more': f'{np.mean(counts):.1f} products'}
 
