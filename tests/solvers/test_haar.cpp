@@ -109,6 +109,22 @@ void a_large_step_costs_no_more_than_a_cold_one() {
   }
 }
 
+// The last approach tells how far the next can come: hardly more points are looked at than may touch.
+void a_small_step_by_load_looks_at_few_points() {
+  const Problem problem = rugged(64, 64, 0.3);
+  const double load = solved(problem, haar).result.load;
+  const Pair exact{"nnls", "dense"};
+  const Contact contact(problem, exact);
+  check_status(contact.solve(at_load(problem, load)), RC_OK, "first step");
+  const Answer warm = contact.solve(at_load(problem, 1.01 * load));
+  check_near(warm.p, solved(at_load(problem, 1.01 * load), haar).p, 1e-8, "pressures");
+  report("points looked at " + std::to_string(warm.result.modelled) + ", below the approach " +
+         std::to_string(warm.result.candidates));
+  check(warm.result.modelled >= warm.result.candidates &&
+            warm.result.modelled <= 1.15 * static_cast<double>(warm.result.candidates),
+        "a small step looks at far more points than may touch");
+}
+
 void full_contact_is_no_harder() {
   const auto products = [](double depth, double least_share) {
     const Answer answer = solved(rugged(side, side, depth), haar, {{RC_OPT_TOL, "1e-8"}});
@@ -179,6 +195,7 @@ int main(int argc, char** argv) {
                     {"a_coarse_start_saves_products", a_coarse_start_saves_products},
                     {"load_control_costs_little_more", load_control_costs_little_more},
                     {"a_large_step_costs_no_more_than_a_cold_one", a_large_step_costs_no_more_than_a_cold_one},
+                    {"a_small_step_by_load_looks_at_few_points", a_small_step_by_load_looks_at_few_points},
                     {"full_contact_is_no_harder", full_contact_is_no_harder},
                     {"pivoting_takes_over", pivoting_takes_over},
                     {"its_estimate_of_memory_is_what_it_takes", its_estimate_of_memory_is_what_it_takes},
