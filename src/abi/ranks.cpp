@@ -1,7 +1,7 @@
 // rc_ranks_*
 #include "core/ranks.h"
 
-#include <optional>
+#include <memory>
 
 #include "abi/guard.h"
 #include "abi/handles.h"
@@ -82,15 +82,15 @@ rc_status rc_ranks_contact_create(const rc_exchange* exchange, const rc_system* 
   return guard("rc_ranks_contact_create", [&] {
     if (out) *out = nullptr;
     const Ranks meeting(checked(exchange), 1);
-    rc_system today = RC_SYSTEM_INIT;
-    std::optional<rc_options> chosen;
-    on_all(&meeting, [&] {
+    std::unique_ptr<rc_ranks_contact> made;
+    meeting.alike([&] {
       if (!out) fail(RC_ERR_ARGUMENT, "out is null");
-      today = with_rows(system);
-      chosen = options ? *options : rc_options{Context::standard(), {}};
+      const rc_system today = with_rows(system);
+      const rc_options chosen = options ? *options : rc_options{Context::standard(), {}};
+      check_agreement(meeting, facts_of(today, chosen));
+      made.reset(new rc_ranks_contact{{meeting, today, chosen}});
     });
-    check_agreement(meeting, facts_of(today, *chosen));
-    *out = new rc_ranks_contact{{meeting, today, *chosen}};
+    *out = made.release();
     return RC_OK;
   });
 }

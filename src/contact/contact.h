@@ -21,6 +21,8 @@ class Contact {
  public:
   // ranks: null, or those that share the grid by rows; see Workspace.
   Contact(const rc_system& system, const rc_options& options, const Ranks* ranks = nullptr);
+  // From here on other ranks do the same, each with all points.
+  void stay_alike() { grid_.work().passes_over = false; }
 
   const Workspace& work() const { return grid_.work(); }
   const Memory& memory() const { return grid_.memory(); }

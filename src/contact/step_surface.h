@@ -78,8 +78,9 @@ class StepSurface {
     }
     std::vector<Part> parts(static_cast<std::size_t>(chunks().count(points())));
     for (std::size_t k = 0; k < n; ++k) add(parts[entry(k) / static_cast<std::size_t>(chunks().values)], entry(k));
+    for (std::size_t i = 0; i < parts.size(); ++i) ranks_->put_part(i, parts[i]);
     Part total;
-    for (const Part& part : ranks_->of_all(parts)) total = total + part;
+    ranks_->each_part<Part>([&](const Part& part) { total = total + part; });
     return total;
   }
   // The same for a list of points, and for all.

@@ -99,6 +99,7 @@ class Workspace {
   // Both set by Contact: the contact of a coarser grid has no goal, and its solvers keep nothing between steps.
   Goal goal;
   bool keeps_history = false;
+  bool passes_over = true;  // "auto" goes on without a component that lacks memory; not where other ranks do the same
   StepSurface surface;
   GapOnDevice gap_on_device;  // of the surface, where it is_of() that
   StepRecord record;

@@ -39,15 +39,21 @@ template <class Act> void each_chunk(std::int64_t n, const rc_team& team, const 
 template <class Part, class Body, class Combine = std::plus<>>
 Part reduce(std::int64_t n, const rc_team& team, const Body& body, Part total = {}, const Combine& combine = {},
             const Chunks& chunks = {}) {
+  const auto add = [&](const Part& part) { total = combine(total, part); };
+  const auto of_each = [&](const auto& put) {
+    each_chunk(
+        n, team,
+        [&](std::int64_t begin, std::int64_t count) { put(static_cast<std::size_t>(begin / chunks.values), body(begin, count)); },
+        chunks);
+  };
+  if (chunks.ranks) {
+    of_each([&](std::size_t i, const Part& part) { chunks.ranks->put_part(i, part); });
+    chunks.ranks->each_part<Part>(add);
+    return total;
+  }
   std::vector<Part> parts(static_cast<std::size_t>(chunks.count(n)));
-  each_chunk(
-      n, team,
-      [&](std::int64_t begin, std::int64_t count) {
-        parts[static_cast<std::size_t>(begin / chunks.values)] = body(begin, count);
-      },
-      chunks);
-  if (chunks.ranks) parts = chunks.ranks->of_all(parts);
-  for (const Part& part : parts) total = combine(total, part);
+  of_each([&](std::size_t i, const Part& part) { parts[i] = part; });
+  std::for_each(parts.begin(), parts.end(), add);
   return total;
 }
 

@@ -10,7 +10,6 @@ namespace rc {
 namespace {
 
 constexpr int most_halvings = 5;
-constexpr std::int64_t small_bytes = 256;  // of each piece and rank that a small exchange carries
 
 }  // namespace
 
@@ -40,18 +39,47 @@ Ranks::Link::Link(const rc_exchange& with)
     : exchange(with), bytes(static_cast<std::size_t>(with.ranks)), with_head(bytes.size()) {}
 
 void Ranks::Link::make_room(std::int64_t pieces) {
-  const auto most = static_cast<std::size_t>(small_bytes * (pieces + exchange.ranks));
-  if (sent.size() >= most) return;
+  const auto most = most_part_bytes * static_cast<std::size_t>(pieces + exchange.ranks);
+  if (received.size() >= most) return;
   sent.resize(most);
   received.resize(most);
 }
 
+namespace {
+
+// The first rank that is not ready, or the number of ranks. An exchange that needs no memory: after k shifts a rank knows of the
+// 2^k before it. failed: null, or what an exchange said.
+std::int64_t first_unready(const rc_exchange& exchange, bool ready, const char*& failed) {
+  std::int64_t first = ready ? exchange.ranks : exchange.rank;
+  for (std::int64_t step = 1; step < exchange.ranks; step *= 2) {
+    const std::int64_t to = (exchange.rank + step) % exchange.ranks,
+                       from = (exchange.rank + exchange.ranks - step) % exchange.ranks;
+    std::int64_t other = exchange.ranks;
+    const char* const what = exchange.shift(exchange.user, to, &first, sizeof first, from, &other, sizeof other);
+    if (what && !failed) failed = what;
+    first = std::min(first, other);
+  }
+  return first;
+}
+
+}  // namespace
+
 Ranks::Ranks(const rc_exchange& exchange, std::int64_t ny) {
   const RowPieces pieces(ny, exchange.ranks);
-  link_ = std::make_shared<Link>(exchange);
-  link_->make_room(pieces.count());
-  first_ = first_rows(pieces);
   halvings_ = pieces.halvings;
+  bool ready = false;
+  try {
+    first_ = first_rows(pieces);
+    auto link = std::make_shared<Link>(exchange);
+    link->make_room(pieces.count());
+    link_ = std::move(link);
+    ready = true;
+  } catch (const std::bad_alloc&) {
+  }
+  const char* said = nullptr;
+  const std::int64_t unready = first_unready(exchange, ready, said);
+  if (unready < exchange.ranks) fail(RC_ERR_MEMORY, "rank ", unready, ": out of memory");
+  if (said) failed(RC_ERR_EXTERNAL, said);
 }
 
 Ranks Ranks::on(std::int64_t ny) const {
@@ -77,6 +105,11 @@ std::int64_t Ranks::sent_to_others(const std::int64_t* sent) const {
 }
 
 void Ranks::gather(const void* mine, const std::int64_t* bytes, void* all) const {
+  watch();
+  gather_unwatched(mine, bytes, all);
+}
+
+void Ranks::gather_unwatched(const void* mine, const std::int64_t* bytes, void* all) const {
   const rc_exchange& exchange = link_->exchange;
   ++link_->counts.gathers;
   link_->counts.gathered += bytes[rank()];
@@ -101,6 +134,7 @@ std::int64_t Ranks::previous(bool around) const {
 
 void Ranks::shift(std::int64_t to, const void* from, std::int64_t sent, std::int64_t source, void* into,
                   std::int64_t received) const {
+  watch();
   if (to < 0 && source < 0) return;
   const rc_exchange& exchange = link_->exchange;
   ++link_->counts.shifts;
@@ -109,12 +143,14 @@ void Ranks::shift(std::int64_t to, const void* from, std::int64_t sent, std::int
     failed(RC_ERR_EXTERNAL, what);
 }
 
-void Ranks::sum_parts(const void* mine, std::size_t size_of_part, void* all) const {
+void Ranks::sum_parts(std::size_t size_of_part) const {
+  watch();
+  const auto head = static_cast<std::int64_t>(sizeof(Head));
   for (std::int64_t r = 0; r < size(); ++r)
-    link_->bytes[static_cast<std::size_t>(r)] = size_of_part > 0 ? pieces_of(r) * static_cast<std::int64_t>(size_of_part) : 0;
+    link_->with_head[static_cast<std::size_t>(r)] = head + pieces_of(r) * static_cast<std::int64_t>(size_of_part);
   ++link_->counts.reductions;
-  link_->counts.reduced += link_->bytes[static_cast<std::size_t>(rank())];
-  exchange_checked(mine, link_->bytes, all);
+  link_->counts.reduced += link_->with_head[static_cast<std::size_t>(rank())] - head;
+  exchange_with_heads(link_->sent.data(), link_->received.data());
 }
 
 void Ranks::checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const {
@@ -133,9 +169,10 @@ void Ranks::finish_alike() const {
 }
 
 void Ranks::exchange_statuses() const {
+  if (link_->alike && link_->told != RC_OK) fail(link_->told, static_cast<const char*>(link_->told_message));
   ++link_->counts.gathers;
   std::fill(link_->with_head.begin(), link_->with_head.end(), sizeof(Head));
-  exchange_with_heads(nullptr, link_->sent.data(), link_->received.data());
+  exchange_with_heads(link_->sent.data(), link_->received.data());
 }
 
 // For a large exchange memory is needed, which each must have got before any waits for it.
@@ -151,11 +188,12 @@ void Ranks::exchange_checked(const void* mine, const std::vector<std::int64_t>& 
     exchange_statuses();
     sent = room.data();
     received = sent + own;
-  } else if (link_->alike) {
-    exchange_statuses();
+  } else {
+    watch();
   }
+  if (own > head) std::memcpy(sent + head, mine, static_cast<std::size_t>(own - head));
   std::transform(bytes.begin(), bytes.end(), link_->with_head.begin(), [](std::int64_t each) { return each + head; });
-  exchange_with_heads(mine, sent, received);
+  exchange_with_heads(sent, received);
   auto* to = static_cast<std::byte*>(all);
   for (const std::int64_t count : bytes) {
     if (count > 0) to = std::copy_n(received + head, count, to);
@@ -163,14 +201,11 @@ void Ranks::exchange_checked(const void* mine, const std::vector<std::int64_t>& 
   }
 }
 
-// link_->with_head: the bytes of each rank, its head included.
-void Ranks::exchange_with_heads(const void* mine, std::byte* sent, std::byte* received) const {
+// link_->with_head: the bytes of each rank, its head included. sent: room for this rank's head, and what follows it.
+void Ranks::exchange_with_heads(std::byte* sent, std::byte* received) const {
   const rc_exchange& exchange = link_->exchange;
-  const std::int64_t own = link_->with_head[static_cast<std::size_t>(rank())];
   const Head head{link_->failed, link_->asked_stop};
   std::memcpy(sent, &head, sizeof head);
-  if (own > static_cast<std::int64_t>(sizeof head))
-    std::memcpy(sent + sizeof head, mine, static_cast<std::size_t>(own) - sizeof head);
   if (const char* const what = exchange.gather(exchange.user, sent, link_->with_head.data(), received))
     failed(RC_ERR_EXTERNAL, what);
   std::int64_t first = -1;

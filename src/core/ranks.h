@@ -38,6 +38,7 @@ class Ranks {
   struct Link;
 
  public:
+  // All ranks make one at the same time. Throws the same Error on all if one lacks memory.
   Ranks(const rc_exchange& exchange, std::int64_t ny);
   // The same ranks on a grid of so many rows; on one of half as many rows, each with half of its own.
   Ranks on(std::int64_t ny) const;
@@ -78,8 +79,8 @@ class Ranks {
     }
   }
 
-  // Runs an action that all ranks do alike, each with exchanges in it. If one fails, wherever that is, the others learn of it at
-  // their next checked exchange, or at the end: all throw the same Error.
+  // Runs an action that all ranks do alike, each with exchanges in it. If one fails, wherever that is, the others learn of it
+  // before their next exchange, or at the end: all throw the same Error, and exchange nothing more.
   template <class Action> void alike(const Action& action) const {
     if (link_->alike) return action();
     link_->alike = true;
@@ -88,7 +89,7 @@ class Ranks {
     finish_alike();
   }
 
-  // A part of such an action that may fail in guarded() alone, and saves the exchanges of statuses.
+  // A part of such an action that saves the exchanges of statuses: nothing in it may fail on one rank alone, but in guarded().
   class Unwatched {
    public:
     explicit Unwatched(const Ranks* ranks) : link_(ranks ? ranks->link_ : nullptr), before_(link_ && link_->alike) {
@@ -111,19 +112,24 @@ class Ranks {
   void forget_stop() const { link_->asked_stop = link_->stop = RC_OK; }
 
   // Checked exchanges: throw the same Error on every rank if any has failed.
-  void agree() const { sum_parts(nullptr, 0, nullptr); }
-  // The last checked exchange of a call. Where that itself is said to have failed, no other rank can learn of it any more.
-  void part() const {
-    agree();
-    link_->failed = RC_OK;
+  void agree() const { exchange_statuses(); }
+  // Part number i of this rank's pieces, and then those of the pieces of all ranks, in their order. They lie in memory that is
+  // there already, so that a sum cannot lack it.
+  template <class Part> void put_part(std::size_t i, const Part& part) const {
+    static_assert(std::is_trivially_copyable_v<Part> && sizeof(Part) <= most_part_bytes);
+    std::memcpy(link_->sent.data() + sizeof(Head) + i * sizeof(Part), &part, sizeof part);
   }
-  // The parts of the pieces of all ranks, in their order. mine: [pieces of this rank]
-  template <class Part> std::vector<Part> of_all(const std::vector<Part>& mine) const {
-    static_assert(std::is_trivially_copyable_v<Part> && !std::is_same_v<Part, bool>);
-    std::vector<Part> all;
-    guarded([&] { all.resize(static_cast<std::size_t>((all_rows() + piece_rows() - 1) / piece_rows())); });
-    sum_parts(mine.data(), sizeof(Part), all.data());
-    return all;
+  template <class Part, class Visit> void each_part(const Visit& visit) const {
+    sum_parts(sizeof(Part));
+    const std::byte* from = link_->received.data();
+    for (std::int64_t r = 0; r < size(); ++r) {
+      from += sizeof(Head);
+      for (std::int64_t piece = pieces_of(r); piece > 0; --piece, from += sizeof(Part)) {
+        Part part;
+        std::memcpy(&part, from, sizeof part);
+        visit(part);
+      }
+    }
   }
   // One value of each rank, in their order.
   template <class Value> std::vector<Value> of_each(const Value& mine) const {
@@ -150,8 +156,13 @@ class Ranks {
     return std::any_of(all.begin(), all.end(), [](char each) { return each != 0; });
   }
 
-  // Unchecked ones: a failure is told at the next checked one.
+  // Unchecked ones: a failure of theirs is told at the next checked one. While all do alike, those of `gather` and `shift` begin
+  // as checked ones do; before a transposition, and what goes with it, call watch().
+  void watch() const {
+    if (link_->alike) exchange_statuses();
+  }
   void gather(const void* mine, const std::int64_t* bytes, void* all) const;
+  void gather_unwatched(const void* mine, const std::int64_t* bytes, void* all) const;
   void transpose(const void* from, const std::int64_t* sent, void* into, const std::int64_t* received) const;
   void shift(std::int64_t to, const void* from, std::int64_t sent, std::int64_t source, void* into, std::int64_t received) const;
   // A row of values to the next rank; the previous rank's into `into`. And back.
@@ -171,6 +182,8 @@ class Ranks {
   rc_ranks_counts& counts() const { return link_->counts; }
 
  private:
+  static constexpr std::size_t most_part_bytes = 256;  // of each piece and rank that a small exchange carries
+
   // Goes before the bytes of each rank: its status, and the stop that it asks for.
   struct Head {
     std::int32_t status, stop;
@@ -183,7 +196,7 @@ class Ranks {
     rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
     rc_status failed = RC_OK, asked_stop = RC_OK, stop = RC_OK;
     char message[400] = "";
-    // While all do alike: each checked exchange begins with one of statuses alone, which a rank that has failed joins instead.
+    // While all do alike: each exchange begins with one of statuses alone, which a rank that has failed joins instead.
     bool alike = false;
     rc_status told = RC_OK;  // the failure that all have heard of
     char told_message[420] = "";
@@ -197,15 +210,14 @@ class Ranks {
   template <class Value>
   void pass(std::int64_t to, const Value* from, std::int64_t source, Value* into, std::int64_t count) const {
     const auto bytes = count * static_cast<std::int64_t>(sizeof(Value));
-    if (to == rank())
-      std::copy_n(from, count, into);
-    else
-      shift(to, from, to >= 0 ? bytes : 0, source, into, source >= 0 ? bytes : 0);
+    if (to != rank()) return shift(to, from, to >= 0 ? bytes : 0, source, into, source >= 0 ? bytes : 0);
+    watch();  // as ranks without rows do
+    std::copy_n(from, count, into);
   }
-  void sum_parts(const void* mine, std::size_t size, void* all) const;
+  void sum_parts(std::size_t size) const;
   void checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
   void exchange_checked(const void* mine, const std::vector<std::int64_t>& bytes, void* all) const;
-  void exchange_with_heads(const void* mine, std::byte* sent, std::byte* received) const;
+  void exchange_with_heads(std::byte* sent, std::byte* received) const;
   void exchange_statuses() const;
   void finish_alike() const;
   [[noreturn]] void raise(std::int64_t first, rc_status status) const;

@@ -21,7 +21,7 @@ SharedRows::SharedRows(const Ranks& shared) : rc_rows{}, of(&shared) {
     }
   };
   gather = [](const rc_rows* rows, const void* mine, const std::int64_t* bytes, void* all) {
-    ranks_of(rows)->gather(mine, bytes, all);
+    ranks_of(rows)->gather_unwatched(mine, bytes, all);
   };
 }
 

@@ -65,8 +65,14 @@ template <class Real> Real* Operator::own_values() {
   return reinterpret_cast<Real*>(room_.get());
 }
 
-// y: on this rank's rows. What has failed is known to all before they exchange without a check; what fails in there becomes known
-// with the next checked exchange.
+// A product exchanges without a check.
+void Operator::begin_shared() const {
+  if (!shared_.of) return;
+  shared_.of->watch();
+  ++shared_.of->counts().products;
+}
+
+// y: on this rank's rows. What fails in the product becomes known with the next checked exchange.
 template <class Real> void Operator::multiply_rows(Multiply<Real> multiply, const Real* x, Real* y) {
   const Ranks& ranks = *rows_->shared_.of;
   const auto here = static_cast<std::size_t>(ranks.rank());
@@ -74,7 +80,7 @@ template <class Real> void Operator::multiply_rows(Multiply<Real> multiply, cons
   Real* const own = own_values<Real>();
   std::fill_n(own, rows_->trial_.n, Real{0});
   for (std::int64_t i = first_of_[here]; i < first_of_[here + 1]; ++i) own[trial_.point(i) - before] = x[i];
-  ranks.agree();
+  ranks.watch();
   ++ranks.counts().products;
   ranks.failed(seen(multiply(self_, own, y)), last_message());
 }
@@ -89,14 +95,14 @@ template <class Real> void Operator::multiply_together(Multiply<Real> multiply, 
   Real *const mine = own_values<Real>(), *const rows = mine + rows_->trial_.n;
   multiply_rows(multiply, x, rows);
   for (std::int64_t i = first_of_[here]; i < first_of_[here + 1]; ++i) mine[i - first_of_[here]] = rows[trial_.point(i) - before];
-  ranks.gather(mine, bytes.data(), y);
+  ranks.gather_unwatched(mine, bytes.data(), y);
 }
 
 template <class Real> rc_status Operator::product(Multiply<Real> multiply, const Real* x, Real* y) {
   if (ask_)
     if (const rc_status stop = ask_(); stop != RC_OK) return stop;
   ++applications_;
-  if (shared_.of) ++shared_.of->counts().products;
+  begin_shared();
   rc_status status = RC_OK;
   if (rows_)
     multiply_together(multiply, x, y);
@@ -113,7 +119,7 @@ rc_status Operator::apply_float(const float* x, float* y) { return product(backe
 
 void Operator::field(std::span<const double> x, std::span<double> y) {
   ++applications_;
-  if (shared_.of) ++shared_.of->counts().products;
+  begin_shared();
   clear_message();
   if (rows_)
     multiply_rows(backend_.field, x.data(), y.data());

@@ -100,6 +100,7 @@ class Operator {
   }
   template <class Real> using Multiply = rc_status (*)(void*, const Real*, Real*);
   template <class Real> rc_status product(Multiply<Real> multiply, const Real* x, Real* y);
+  void begin_shared() const;
   void locate_own();
   template <class Real> Real* own_values();
   template <class Real> void multiply_rows(Multiply<Real> multiply, const Real* x, Real* y);

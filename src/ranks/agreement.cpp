@@ -26,6 +26,7 @@ const char* which(const void* in_double, const void* in_single) {
 
 std::string exact(double value) {
   std::ostringstream out;
+  out.exceptions(std::ios::badbit);  // else it would end silently where memory ran out
   out.imbue(std::locale::classic());
   out.precision(17);
   out << value;

@@ -64,13 +64,11 @@ bool solved_alike(const rc_system& system) { return std::min(system.nx, system.n
 
 SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options)
     : ranks_(ranks.on(system.ny)), alike_(solved_alike(system)) {
-  on_all(&ranks_, [&] {
-    if (system.op != RC_OPERATOR_HALFSPACE)
-      fail(RC_ERR_INCOMPATIBLE, "ranks share half-space grids alone, not a caller's matrix or product");
-    if (!alike_) check_options(options);
-    contact_ = std::make_unique<Contact>(system, options, alike_ ? nullptr : &ranks_);
-  });
-  ranks_.part();
+  if (system.op != RC_OPERATOR_HALFSPACE)
+    fail(RC_ERR_INCOMPATIBLE, "ranks share half-space grids alone, not a caller's matrix or product");
+  if (!alike_) check_options(options);
+  contact_ = std::make_unique<Contact>(system, options, alike_ ? nullptr : &ranks_);
+  if (alike_) contact_->stay_alike();
 }
 
 template <class Value> const Value* SharedContact::gathered(const Value* mine, std::vector<Value>& all) const {

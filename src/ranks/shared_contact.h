@@ -13,7 +13,7 @@ namespace rc {
 
 class SharedContact {
  public:
-  // All ranks make one at the same time, with a system and options that they agree on.
+  // All ranks make one at the same time, alike, with a system and options that they agree on.
   SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options);
 
   const Ranks& ranks() const { return ranks_; }

@@ -29,6 +29,7 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
     level.contact = std::make_unique<GridContact>(system, options, &work.team());
   level.contact->watched_by(monitor, false);
   level.contact->work().do_alike(work.alike());
+  level.contact->work().passes_over = work.passes_over;
 
   rc_step step = RC_STEP_INIT;
   step.control = request.control;
@@ -95,10 +96,15 @@ rc_status SolverGrids::solve_shared(rc_coarse& request, const Workspace& work, c
     });
     ranks.gather_rows(request.undeformed_gap, system.nx, gap.data());
     if (masked) ranks.gather_rows(request.mask, system.nx, mask.data());
-    on_all(&all, [&] {
-      result.p = p.data();
+    result.p = p.data();
+    level.contact->work().passes_over = false;
+    try {
       status = level.contact->solve(step_of(request, work.record.warm, gap.data(), masked ? mask.data() : nullptr), result);
-    });
+    } catch (const Error& error) {
+      if (error.code() == RC_ERR_MEMORY) throw;
+      status = error.code();  // that of every rank, so the solve goes on without this grid
+      set_message(error.what());
+    }
     std::copy_n(p.data() + ranks.first_row() * system.nx, ranks.rows() * system.nx, request.p);
   }
   request.approach = result.approach;

@@ -111,14 +111,14 @@ template <class... Terms> std::array<double, sizeof...(Terms)> ContactSetSolve::
   struct Part {
     std::array<double, sizeof...(Terms)> sum;
   };
-  std::vector<Part> parts;
   for (std::size_t k = 0; k + 1 < pieces_.size(); ++k) {
     const std::size_t begin = pieces_[k], count = pieces_[k + 1] - begin;
-    parts.push_back({{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}});
+    ranks_->put_part(k, Part{{sum_of(count, [&](std::size_t i) { return terms(begin + i); })...}});
   }
   std::array<double, sizeof...(Terms)> total{};
-  for (const Part& part : ranks_->of_all(parts))
+  ranks_->each_part<Part>([&](const Part& part) {
     for (std::size_t i = 0; i < total.size(); ++i) total[i] += part.sum[i];
+  });
   return total;
 }
 

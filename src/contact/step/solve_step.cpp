@@ -15,7 +15,9 @@ namespace {
 
 // Whether "auto" may pass over this component; if so, notes that it did.
 bool pass_over(Workspace& work, const char* name, const char* option, const std::string& reason) {
-  if (work.ranks() || work.options.text(option) != "auto" || work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0) return false;
+  if (work.ranks() || work.alike() || !work.passes_over || work.options.text(option) != "auto" ||
+      work.options.integer(RC_OPT_ALLOW_FALLBACK) == 0)
+    return false;
   work.record.failed.emplace_back(name);
   try {
     choose(work.options, work.system, {}, work.record.failed);
@@ -39,7 +41,6 @@ Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Mon
 Finished solve_step(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, rc_result& result,
                     std::optional<Estimate> nearer) {
   if (std::optional<Finished> sparse = shared_sparse_contact(work, memory, step, monitor, result)) return std::move(*sparse);
-  const Ranks::Unwatched iterating(work.ranks());  // a product has no room for statuses, nor an iteration for more exchanges
   const Choice& choice = work.record.choice;
   std::optional<Error> first;  // why "auto" passed over the first backend
   bool delivered = false;      // an answer that is not certified: the caller's arrays hold it if nothing better follows

@@ -73,7 +73,12 @@ template <class Real, class Pressure> rc_status iterate(const Problem& problem, 
     HaarTreePair trees(std::move(inputs.cells), inputs.table, 1, ranks);
     machine = std::make_unique<ThreadMachine<Real, Pressure>>(problem, p, std::move(trees), ranks, q);
   });
-  const HaarOutcome outcome = HaarIteration(*machine, task, poll).run(d);
+  // All its memory is there, so that it needs no more exchanges than its own.
+  const auto run = [&] {
+    const Ranks::Unwatched iterating(ranks);
+    return HaarIteration(*machine, task, poll).run(d);
+  };
+  const HaarOutcome outcome = run();
   if (outcome.ending == HaarEnding::not_finite) problem.fail("haar-cg: the operator returned values that are not finite");
   if (problem.load_control()) d = outcome.approach;
   return outcome.ending == HaarEnding::solved ? RC_OK : RC_STOP_STALLED;

@@ -18,11 +18,6 @@ namespace {
 constexpr std::int64_t least_shared = 16384, least_scattered = 1024;
 constexpr std::int64_t chunk = 8192;  // unknowns of a partial sum where not every cell exists
 
-// Inner products with what has come down: (z, q), (z, g), (t, g).
-struct Products {
-  double zq = 0, zg = 0, tg = 0;
-};
-
 }  // namespace
 
 HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest, const Ranks* ranks)
@@ -31,12 +26,17 @@ HaarTreePair::HaarTreePair(Cells cells, const CouplingTable& table, float finest
       cells_(std::move(cells)),
       unknowns_(ranks           ? cells_.mx * ranks->rows()
                 : cells_.full() ? cells_.mx * cells_.my
-                                : static_cast<std::int64_t>(cells_.x.size())) {
+                                : static_cast<std::int64_t>(cells_.x.size())),
+      row_(tree_[0].full() ? static_cast<std::size_t>(tree_[0].columns()) : 0) {
   if (!ranks) return;
   std::int64_t values = 0;
-  for (const HaarTree& tree : tree_)
-    for (const std::int64_t count : tree.whole_values()) values += count;
+  for (std::size_t rank = 0; rank < tree_[0].whole_values().size(); ++rank) {
+    const std::int64_t count = tree_[0].whole_values()[rank] + tree_[1].whole_values()[rank];
+    joined_bytes_.push_back(count * static_cast<std::int64_t>(sizeof(float)));
+    values += count;
+  }
   joined_.resize(static_cast<std::size_t>(values));
+  given_.resize(static_cast<std::size_t>(joined_bytes_[static_cast<std::size_t>(ranks->rank())]) / sizeof(float));
 }
 
 void HaarTreePair::place(std::byte* memory) {
@@ -93,11 +93,12 @@ template <class Value> void HaarTreePair::lend_row(Value* vector) const {
 }
 
 // Adds what the next rank has found for this rank's last row.
-template <class Real> void HaarTreePair::take_back_row(Real* z) const {
+template <class Real> void HaarTreePair::take_back_row(Real* z) {
   const std::int64_t columns = tree_[1].columns();
-  std::vector<Real> share(static_cast<std::size_t>(columns), Real{0});
-  ranks_->up(z - columns, share.data(), columns, tree_[1].rows_around(0));
-  for (std::int64_t x = 0; x < columns && unknowns_ > 0; ++x) z[unknowns_ - columns + x] += share[static_cast<std::size_t>(x)];
+  Real* const share = row<Real>();
+  std::fill_n(share, columns, Real{0});
+  ranks_->up(z - columns, share, columns, tree_[1].rows_around(0));
+  for (std::int64_t x = 0; x < columns && unknowns_ > 0; ++x) z[unknowns_ - columns + x] += share[x];
 }
 
 void HaarTreePair::lend_rows(std::size_t level) {
@@ -119,20 +120,17 @@ void HaarTreePair::return_rows(std::size_t level) {
 }
 
 void HaarTreePair::join_whole_level(bool clear) {
-  std::vector<std::int64_t> bytes;
-  std::vector<float> mine;
-  for (std::size_t rank = 0; rank < tree_[0].whole_values().size(); ++rank)
-    bytes.push_back((tree_[0].whole_values()[rank] + tree_[1].whole_values()[rank]) * static_cast<std::int64_t>(sizeof(float)));
   const auto here = static_cast<std::size_t>(ranks_->rank());
+  float* mine = given_.data();
   for (HaarTree& tree : tree_) {
     const auto before =
         std::accumulate(tree.whole_values().begin(), tree.whole_values().begin() + ranks_->rank(), std::int64_t{0});
-    mine.insert(mine.end(), tree.whole_rows() + before, tree.whole_rows() + before + tree.whole_values()[here]);
+    mine = std::copy_n(tree.whole_rows() + before, tree.whole_values()[here], mine);
   }
-  ranks_->gather(mine.data(), bytes.data(), joined_.data());
+  ranks_->gather(given_.data(), joined_bytes_.data(), joined_.data());
   const float* from = joined_.data();
   std::int64_t at[2] = {0, 0};
-  for (std::size_t rank = 0; rank < bytes.size(); ++rank)
+  for (std::size_t rank = 0; rank < joined_bytes_.size(); ++rank)
     for (int i = 0; i < 2; ++i) {
       const std::int64_t count = tree_[i].whole_values()[rank];
       std::copy_n(from, count, tree_[i].whole_rows() + at[i]);
@@ -169,10 +167,10 @@ template <class Real>
 double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const Real* q, double* level_out, const rc_team& team,
                            HaarSlope<Real>* slope) {
   if (!tree_[0].full()) std::fill_n(z, unknowns_, Real{0});
-  const std::vector<Real> ones(g || !tree_[0].full() ? 0 : static_cast<std::size_t>(tree_[0].columns()), Real{1});
-  const HaarFinestValues<Real> values{active, g, ones.data(), z, Real{0.5}, false};
+  if (!g && tree_[0].full()) std::fill_n(row<Real>(), tree_[0].columns(), Real{1});
+  const HaarFinestValues<Real> values{active, g, row<Real>(), z, Real{0.5}, false};
   const std::int64_t above = before(1);  // values before the first of this rank's
-  const HaarFinestValues<Real> second{active - above, g ? g - above : nullptr, ones.data(), z - above, Real{0.5}, true};
+  const HaarFinestValues<Real> second{active - above, g ? g - above : nullptr, row<Real>(), z - above, Real{0.5}, true};
   if (g) lend_row(g);
   on_finest(team, [&](HaarTree& tree, std::int64_t part) { tree.up_finest(part, &tree == tree_ ? values : second); });
   const std::size_t small = shared_levels();
@@ -219,18 +217,22 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
     if (!q) return 0;
   }
   const std::int64_t pieces = (unknowns_ + piece - 1) / piece;
-  std::vector<Products> sums(q ? static_cast<std::size_t>(pieces) : 0);
+  std::vector<HaarProducts> sums(q && !ranks_ ? static_cast<std::size_t>(pieces) : 0);
   const auto add = [&](std::int64_t i) {
     const std::int64_t begin = i * piece, end = std::min(begin + piece, unknowns_);
     if (!q) return;
-    Products& sum = sums[static_cast<std::size_t>(i)];
-    sum.zq = inner(end - begin, z + begin, q + begin, active + begin);
-    if (!slope) return;
-    sum.zg = inner(end - begin, z + begin, g + begin, active + begin);
-    sum.tg = sum_of(static_cast<std::size_t>(end - begin), [&](std::size_t k) {
-      const std::int64_t at = begin + static_cast<std::int64_t>(k);
-      return active[at] ? static_cast<double>(slope->t[at]) * static_cast<double>(g[at]) : 0.0;
-    });
+    HaarProducts sum{.zq = inner(end - begin, z + begin, q + begin, active + begin)};
+    if (slope) {
+      sum.zg = inner(end - begin, z + begin, g + begin, active + begin);
+      sum.tg = sum_of(static_cast<std::size_t>(end - begin), [&](std::size_t k) {
+        const std::int64_t at = begin + static_cast<std::int64_t>(k);
+        return active[at] ? static_cast<double>(slope->t[at]) * static_cast<double>(g[at]) : 0.0;
+      });
+    }
+    if (ranks_)
+      ranks_->put_part(static_cast<std::size_t>(i), sum);
+    else
+      sums[static_cast<std::size_t>(i)] = sum;
   };
   const bool waits = ranks_ && tree_[1].shifted_rows(0);  // the last piece, for the next rank's share of its last row
   if (waits) std::fill_n(z - tree_[0].columns(), tree_[0].columns(), Real{0});
@@ -247,9 +249,12 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
     if (pieces > 0) add(pieces - 1);
   }
   if (!q) return 0;
-  if (ranks_) sums = ranks_->of_all(sums);
-  Products total;
-  for (const Products& sum : sums) total = {total.zq + sum.zq, total.zg + sum.zg, total.tg + sum.tg};
+  HaarProducts total;
+  const auto sum_up = [&](const HaarProducts& sum) { total = {total.zq + sum.zq, total.zg + sum.zg, total.tg + sum.tg}; };
+  if (ranks_)
+    ranks_->each_part<HaarProducts>(sum_up);
+  else
+    std::for_each(sums.begin(), sums.end(), sum_up);
   if (slope) {
     slope->along_z = total.zg;
     slope->along_t = total.tg;

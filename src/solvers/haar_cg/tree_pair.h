@@ -7,6 +7,11 @@
 
 namespace rc {
 
+// Inner products with what has come down: (z, q), (z, g), (t, g).
+struct HaarProducts {
+  double zq = 0, zg = 0, tg = 0;
+};
+
 // What the slope along z + beta t follows from.
 template <class Real> struct HaarSlope {
   const Real* t;
@@ -40,19 +45,23 @@ class HaarTreePair {
   // before the first back to the previous rank after pressures have come down. Then all learn the first level that they do not
   // share.
   template <class Value> void lend_row(Value* vector) const;
-  template <class Real> void take_back_row(Real* z) const;
+  template <class Real> void take_back_row(Real* z);
   void lend_rows(std::size_t level);
   void return_rows(std::size_t level);
   void join_whole_level(bool clear);
+  template <class Real> Real* row() { return reinterpret_cast<Real*>(row_.data()); }
   std::size_t shared_by_ranks() const { return tree_[0].first_whole(); }
   template <class Work> void on_level(std::size_t level, const rc_team& team, const Work& work);
   template <class Work> void on_finest(const rc_team& team, const Work& work);
 
   HaarTree tree_[2];
   const Ranks* ranks_;
-  std::vector<float> joined_;  // values of the first level that ranks do not share
+  // Of the first level that ranks do not share: each rank's bytes, this rank's values, and all.
+  std::vector<std::int64_t> joined_bytes_;
+  std::vector<float> given_, joined_;
   Cells cells_;
   std::int64_t unknowns_;
+  std::vector<double> row_;          // room for a row of the finest vectors; none where not every cell exists
   std::vector<std::uint8_t> taken_;  // where not every cell exists: the free set that the trees were built for
 };
 
