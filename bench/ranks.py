@@ -1,63 +1,27 @@
-"""Contacts shared by ranks. Measured: two ranks of one thread beside one process of two. Simulated: whole solves on modelled networks, by SimGrid's
-SMPI, which runs the program itself. Computed: a model fitted to both, for grids and ranks that no machine here has."""
-import json
+"""Contacts shared by ranks. Measured: two ranks of one thread beside one process of two. Simulated: whole solves on modelled networks
+(ranks_simulation.py). Computed: a model fitted to both, for grids and ranks that no machine here has."""
 import math
-import os
-import subprocess
 import sys
-import tempfile
 import time
 
-from case import Failure, available_memory
+from case import available_memory
 from options import listed, one_of, question, ranged, side, threads
 from ranks_model import WINDOW, fitted
+from ranks_simulation import answer_of, program, simulated
 from store import Store
 from tables import show
 
-ROOT = os.path.dirname(os.path.abspath(__file__))
 NETWORKS = {'fast': (12.5e9, 1.5e-6), 'slow': (1.25e9, 20e-6)}  # bytes a second, seconds; as in platforms/*.xml
-EXACT = '--cfg=smpi/lat-factor:0:1', '--cfg=smpi/bw-factor:0:1'  # else SMPI has the corrections of another network
 MAPPED = str(1 << 20)  # bytes of a block from which on malloc gives it back, where memory is measured
 GUESS_BYTES = 120  # a point, where nothing was measured
 WAYS = {'process': (1, 2), 'ranks': (2, 1)}  # ranks, threads of each
-ENVIRONMENT = {'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMPI_MCA_rmaps_base_oversubscribe': '1',
-               'OMPI_MCA_hwloc_base_binding_policy': 'none'}
 COLUMNS = 'kind; n; way; ranks; seconds={seconds:.3g}; CPU s={cpu_seconds:.3g}; iterations; products; GB={peak_gigabytes:.3g}; status'
 SIMULATED = 'kind; n; network; ranks; seconds={seconds:.3g}; iterations; products; status'
-
-
-def program(variable, what):
-    found = os.environ.get(variable, '')
-    if not found:
-        raise Failure(f'this build has no {what}')
-    return found
-
-
-def answer_of(command, limit, **environment):
-    """The line of JSON that rank_solver prints, or {'error': text}."""
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, env={**os.environ, **ENVIRONMENT, **environment}, check=False)
-    except subprocess.TimeoutExpired:
-        return {'error': f'not finished within {limit:.0f} s'}
-    lines = [line for line in done.stdout.splitlines() if line.startswith('{')]
-    if done.returncode != 0 or not lines:
-        return {'error': (done.stderr.strip().splitlines() or [f'exit code {done.returncode}'])[-1][:300]}
-    return json.loads(lines[0])
 
 
 def measured_command(way, n, products):
     ranks, count = WAYS[way]
     return [program('RC_BENCH_MPIEXEC', 'MPI'), '-n', str(ranks), program('RC_BENCH_RANK_SOLVER', 'MPI'), str(n), str(count), way, products]
-
-
-def simulated_command(network, n, ranks, folder):
-    hosts = os.path.join(folder, 'hosts')
-    with open(hosts, 'w', encoding='utf-8') as out:
-        out.write(''.join(f'node{k}\n' for k in range(ranks)))
-    collectives = ['--cfg=smpi/coll-selector:ompi'] if ranks > 1 else []  # which fails on one
-    return [program('RC_BENCH_SMPIRUN', "SimGrid's SMPI"), '-np', str(ranks), '-platform', os.path.join(ROOT, 'platforms', f'{network}.xml'),
-            '-hostfile', hosts, '--cfg=smpi/host-speed:1Gf', *EXACT, *collectives, '--log=root.thres:error',
-            program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed']
 
 
 class Ranks:
@@ -88,7 +52,7 @@ class Ranks:
 
     def put(self, kind, key, what, answer):
         self.store.put(kind, key, {'kind': kind, **answer})
-        rest = [row for row in self.store.document.get('left_out', []) if row['what'] != what]
+        rest = [row for row in self.store.document.get('left_out', []) if not what.startswith(row['what'])]
         self.store.save(left_out=rest)
         print(f'{what}: {answer.get("error") or "{seconds:.3g} s, {products} products".format(**answer)}', file=sys.stderr)
 
@@ -121,32 +85,26 @@ class Ranks:
             if not self.store.known('counted', {'n': n}):
                 self.put('counted', {'n': n}, f'{n}^2, products in double precision', {'ranks': 2, **answer_of(measured_command('ranks', n, 'double'), 600)})
 
-    def simulate(self, network, n, ranks):
-        what = f'{n}^2 on {ranks} ranks, {network} network'
-        key = {'n': n, 'ranks': ranks, 'network': network}
-        if self.store.known('simulated', key):
+    def simulate(self, n, ranks):
+        def key(network):
+            return {'n': n, 'ranks': ranks, 'network': network}
+        missing = [network for network in self.request.networks if not self.store.known('simulated', key(network))]
+        what = f'{n}^2 on {ranks} ranks'
+        if not missing or not self.room('simulated', what, n, ranks):
             return
-        alone = self.store.rows('simulated', n=n, ranks=1)
-        if ranks == 1 and alone and 'error' not in alone[0]:  # which sends nothing
-            self.put('simulated', key, what, {**alone[0], **key})
-            return
-        if not self.room('simulated', what, n, ranks):
-            return
-        with tempfile.TemporaryDirectory() as folder:
-            begun = time.monotonic()
-            answer = answer_of(simulated_command(network, n, ranks, folder), max(self.left(), 60))
-        self.put('simulated', key, what, {**answer, 'window': WINDOW, 'wall_seconds': time.monotonic() - begun})
+        begun = time.monotonic()
+        answers = simulated(n, ranks, missing, self.request.runs, lambda: max(self.left(), 60))
+        for network, answer in answers.items():
+            self.put('simulated', key(network), f'{what}, {network} network', {**answer, 'window': WINDOW, 'wall_seconds': time.monotonic() - begun})
 
     def run(self):
         self.measure()
         self.count()
         for ranks in self.request.weak:
-            for network in self.request.networks:
-                self.simulate(network, round(1024 * math.sqrt(ranks)), ranks)
+            self.simulate(round(1024 * math.sqrt(ranks)), ranks)
         for n in self.request.strong:
             for ranks in self.request.ranks:
-                for network in self.request.networks:
-                    self.simulate(network, n, ranks)
+                self.simulate(n, ranks)
         self.store.save(model=fitted(self.store.document, NETWORKS))
         show(COLUMNS, self.store.rows('measured'))
         show(SIMULATED, self.store.rows('simulated'))
@@ -160,6 +118,7 @@ question('ranks', 'contacts shared by ranks: two ranks here, many on simulated n
     'ranks': (listed(ranged(int, 1, 256)), [1, 4, 16, 64, 256], 'of each of them'),
     'weak': (listed(ranged(int, 1, 256)), [1, 4, 16, 64], 'ranks of 2^20 points each, simulated'),
     'networks': (listed(one_of(*NETWORKS)), list(NETWORKS), 'fast, slow'),
+    'runs': (ranged(int, 1, 100), 3, 'of what is simulated; the least time of each burst between two exchanges counts'),
     'repeats': (ranged(int, 1, 100), 5, 'of what is measured; the least time counts'),
     'budget': (float, 60, 'minutes after which nothing begins'), 'threads': (threads, 2, 'not more than the cores')},
-    {'sizes': [128, 256], 'strong': [256], 'ranks': [1, 4], 'weak': [], 'repeats': 1}, '256^2 on four ranks')
+    {'sizes': [128, 256], 'strong': [256], 'ranks': [1, 4], 'weak': [], 'repeats': 1, 'runs': 2}, '256^2 on four ranks')

@@ -17,7 +17,7 @@ COUNTS = ('kind; products in={numbers}; grid={n}²; ranks; iterations={distribut
           'counted / model={ratio:.3f}; '
           'given to sums, an iteration [kB]={sums:.1f}; gathered, a product [kB]={gathers:.1f}')
 SIMULATED = ('kind; network; grid={n}²; ranks; points a rank={each:.3g}; seconds={seconds:s}; speed-up={speedup}; efficiency [%]={efficiency}; '
-             'products; by the fitted model [s]={model:s}')
+             'work of a rank, mean [s]={own_seconds:s}; of the busiest [s]={most_own_seconds:s}; products; by the fitted model [s]={model:s}')
 COMPUTED = ('kind; network; grid={n}²; ranks; ranks with rows={with_rows}; seconds={seconds:s}; communication [%]={communication:%.0f}; '
             'memory a rank [GB]={gigabytes_a_rank:.3g}; most time={limit}')
 NETWORKS = {'fast': '12.5 GB/s, 1.5 µs', 'slow': '1.25 GB/s, 20 µs'}

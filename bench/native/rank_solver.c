@@ -12,6 +12,13 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#ifdef RC_RECORDED
+#include "recorded_exchange.h"
+#else
+static void record_begin(void) {}
+static void record_end(void) {}
+#endif
+
 static uint64_t mixed(uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -133,7 +140,9 @@ int main(int argc, char** argv) {
     rc_mpi_contact* contact = NULL;
     if (rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) != RC_OK) stop("create");
     made = MPI_Wtime();
+    record_begin();
     if (rc_mpi_contact_solve(contact, &step, &result) < 0) stop("solve");
+    record_end();
     if (rc_mpi_contact_counts(contact, &counts) != RC_OK) stop("counts");
     rc_mpi_contact_destroy(contact);
   }
