@@ -24,14 +24,14 @@ template <class Real> std::int64_t in_tile(std::int64_t line) { return line % 2 
 template <class Real> class SlabTransform<Real>::ColumnSource : public Source<Real> {
  public:
   ColumnSource(const SlabTransform& of, Range range, std::int64_t block)
-      : Source<Real>(of.ny_), of_(of), own_(of.spectra(range.first + block)), blocks_(range.count), block_(block) {}
+      : Source<Real>(of.ny_), of_(of), own_(of.spectra(range)), blocks_(range.count), block_(block) {}
 
   Real* row(std::int64_t i) const {
     const std::int64_t rank = of_.owner_[static_cast<std::size_t>(i)], first = of_.first_row(rank), count = of_.count_rows(rank);
-    const std::int64_t at = place_of(i - first, count);
+    const std::int64_t at = place_of(i - first, count, blocks_, block_);
     if (rank == of_.rows_.rank) return own_ + at * row_size<Real>;
     const std::int64_t before = rank < of_.rows_.rank ? first : first - of_.own_rows_;
-    return of_.room_.columns.template data<Real>() + (blocks_ * before + block_ * count + at) * row_size<Real>;
+    return of_.room_.columns.template data<Real>() + (blocks_ * before + at) * row_size<Real>;
   }
   void read(int, std::int64_t first, std::int64_t count, const Real** rows) override {
     for (std::int64_t i = first; i < first + count; ++i) rows[i - first] = i < this->end() ? row(i) : zero_row<Real>;
@@ -69,6 +69,7 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
       own_rows_(count_rows(rows_.rank)),
       all_blocks_(lengths.x / 2 / width<Real> + 1),
       passes_size_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real>),
+      tiles_size_(own_rows_ % most_lines<Real> == 0 ? 0 : all_blocks_ * tile),
       parallel_(worth_sharing(lengths)) {
   const double bytes = static_cast<double>(all_blocks_) * static_cast<double>(ny_ * row_size<Real>) * sizeof(Real) /
                        static_cast<double>(rows_.ranks);
@@ -97,7 +98,7 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
   eigenvalues_.reserve<Real>(at_least_one((last - first) * strip), axes_.y->waves(), lengths);
   room_.spectra.template reserve<Real>(at_least_one(own_rows_), all_blocks_ * row_size<Real>, lengths);
   room_.columns.template reserve<Real>(at_least_one(received), row_size<Real>, lengths);
-  room_.scratch.template reserve<Real>(team_.threads, passes_size_ + all_blocks_ * tile, lengths);
+  room_.scratch.template reserve<Real>(team_.threads, passes_size_ + tiles_size_, lengths);
 }
 
 template <class Real>
@@ -108,26 +109,30 @@ typename SlabTransform<Real>::Range SlabTransform<Real>::blocks(std::int64_t ran
   return {begin, std::min(last * parts, all_blocks_) - begin};
 }
 
-// Whole groups have the order of their tile.
-template <class Real> std::int64_t SlabTransform<Real>::place_of(std::int64_t row, std::int64_t rows) {
-  const std::int64_t line = row % most_lines<Real>, group = row - line;
-  return group + most_lines<Real> > rows ? row : group + in_tile<Real>(line);
+// A whole group has the order of its tiles, so that its waves are written where they are sent from.
+template <class Real>
+std::int64_t SlabTransform<Real>::place_of(std::int64_t row, std::int64_t rows, std::int64_t blocks, std::int64_t block) {
+  const std::int64_t line = row % most_lines<Real>, group = row - line, lines = std::min(most_lines<Real>, rows - group);
+  return group * blocks + block * lines + (lines == most_lines<Real> ? in_tile<Real>(line) : line);
 }
 
-// copy(a line or more of a group's tiles, their place in the spectra, how many values)
+template <class Real> template <class Act> void SlabTransform<Real>::each_range(const Act& act) const {
+  for (std::int64_t round = 0; round < rounds_; ++round)
+    for (std::int64_t rank = 0; rank < rows_.ranks; ++rank)
+      if (const Range range = blocks(rank, round); range.count > 0) act(range);
+}
+
+// copy(a line of a group's tiles, its place in the spectra), for a group that is not whole.
 template <class Real>
 template <class Copy>
 void SlabTransform<Real>::each_line(std::int64_t group, Real* tiles, const Copy& copy) const {
-  const std::int64_t first = group * most_lines<Real>, count = std::min(most_lines<Real>, own_rows_ - first);
-  for (std::int64_t block = 0; block < all_blocks_; ++block, tiles += tile) {
-    Real* const to = spectra(block) + first * row_size<Real>;
-    if (count == most_lines<Real>) {
-      copy(tiles, to, tile);
-      continue;
-    }
-    for (std::int64_t line = 0; line < count; ++line)
-      copy(tiles + in_tile<Real>(line) * row_size<Real>, to + line * row_size<Real>, row_size<Real>);
-  }
+  const std::int64_t first = group * most_lines<Real>;
+  each_range([&](Range range) {
+    for (std::int64_t block = 0; block < range.count; ++block)
+      for (std::int64_t row = first; row < own_rows_; ++row)
+        copy(tiles + (range.first + block) * tile + in_tile<Real>(row - first) * row_size<Real>,
+             spectra(range) + place_of(row, own_rows_, range.count, block) * row_size<Real>);
+  });
 }
 
 template <class Real> void SlabTransform<Real>::rows_forward(const Real* x) {
@@ -142,15 +147,25 @@ template <class Real> void SlabTransform<Real>::rows_forward(const Real* x) {
       zero = false;
       given[in_tile<Real>(i)] = row;
     }
-    Real* const tiles = scratch(thread) + passes_size_;
+    const std::int64_t before = group * count, lines = std::min(count, own_rows_ - before);
     if (zero) {
-      each_line(group, tiles, [](const Real*, Real* to, std::int64_t n) { std::fill_n(to, n, Real{0}); });
+      each_range([&](Range range) {
+        std::fill_n(spectra(range) + before * range.count * row_size<Real>, lines * range.count * row_size<Real>, Real{0});
+      });
       return;
     }
     LineSource<Real> source(along.passes(), given, nx_);
     along.forward(source, scratch(thread));
+    if (lines == count) {
+      each_range([&](Range range) {
+        along.passes().to_spectra(scratch(thread), along.rows() + range.first * width<Real>, waves_in(range),
+                                  spectra(range) + before * range.count * row_size<Real>);
+      });
+      return;
+    }
+    Real* const tiles = scratch(thread) + passes_size_;
     along.passes().to_spectra(scratch(thread), along.rows(), along.waves(), tiles);
-    each_line(group, tiles, [](const Real* from, Real* to, std::int64_t n) { std::copy_n(from, n, to); });
+    each_line(group, tiles, [](const Real* from, Real* to) { std::copy_n(from, row_size<Real>, to); });
   });
 }
 
@@ -161,13 +176,20 @@ template <class Real> void SlabTransform<Real>::rows_backward(Real* y) {
     const std::int64_t lines = std::min(count, own_rows_ - group * count);
     Real* wanted[count] = {};
     for (std::int64_t i = 0; i < lines; ++i) wanted[in_tile<Real>(i)] = y + (group * count + i) * nx_;
-    Real* const tiles = scratch(thread) + passes_size_;
-    each_line(group, tiles, [](Real* to, const Real* from, std::int64_t n) { std::copy_n(from, n, to); });
-    // All lines are asked for: a line that is not wanted has no neighbour in its sequence, whose waves are then 0.
-    for (std::int64_t i = lines; i < count; ++i)
-      for (std::int64_t block = 0; block < all_blocks_; ++block)
-        std::fill_n(tiles + block * tile + in_tile<Real>(i) * row_size<Real>, row_size<Real>, Real{0});
-    along.passes().from_spectra(tiles, count, along.rows(), along.waves(), scratch(thread));
+    if (lines == count) {
+      each_range([&](Range range) {
+        along.passes().from_spectra(spectra(range) + group * count * range.count * row_size<Real>, count,
+                                    along.rows() + range.first * width<Real>, waves_in(range), scratch(thread));
+      });
+    } else {
+      Real* const tiles = scratch(thread) + passes_size_;
+      each_line(group, tiles, [](Real* to, const Real* from) { std::copy_n(from, row_size<Real>, to); });
+      // All lines are asked for: a line that is not wanted has no neighbour in its sequence, whose waves are then 0.
+      for (std::int64_t i = lines; i < count; ++i)
+        for (std::int64_t block = 0; block < all_blocks_; ++block)
+          std::fill_n(tiles + block * tile + in_tile<Real>(i) * row_size<Real>, row_size<Real>, Real{0});
+      along.passes().from_spectra(tiles, count, along.rows(), along.waves(), scratch(thread));
+    }
     LineSink<Real> sink(along.passes(), wanted, nx_);
     along.backward(scratch(thread), sink);
   });

@@ -3,6 +3,7 @@
 // and every process begins with an even row, so that no bit depends on who has which rows.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <roughcontact/plugin.hpp>
@@ -27,9 +28,10 @@ struct Strips {
 
 // What products in either precision work in: one runs at a time.
 struct SlabRoom {
-  Buffer spectra;  // of this process's rows, [block][row], blocks in the order of `place_`
-  Buffer columns;  // of this process's blocks in one transposition, of the other processes [process][block][row]
-  Buffer scratch;  // [thread]: of the passes, and the waves of a group of lines
+  // Of this process's rows, [transposition][process][group of lines][block of that process][line], this process's last.
+  Buffer spectra;
+  Buffer columns;  // of this process's blocks in one transposition, of the other processes: [process][group][block][line]
+  Buffer scratch;  // [thread]: of the passes, and the waves of a group that is not whole
 };
 
 template <class Real> class SlabTransform {
@@ -58,17 +60,20 @@ template <class Real> class SlabTransform {
   std::int64_t first_row(std::int64_t rank) const { return rows_.first[rank]; }
   std::int64_t count_rows(std::int64_t rank) const { return first_row(rank + 1) - first_row(rank); }
   Range blocks(std::int64_t rank, std::int64_t round) const;
-  // Where in a block the row of a process with so many rows lies.
-  static std::int64_t place_of(std::int64_t row, std::int64_t rows);
-  Real* spectra(std::int64_t block) const {
-    return room_.spectra.template data<Real>() + place_[static_cast<std::size_t>(block)] * own_rows_ * row_size<Real>;
+  // Of the blocks of a range.
+  Real* spectra(Range range) const {
+    return room_.spectra.template data<Real>() + place_[static_cast<std::size_t>(range.first)] * own_rows_ * row_size<Real>;
   }
-  Real* scratch(std::int64_t thread) const {
-    return room_.scratch.template data<Real>() + thread * (passes_size_ + all_blocks_ * tile);
-  }
+  // Where in a range of so many blocks the row of a process with so many rows lies.
+  static std::int64_t place_of(std::int64_t row, std::int64_t rows, std::int64_t blocks, std::int64_t block);
+  Real* scratch(std::int64_t thread) const { return room_.scratch.template data<Real>() + thread * (passes_size_ + tiles_size_); }
   void rows_forward(const Real* x);
   void rows_backward(Real* y);
   void columns(std::int64_t round);
+  std::int64_t waves_in(Range range) const {
+    return std::min(axes_.x->waves() - range.first * width<Real>, range.count * width<Real>);
+  }
+  template <class Act> void each_range(const Act& act) const;
   template <class Copy> void each_line(std::int64_t group, Real* tiles, const Copy& copy) const;
 
   const rc_rows& rows_;
@@ -78,8 +83,8 @@ template <class Real> class SlabTransform {
   Axes<Real> axes_;
   Strips strips_;
   std::int64_t nx_, ny_, own_rows_, all_blocks_;
-  std::int64_t rounds_, round_strips_;  // transpositions carry so many strips of each process
-  std::int64_t passes_size_;            // of a thread's scratch [reals]
+  std::int64_t rounds_, round_strips_;     // transpositions carry so many strips of each process
+  std::int64_t passes_size_, tiles_size_;  // of a thread's scratch [reals]; no tiles where all groups are whole
   bool parallel_;
   std::vector<std::int32_t> owner_;            // of each row
   std::vector<std::int64_t> place_;            // of each block: those of a transposition follow each other, this process's last

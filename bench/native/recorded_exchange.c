@@ -1,5 +1,5 @@
-/* rc_mpi_exchange that writes down what a rank does in a solve: the processor's seconds before each exchange, and what the exchange
-   carries. replay.c does the same exchanges again. exchange.c is linked with its own function renamed. */
+/* rc_mpi_exchange that writes down what a rank does in a solve: the processor's seconds before each exchange, and what the
+   exchange carries. replay.c does the same exchanges again. exchange.c is linked with its own function renamed. */
 #include "recorded_exchange.h"
 
 #include <stdio.h>

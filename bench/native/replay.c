@@ -1,5 +1,5 @@
-/* replay FOLDER: does what recorded_exchange.c has written down, for SimGrid's SMPI: each burst takes the seconds that are written
-   there, each exchange is that of mpi/exchange.c with as many bytes. Rank 0 prints a line of JSON. */
+/* replay FOLDER: does what recorded_exchange.c has written down, for SimGrid's SMPI: each burst takes the seconds that are
+   written there, each exchange is that of mpi/exchange.c with as many bytes. Rank 0 prints a line of JSON. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
