@@ -53,6 +53,16 @@ const char* gather(void* user, const void* mine, const std::int64_t* bytes, void
   return nullptr;
 }
 
+const char* shift(void* user, std::int64_t, const void* from, std::int64_t, std::int64_t source, void* into,
+                  std::int64_t received) {
+  const auto& [meeting, rank] = *static_cast<const Member*>(user);
+  meeting->given[rank] = from;
+  meeting->wait();
+  if (source >= 0) std::memcpy(into, meeting->given[static_cast<std::size_t>(source)], static_cast<std::size_t>(received));
+  meeting->wait();
+  return nullptr;
+}
+
 // What each rank is told where these are its facts: the error's message, or "".
 std::vector<std::string> told(const std::vector<std::vector<rc::Fact>>& facts) {
   Meeting meeting(facts.size());
@@ -66,6 +76,7 @@ std::vector<std::string> told(const std::vector<std::vector<rc::Fact>>& facts) {
       exchange.ranks = static_cast<std::int64_t>(facts.size());
       exchange.user = &member;
       exchange.gather = gather;
+      exchange.shift = shift;
       try {
         rc::check_agreement(rc::Ranks(exchange, 64), facts[rank]);
       } catch (const rc::Error& error) {
