@@ -47,8 +47,8 @@ Trees::Trees(Index mx, Index my, const rc::CouplingTable& table) : least_top_(rc
   for (int tree = 0; tree < 2; ++tree) {
     for (const rc::HaarTreeLevel& from : rc::haar_tree_levels(mx, my, table, tree == 1, true))
       levels_[tree].push_back({from.mx, from.my, from.merge_x, from.merge_y, static_cast<int>(from.shift_x),
-                               static_cast<int>(from.shift_y), from.around_x, from.around_y, from.columns, from.rows, from.coupling.x, from.coupling.y,
-                               from.coupling.xy});
+                               static_cast<int>(from.shift_y), from.around_x, from.around_y, from.columns, from.rows,
+                               from.coupling.x, from.coupling.y, from.coupling.xy});
     lay_out(layout, levels_[tree]);
     layout.next<Level>(levels(tree));
   }

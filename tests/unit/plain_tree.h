@@ -25,7 +25,8 @@ class PlainTree {
  public:
   using Values = std::vector<double>;
 
-  // shifted: the blocks of every second level begin one cell earlier. Where cells fill a period the first begins with the last cell.
+  // shifted: the blocks of every second level begin one cell earlier. Where cells fill a period the first begins with the last
+  // cell.
   PlainTree(std::int64_t nx, std::int64_t ny, const CouplingTable& table, bool shifted) : least_top_(table.nx > 0 ? 0.03 : 0.1) {
     double hx = table.hx, hy = table.hy, scale = 1;
     std::int64_t wide = 1, high = 1;  // cells of the grid along the sides of a block

@@ -303,8 +303,8 @@ template <Machine M, class Poll> class HaarIteration {
 
   // Whether a product in double precision would tell no more than w does.
   constexpr bool exact() const {
-    return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) && task_.tol >= sure * exact_ && worst() <= surely * task_.tol &&
-           std::abs(to_load() - 1) <= drift * task_.tol;
+    return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) && task_.tol >= sure * exact_ &&
+           worst() <= surely * task_.tol && std::abs(to_load() - 1) <= drift * task_.tol;
   }
 
   // Confirms a residual that looks small enough, by a product in double precision where w is not exact. By load the pressures

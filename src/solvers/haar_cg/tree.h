@@ -116,8 +116,7 @@ class HaarTree {
 
    private:
     template <class Value> void gather_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const;
-    template <class Value>
-    void scatter_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const;
+    template <class Value> void scatter_row(const Value* from, const std::int64_t* place, std::int64_t around, Value* to) const;
   };
 
   void share(const Ranks& ranks);

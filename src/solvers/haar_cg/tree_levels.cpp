@@ -157,8 +157,8 @@ void HaarTree::clear_margins(std::size_t level, std::int64_t row) {
   if (row == l.rows - 1) std::fill(line + next.pitch, values + next.height * next.pitch, 0.0F);
 }
 
-// Where cells fill a period: moves the last cell of a row, as the level below writes it, before the first; and, of the row of values
-// `line`, back.
+// Where cells fill a period: moves the last cell of a row, as the level below writes it, before the first; and, of the row of
+// values `line`, back.
 void HaarTree::to_front(std::size_t level, std::int64_t row) {
   const Level& l = levels_[level];
   if (!l.around_x) return;

@@ -14,12 +14,12 @@ struct HaarCouplings {
 };
 
 struct HaarTreeLevel {
-  std::int64_t mx, my;                    // cells of this level
-  bool merge_x = false, merge_y = false;  // how they join to blocks, the next level's cells
-  std::int64_t shift_x = 0, shift_y = 0;  // 1: the blocks begin one cell earlier
+  std::int64_t mx, my;                      // cells of this level
+  bool merge_x = false, merge_y = false;    // how they join to blocks, the next level's cells
+  std::int64_t shift_x = 0, shift_y = 0;    // 1: the blocks begin one cell earlier
   bool around_x = false, around_y = false;  // of a period: the first block begins with the last cell
-  HaarCouplings coupling{};               // of neighbours
-  std::int64_t columns = 0, rows = 0;     // of blocks
+  HaarCouplings coupling{};                 // of neighbours
+  std::int64_t columns = 0, rows = 0;       // of blocks
 };
 
 // Of the surplus, which is taken off the coupling of the whole with itself: what must be left of that. Trees that know couplings
