@@ -168,7 +168,7 @@ def test_what_cannot_be_handed_over_is_refused(sphere_gap, context, monkeypatch)
 
 def test_a_batch_is_solved_at_once_where_nobody_looks_at_each_step(context):
     gaps = np.stack([gap * k for k in (1.0, 1.2, 1.4) for gap in [rc.surface.spectral((24, 24), seed=1).undeformed_gap()]])
-    how = dict(pitch=PITCH, modulus=MODULUS, load=1e-3, context=context, keep_pressure=True, **PAIR)
+    how = dict(pitch=PITCH, modulus=MODULUS, load=1e6, context=context, keep_pressure=True, **PAIR)
     together = rc.batch(undeformed_gap=gaps, **how)
     alone = rc.batch(undeformed_gap=gaps, each=lambda *_: None, **how)
     assert together.certified == alone.certified == 3

@@ -56,7 +56,8 @@ template <Machine M, class Poll> class HaarIteration {
   static constexpr double most_stretch = 0.01, least_stretch = 0.05;  // of the pressures; of the residual
   static constexpr bool single = sizeof(Real) < sizeof(double);
   static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
-  static constexpr double sure = single ? 1e-3 : 1e-11;         // the same, for all but a small part of the residual
+  static constexpr double sure = single ? 1e-3 : 1e-9;          // the same, for all but a small part of the residual
+  static constexpr double rounding = 1e-10;                     // ten times what two products in double precision differ by
   static constexpr double surely = 0.9;                         // of the tolerance: a residual that has such an error
   static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
   static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -303,8 +304,9 @@ template <Machine M, class Poll> class HaarIteration {
 
   // Whether a product in double precision would tell no more than w does.
   constexpr bool exact() const {
-    return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) && task_.tol >= sure * exact_ &&
-           worst() <= surely * task_.tol && std::abs(to_load() - 1) <= drift * task_.tol;
+    return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) &&
+           task_.tol >= std::max(sure * exact_, rounding) && worst() <= surely * task_.tol &&
+           std::abs(to_load() - 1) <= drift * task_.tol;
   }
 
   // Confirms a residual that looks small enough, by a product in double precision where w is not exact. By load the pressures
