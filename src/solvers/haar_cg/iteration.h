@@ -200,9 +200,9 @@ template <Machine M, class Poll> class HaarIteration {
   }
 
   // Replaces the pressures by their multiple of least energy, whose product is known. By displacement the steps find that
-  // multiple last.
+  // multiple last. Without a cut it would spoil conjugate directions.
   constexpr void stretch() {
-    if (task_.by_load || keeps_load_ || task_.periodic_mean > 0 || capped()) return;
+    if (!cut_any_ || task_.by_load || keeps_load_ || task_.periodic_mean > 0 || capped()) return;
     const double share = -now_.moment / (2 * (now_.moment - now_.merit));  // p'Hp = 2 (moment - merit)
     if (!(std::abs(share) < most_stretch) || std::abs(share) <= least_stretch * worst()) return;
     m_.multiply(1 + share, false);
