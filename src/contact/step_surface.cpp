@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <roughcontact/plugin.hpp>
 
 #include "core/error.h"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::int64_t tile = StepSurface::tile;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t serial_points = 64 * 64;  // up to here, threads would cost more than they save
 
 // Results of a pass over one row of tiles.
 struct Summary {
@@ -79,7 +79,7 @@ StepSurface::StepSurface(const GivenSurface& given, const rc_team& team, const R
     gap_ = given.borrowed ? given.gap : given.gap.in_single() ? own(own_single_gap_) : own(own_gap_);
     mask_ = given.borrowed ? given.mask : own_mask_;
   });
-  roughcontact::for_each(team, rows, gap_.size() > serial_points, [&](std::int64_t row, std::int64_t) {
+  roughcontact::for_each(team, rows, threaded(), [&](std::int64_t row, std::int64_t) {
     Summary& summary = summaries[static_cast<std::size_t>(row)];
     for (std::int64_t y = row * tile; y < std::min((row + 1) * tile, ny_); ++y) {
       if (own_gap_) std::copy_n(given.gap.in_double() + y * nx_, nx_, own_gap_.get() + y * nx_);
@@ -144,7 +144,7 @@ bool StepSurface::equals(const StepSurface& other, const rc_team& team) const {
       tile_lowest_ != other.tile_lowest_)
     return false;
   std::vector<std::uint8_t> differs(static_cast<std::size_t>(ny_), 0);
-  roughcontact::for_each(team, ny_, gap_.size() > serial_points, [&](std::int64_t y, std::int64_t) {
+  roughcontact::for_each(team, ny_, threaded(), [&](std::int64_t y, std::int64_t) {
     for (auto i = static_cast<std::size_t>(y * nx_); i < static_cast<std::size_t>((y + 1) * nx_); ++i)
       if (included(i) != other.included(i) || (included(i) && gap_[i] != other.gap_[i])) {
         differs[static_cast<std::size_t>(y)] = 1;
@@ -165,23 +165,6 @@ void visit_tile(std::int64_t index, std::int64_t nx, std::int64_t ny, std::int64
 }
 
 }  // namespace
-
-// The points with gap < limit in one row of tiles, row by row: visit(point, x, y).
-template <class Visit> void StepSurface::visit_below(double limit, std::int64_t tile_row, const Visit& visit) const {
-  const std::int64_t columns = tiles_x();
-  for (std::int64_t y = tile_row * tile; y < std::min((tile_row + 1) * tile, ny_); ++y)
-    for (std::int64_t column = 0; column < columns; ++column) {
-      if (!(tile_lowest_[static_cast<std::size_t>(tile_row * columns + column)] < limit)) continue;
-      std::int64_t found[tile], n = 0;  // listed without a branch, which would be foreseen wrongly
-      gap_.visit([&](const auto* gap) {
-        for (std::int64_t x = column * tile; x < std::min((column + 1) * tile, nx_); ++x) {
-          found[n] = x;
-          n += static_cast<double>(gap[y * nx_ + x]) < limit && included(static_cast<std::size_t>(y * nx_ + x));
-        }
-      });
-      for (std::int64_t k = 0; k < n; ++k) visit(y * nx_ + found[k], found[k], y);
-    }
-}
 
 namespace {
 
@@ -212,7 +195,7 @@ std::vector<Extent> StepSurface::extents_below(double limit) const {
             add_below(limit, gap + y * nx_, column * tile, std::min((column + 1) * tile, nx_), y, extent);
     });
   };
-  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), gap_.size() > serial_points,
+  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), threaded(),
                          [&](std::int64_t row, std::int64_t) {
                            Extent& extent = rows[static_cast<std::size_t>(row)];
                            if (mask_.empty()) return unmasked(row, extent);
@@ -255,7 +238,7 @@ TrialSet StepSurface::below(double limit) const {
   }
   if (trial.n == static_cast<std::int64_t>(gap_.size())) return trial;
   trial.index = large_vector<std::int64_t>(static_cast<std::size_t>(trial.n));
-  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), gap_.size() > serial_points,
+  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), threaded(),
                          [&](std::int64_t row, std::int64_t) {
                            std::int64_t* to = trial.index.data() + begin[static_cast<std::size_t>(row)];
                            visit_below(limit, row, [&](std::int64_t point, std::int64_t, std::int64_t) { *to++ = point; });
@@ -294,101 +277,61 @@ void StepSurface::heights(const TrialSet& of, std::size_t first, std::size_t n, 
   });
 }
 
-double StepSurface::mean_height() const {
-  if (!mean_height_) {
-    struct Sum {
-      double of = 0;
-      Sum operator+(const Sum& other) const { return {of + other.of}; }
-    };
-    const Sum sum = sum_over_all<Sum>([&](Sum& part, std::size_t i) {
-      if (included(i)) part.of += height(i);
-    });
-    mean_height_ = sum.of / static_cast<double>(included_points_);
+namespace {
+
+// Of a number of heights; joins those of two sets without cancellation.
+struct Moments {
+  double n = 0, mean = 0, square = 0;  // square: the sum of squared differences to the mean
+
+  Moments operator+(const Moments& b) const {
+    if (b.n == 0) return *this;
+    const double all = n + b.n, apart = b.mean - mean;
+    return {all, mean + apart * (b.n / all), square + b.square + apart * apart * (n / all * b.n)};
   }
-  return *mean_height_;
+};
+
+// The sum of term(0) .. term(n-1).
+template <class Term> double sum_of(std::int64_t n, const Term& term) {
+  constexpr std::int64_t lanes = 8;
+  double sum[lanes] = {};
+  std::int64_t k = 0;
+  for (; k + lanes <= n; k += lanes)
+    for (std::int64_t lane = 0; lane < lanes; ++lane) sum[lane] += term(k + lane);
+  for (; k < n; ++k) sum[0] += term(k);
+  return std::accumulate(sum, sum + lanes, 0.0);
+}
+
+}  // namespace
+
+const StepSurface::HeightMoments& StepSurface::height_moments() const {
+  if (tiles_) return tiles_->shared().height_moments();
+  if (height_moments_) return *height_moments_;
+  const auto body = [&](std::int64_t begin, std::int64_t count) {
+    constexpr std::int64_t together = 512;
+    double height[together];
+    Moments all;
+    for (std::int64_t first = begin; first < begin + count; first += together) {
+      std::int64_t n = std::min(together, begin + count - first);
+      heights({}, static_cast<std::size_t>(first), static_cast<std::size_t>(n), height);
+      if (!whole()) {
+        const std::int64_t read = n;
+        n = 0;
+        for (std::int64_t k = 0; k < read; ++k)
+          if (included(static_cast<std::size_t>(first + k))) height[n++] = height[k];
+      }
+      const double mean = sum_of(n, [&](std::int64_t k) { return height[k]; }) / static_cast<double>(std::max<std::int64_t>(n, 1));
+      all = all + Moments{static_cast<double>(n), mean, sum_of(n, [&](std::int64_t k) { return (height[k] - mean) * (height[k] - mean); })};
+    }
+    return all;
+  };
+  const Moments all = reduce<Moments>(points(), team(), body, {}, {}, chunks());
+  height_moments_ = {all.mean, all.square};
+  return *height_moments_;
 }
 
 double StepSurface::limit_of(double height) const {
   const double limit = lowest_ + height;
   return limit - lowest_ < height ? std::nextafter(limit, infinite) : limit;
-}
-
-namespace {
-
-constexpr std::size_t bins = 1024;
-constexpr std::size_t histograms = 16;  // each of a part of the surface, whatever the number of threads
-constexpr double fine = 1 << 16;        // steps of a range: sums of whole steps do not depend on who adds them
-
-// Counts and sums of heights by bins of equal width over [0, range).
-struct Histogram {
-  explicit Histogram(double over) : range(over), count(bins, 0.0), sum(bins, 0.0) {}
-  void add(double height) {
-    if (!(height < range)) return;
-    const auto bin = std::min(static_cast<std::size_t>(height / range * static_cast<double>(bins)), bins - 1);
-    count[bin] += 1;
-    sum[bin] += height;
-  }
-  // The upper edge of the first bin at which sum(t - height) / sqrt(count) reaches the target; range if none does.
-  double reach(double target) const {
-    double points = 0, heights = 0;
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-      points += count[bin];
-      heights += sum[bin];
-      const double edge = range * static_cast<double>(bin + 1) / static_cast<double>(bins);
-      if (points > 0 && (edge * points - heights) / std::sqrt(points) >= target) return edge;
-    }
-    return range;
-  }
-  void add(const Histogram& other) {
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-      count[bin] += other.count[bin];
-      sum[bin] += other.sum[bin];
-    }
-  }
-  // With those of all ranks.
-  void unite(const Ranks& ranks) {
-    for (std::vector<double>* const values : {&count, &sum}) {
-      const std::vector<double> all = ranks.of_any(*values);
-      std::fill(values->begin(), values->end(), 0.0);
-      for (std::size_t i = 0; i < all.size(); ++i) (*values)[i % bins] += all[i];
-    }
-  }
-  // To another range, in proportion.
-  void scale(double to) {
-    for (double& value : sum) value *= to / range;
-    range = to;
-  }
-  double range;
-  std::vector<double> count, sum;
-};
-
-}  // namespace
-
-double StepSurface::bearing_height(double target) const {
-  const double n = static_cast<double>(included_points_);
-  const double all = (target * std::sqrt(n) + n * mean_height()) / n;  // if every point bears
-  double range = highest_ - lowest_;
-  if (all >= range) return all;
-  // Narrows the range until the bins resolve the answer.
-  for (int round = 0;; ++round) {
-    std::vector<Histogram> parts(gap_.size() > serial_points ? histograms : 1, Histogram(ranks_ ? fine : range));
-    const auto count = static_cast<std::int64_t>(parts.size()), rows = (ny_ + tile - 1) / tile;
-    roughcontact::for_each(*team_, count, count > 1, [&](std::int64_t part, std::int64_t) {
-      for (std::int64_t row = part * rows / count; row < (part + 1) * rows / count; ++row)
-        visit_below(limit_of(range), row, [&](std::int64_t point, std::int64_t, std::int64_t) {
-          const double exact = height(static_cast<std::size_t>(point));
-          parts[static_cast<std::size_t>(part)].add(ranks_ ? std::floor(exact / range * fine) : exact);
-        });
-    });
-    for (std::size_t part = 1; part < parts.size(); ++part) parts.front().add(parts[part]);
-    if (ranks_) {
-      parts.front().unite(*ranks_);
-      parts.front().scale(range);
-    }
-    const double height = parts.front().reach(target);
-    if (height > 0.02 * range || round == 6) return height;
-    range = 2 * height;
-  }
 }
 
 namespace {

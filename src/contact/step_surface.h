@@ -83,14 +83,10 @@ class StepSurface {
     ranks_->each_part<Part>([&](const Part& part) { total = total + part; });
     return total;
   }
-  // The same for a list of points, and for all.
+  // The same for a list of points.
   template <class Part, class Add> Part sum_over(std::span<const std::size_t> entries, const Add& add) const {
     return sum_over<Part>(
         entries.size(), [&](std::size_t k) { return entries[k]; }, add);
-  }
-  template <class Part, class Add> Part sum_over_all(const Add& add) const {
-    return sum_over<Part>(
-        gap_.size(), [](std::size_t k) { return k; }, add);
   }
   // Of all ranks, where the order does not matter.
   template <class Part> Part united(const Part& mine) const {
@@ -121,7 +117,13 @@ class StepSurface {
   double height(std::size_t i) const { return gap_at(i) - lowest_; }
   // The same for entries first .. first+n-1 of a trial set.
   void heights(const TrialSet& of, std::size_t first, std::size_t n, double* to) const;
-  double mean_height() const;  // of the included points
+  // Of the included points.
+  struct HeightMoments {
+    double mean = 0;    // [length] off by no more than 1e-13 of the range
+    double square = 0;  // [length^2] sum of the squared differences to the mean
+  };
+  const HeightMoments& height_moments() const;
+  double mean_height() const { return height_moments().mean; }
   double range() const { return highest_ - lowest_; }
   // A limit such that every included point below this height has gap < limit.
   double limit_of(double height) const;
@@ -145,6 +147,8 @@ class StepSurface {
   double bearing_height(double target) const;
 
  private:
+  bool threaded() const { return gap_.size() > 64 * 64; }  // with fewer points threads would cost more than they save
+  // The points with gap < limit in one row of tiles, row by row: visit(point, x, y).
   template <class Visit> void visit_below(double limit, std::int64_t tile_row, const Visit& visit) const;
   std::vector<Extent> extents_below(double limit) const;
 
@@ -160,12 +164,28 @@ class StepSurface {
   std::vector<double> tile_lowest_;
   std::int64_t included_points_ = 0;
   double lowest_ = 0, highest_ = 0;
-  mutable std::optional<double> mean_height_;  // computed when first asked for
-  mutable std::vector<double> gap_in_double_;  // likewise
+  mutable std::optional<HeightMoments> height_moments_;  // computed when first asked for
+  mutable std::vector<double> gap_in_double_;            // likewise
   std::vector<double> filled_double_;
   std::vector<float> filled_single_;
   GapValues filled_;
 };
+
+template <class Visit> void StepSurface::visit_below(double limit, std::int64_t tile_row, const Visit& visit) const {
+  const std::int64_t columns = tiles_x();
+  for (std::int64_t y = tile_row * tile; y < std::min((tile_row + 1) * tile, ny_); ++y)
+    for (std::int64_t column = 0; column < columns; ++column) {
+      if (!(tile_lowest_[static_cast<std::size_t>(tile_row * columns + column)] < limit)) continue;
+      std::int64_t found[tile], n = 0;  // listed without a branch, which would be foreseen wrongly
+      gap_.visit([&](const auto* gap) {
+        for (std::int64_t x = column * tile; x < std::min((column + 1) * tile, nx_); ++x) {
+          found[n] = x;
+          n += static_cast<double>(gap[y * nx_ + x]) < limit && included(static_cast<std::size_t>(y * nx_ + x));
+        }
+      });
+      for (std::int64_t k = 0; k < n; ++k) visit(y * nx_ + found[k], found[k], y);
+    }
+}
 
 // Points of the bounding box of a trial set on a grid nx wide and ny high.
 std::int64_t box_points(const TrialSet& trial, std::int64_t nx, std::int64_t ny);

@@ -10,6 +10,7 @@
 
 #include "contact/grid_contact.h"
 #include "contact/grids/grid_pyramid.h"
+#include "contact/proof/survey.h"
 #include "contact/step/displacement.h"
 #include "contact/step/load_control.h"
 #include "contact/step/problem_services.h"
@@ -17,6 +18,7 @@
 #include "contact/step/trial_set.h"
 #include "core/chunks.h"
 #include "core/error.h"
+#include "core/large_memory.h"
 
 namespace rc {
 
@@ -73,6 +75,13 @@ class Region {
   std::vector<std::int64_t> members_;
 };
 
+// The largest size of a product, and where it is found first: among these points.
+struct Largest {
+  double size = 0;
+  std::int64_t begin = 0, end = 0;
+  Largest operator+(const Largest& b) const { return b.size > size ? b : *this; }
+};
+
 // H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
 // ranks each looks at its rows. Bounds of round-off need the largest size of H p, too.
 Deflected near_surface(const Workspace& work, const Answer& answer, double compression, double margin) {
@@ -80,27 +89,28 @@ Deflected near_surface(const Workspace& work, const Answer& answer, double compr
   const StepSurface& own = tiles ? tiles->shared() : work.surface;
   const Ranks* const ranks = own.ranks();
   const std::int64_t n = own.points(), before = own.first_row() * own.nx();
-  std::vector<double> product(static_cast<std::size_t>(n));
+  auto product = large_vector<double>(static_cast<std::size_t>(n));
   answer.op->field(answer.p, product);
-  const auto scale = [&](std::int64_t begin, std::int64_t count) {
-    double largest = 0;
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i) {
-      product[i] *= answer.length_unit;
-      largest = std::max(largest, std::abs(product[i]));
-    }
-    return largest;
-  };
-  const auto larger = [](double a, double b) { return std::max(a, b); };
-  double largest = reduce<double>(n, own.team(), scale, 0, larger);
-  if (ranks)
-    for (const double each : ranks->of_each(largest)) largest = std::max(largest, each);
   Marks marks(n);
-  each_chunk(n, own.team(), [&](std::int64_t begin, std::int64_t count) {
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i) {
-      const bool close = product[i] - (compression - own.height(i)) < margin && own.included(i);
-      if (close || !(std::abs(product[i]) < largest)) marks.add(i);
-    }
-  });
+  const auto body = [&](std::int64_t begin, std::int64_t count) {
+    constexpr std::int64_t lanes = 4;
+    double largest[lanes] = {};
+    double* const of = product.data() + begin;
+    const auto take = [&](std::int64_t i, std::int64_t lane) {
+      of[i] *= answer.length_unit;
+      const double size = std::abs(of[i]);
+      largest[lane] = size > largest[lane] ? size : largest[lane];
+    };
+    std::int64_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+      for (std::int64_t lane = 0; lane < lanes; ++lane) take(i + lane, lane);
+    for (; i < count; ++i) take(i, 0);
+    mark_near(own, {}, product, compression, margin, begin, count, marks);
+    return Largest{*std::max_element(largest, largest + lanes), begin, begin + count};
+  };
+  const Largest mine = reduce<Largest>(n, own.team(), body), whole = own.united(mine);
+  for (std::int64_t i = mine.begin; i < mine.end && mine.size == whole.size; ++i)
+    if (std::abs(product[static_cast<std::size_t>(i)]) == whole.size) marks.add(static_cast<std::size_t>(i));
   const TrialSet& trial = answer.op->trial();
   for (std::int64_t i = 0; i < trial.n; ++i)
     if (const std::int64_t at = trial.point(i) - before; at >= 0 && at < n) marks.add(static_cast<std::size_t>(at));

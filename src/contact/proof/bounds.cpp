@@ -49,7 +49,7 @@ class Proof {
         found_(found),
         given_(answer.p()),
         product_(answer.product) {
-    if (!all_listed()) candidates_ = surface_.extent_below(system_.positive ? surface_.limit_of(compression_) : infinity);
+    candidates_ = surface_.extent_below(system_.positive ? surface_.limit_of(compression_) : infinity);
     measure();
     residual();
   }
@@ -168,25 +168,26 @@ class Proof {
   Extent undecided_pressures() {
     const double reach = open_beyond();
     Extent support;
-    if (!(reach < answer_.beyond) && !all_listed()) {  // any candidate may be among the points that are not listed
-      support = candidates_;
+    if (!(reach < (all_listed() ? infinity : answer_.beyond))) {  // any candidate
       for (const std::size_t i : found_.touching)
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
-      return support;  // ranks list all points
+      return candidates_ + surface_.united(support);
     }
-    if (!(reach < infinity))
-      return extent_where(surface_, answer_, nullptr, [&](std::size_t i) { return given_[i] > 0 || may_carry(i); });
     for (const std::size_t i : near(reach))
       if (undecided(i, reach)) add(support, i);
     return surface_.united(support);
   }
-  // Points that were given a pressure, and those that may carry one and are no farther than `reach`. It never grows, so the list
-  // made first serves later calls, too.
+  // At least the points that were given a pressure, and those that may carry one and are no farther than `reach`. That never grows,
+  // so the list made first serves later calls, too.
   const std::vector<std::size_t>& near(double reach) {
     if (near_) return *near_;
-    Marks marks(static_cast<std::int64_t>(given_.size()));
-    extent_where(surface_, answer_, &marks,
-                 [&](std::size_t i) { return given_[i] > 0 || (may_carry(i) && distance_to_surface(i) <= reach); });
+    const auto size = static_cast<std::int64_t>(given_.size());
+    Marks marks(size);
+    each_chunk(size, surface_.team(), [&](std::int64_t begin, std::int64_t count) {
+      mark_near(surface_, answer_.on(), product_, compression_, reach, begin, count, marks);
+    });
+    for (const std::size_t i : found_.touching)
+      if (given_[i] > 0) marks.add(i);
     near_ = marks.list();
     return *near_;
   }
@@ -220,14 +221,6 @@ class Proof {
     return {free > 0 ? std::sqrt(points_of(support) * n() / (free * spectrum_.lowest)) : infinity, 0};
   }
 
-  struct Whole {
-    long double u = 0;  // [length]
-    Whole operator+(const Whole& b) const { return {u + b.u}; }
-  };
-  struct Square {
-    double of = 0;
-    Square operator+(const Square& b) const { return {of + b.of}; }
-  };
   struct Energies {
     double ep = 0, php = 0;
     Energies operator+(const Energies& b) const { return {ep + b.ep, php + b.php}; }
@@ -236,18 +229,14 @@ class Proof {
   // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole()) return {};
-    const StepSurface& all = surface_.tiles() ? surface_.tiles()->shared() : surface_;
-    const Whole sums = all.sum_over_all<Whole>([&](Whole& part, std::size_t i) { part.u += compression_ - all.height(i); });
-    const double mean_gap = static_cast<double>(-sums.u / static_cast<long double>(n())),
-                 off = system_.capped() ? std::abs(mean_gap) : mean_gap;
-    const double eps = (off - rounding_) / length_;
+    const auto& [mean, square_sum] = surface_.height_moments();
+    const double mean_gap = mean - compression_, off = system_.capped() ? std::abs(mean_gap) : mean_gap;
+    const double eps = (off - rounding_ - epsilon * (100 + n() / 512) * surface_.range()) / length_;
     if (!(eps > 0)) return {};
-    const auto e = [&](double height) { return (compression_ - height + mean_gap) / length_; };
-    const double e_square =
-        all.sum_over_all<Square>([&](Square& part, std::size_t i) { part.of += square(e(all.height(i))); }).of;
+    const double e_square = square_sum / square(length_);
     const auto [ep, php] = sum_of_touching<Energies>([&](Energies& part, std::size_t i) {
       if (!(given_[i] > 0)) return;
-      part.ep += e(height(i)) * p(i);
+      part.ep += (mean - height(i)) / length_ * p(i);
       part.php += product_[i] / length_ * p(i);
     });
     const double doubt = doubt_ * sum_ + epsilon * n() * (e_square / spectrum_.lowest + work_);

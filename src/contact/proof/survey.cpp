@@ -16,10 +16,34 @@ struct Largest {
   }
 };
 
+constexpr double most = std::numeric_limits<double>::max();
+
 }  // namespace
 
+void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const double> product, double compression, double limit,
+               std::int64_t begin, std::int64_t count, Marks& marks) {
+  constexpr std::size_t lanes = 4;
+  double gap[Marks::together];
+  const auto end = static_cast<std::size_t>(begin + count);
+  for (auto first = static_cast<std::size_t>(begin); first < end; first += Marks::together) {
+    const std::size_t n = std::min(Marks::together, end - first);
+    surface.heights(on, first, n, gap);
+    for (std::size_t k = 0; k < n; ++k) gap[k] = product[first + k] - (compression - gap[k]);
+    double least[lanes] = {most, most, most, most}, doubt[lanes] = {};  // not 0 where a gap is not finite
+    for (std::size_t k = 0; k + lanes <= n; k += lanes)
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        least[lane] = gap[k + lane] < least[lane] ? gap[k + lane] : least[lane];
+        doubt[lane] += gap[k + lane] * 0;
+      }
+    const bool none = n == Marks::together && std::min({least[0], least[1], least[2], least[3]}) > limit &&
+                      doubt[0] + doubt[1] + doubt[2] + doubt[3] == 0;
+    std::uint64_t marked = 0;
+    for (std::size_t k = 0; k < n && !none; ++k) marked |= static_cast<std::uint64_t>(!((gap[k] > limit) & (gap[k] <= most))) << k;
+    marks.set(first, marked);
+  }
+}
+
 Survey survey(const StepSurface& surface, double compression, const Deflected& answer) {
-  constexpr double most = std::numeric_limits<double>::max();
   const auto n = static_cast<std::int64_t>(answer.size());
   Marks touching(n);
   const auto body = [&](std::int64_t begin, std::int64_t count) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/pressures.h"
@@ -21,26 +22,9 @@ struct Survey {
 
 Survey survey(const StepSurface& surface, double compression, const Deflected& answer);
 
-// The extent of the points of the entries where something holds; marks: null, or where these entries are marked.
-template <class Holds>
-Extent extent_where(const StepSurface& surface, const Deflected& answer, Marks* marks, const Holds& holds) {
-  const std::int64_t nx = surface.nx();
-  const auto body = [&](std::int64_t begin, std::int64_t count) {
-    Extent extent;
-    std::int64_t row = 0, row_end = 0;  // divides only where a row begins
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i) {
-      if (!holds(i)) continue;
-      const auto point = static_cast<std::int64_t>(answer.point(i));
-      if (point >= row_end) {
-        row = point / nx;
-        row_end = (row + 1) * nx;
-      }
-      extent.add(point - row * nx, surface.first_row() + row);
-      if (marks) marks->add(i);
-    }
-    return extent;
-  };
-  return surface.united(reduce<Extent>(static_cast<std::int64_t>(answer.size()), surface.team(), body));
-}
+// Marks the points begin .. begin+count-1 of a list whose deformed gap is no larger than the limit [length], or not finite. product:
+// H p [length] at those of the list. begin: where a chunk begins.
+void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const double> product, double compression, double limit,
+               std::int64_t begin, std::int64_t count, Marks& marks);
 
 }  // namespace rc
