@@ -195,12 +195,11 @@ std::vector<Extent> StepSurface::extents_below(double limit) const {
             add_below(limit, gap + y * nx_, column * tile, std::min((column + 1) * tile, nx_), y, extent);
     });
   };
-  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), threaded(),
-                         [&](std::int64_t row, std::int64_t) {
-                           Extent& extent = rows[static_cast<std::size_t>(row)];
-                           if (mask_.empty()) return unmasked(row, extent);
-                           visit_below(limit, row, [&](std::int64_t, std::int64_t x, std::int64_t y) { extent.add(x, y); });
-                         });
+  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), threaded(), [&](std::int64_t row, std::int64_t) {
+    Extent& extent = rows[static_cast<std::size_t>(row)];
+    if (mask_.empty()) return unmasked(row, extent);
+    visit_below(limit, row, [&](std::int64_t, std::int64_t x, std::int64_t y) { extent.add(x, y); });
+  });
   return rows;
 }
 
@@ -238,11 +237,10 @@ TrialSet StepSurface::below(double limit) const {
   }
   if (trial.n == static_cast<std::int64_t>(gap_.size())) return trial;
   trial.index = large_vector<std::int64_t>(static_cast<std::size_t>(trial.n));
-  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), threaded(),
-                         [&](std::int64_t row, std::int64_t) {
-                           std::int64_t* to = trial.index.data() + begin[static_cast<std::size_t>(row)];
-                           visit_below(limit, row, [&](std::int64_t point, std::int64_t, std::int64_t) { *to++ = point; });
-                         });
+  roughcontact::for_each(*team_, static_cast<std::int64_t>(rows.size()), threaded(), [&](std::int64_t row, std::int64_t) {
+    std::int64_t* to = trial.index.data() + begin[static_cast<std::size_t>(row)];
+    visit_below(limit, row, [&](std::int64_t point, std::int64_t, std::int64_t) { *to++ = point; });
+  });
   return trial;
 }
 
@@ -319,8 +317,10 @@ const StepSurface::HeightMoments& StepSurface::height_moments() const {
         for (std::int64_t k = 0; k < read; ++k)
           if (included(static_cast<std::size_t>(first + k))) height[n++] = height[k];
       }
-      const double mean = sum_of(n, [&](std::int64_t k) { return height[k]; }) / static_cast<double>(std::max<std::int64_t>(n, 1));
-      all = all + Moments{static_cast<double>(n), mean, sum_of(n, [&](std::int64_t k) { return (height[k] - mean) * (height[k] - mean); })};
+      const double mean =
+          sum_of(n, [&](std::int64_t k) { return height[k]; }) / static_cast<double>(std::max<std::int64_t>(n, 1));
+      all = all + Moments{static_cast<double>(n), mean,
+                          sum_of(n, [&](std::int64_t k) { return (height[k] - mean) * (height[k] - mean); })};
     }
     return all;
   };

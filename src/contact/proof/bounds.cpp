@@ -177,8 +177,8 @@ class Proof {
       if (undecided(i, reach)) add(support, i);
     return surface_.united(support);
   }
-  // At least the points that were given a pressure, and those that may carry one and are no farther than `reach`. That never grows,
-  // so the list made first serves later calls, too.
+  // At least the points that were given a pressure, and those that may carry one and are no farther than `reach`. That never
+  // grows, so the list made first serves later calls, too.
   const std::vector<std::size_t>& near(double reach) {
     if (near_) return *near_;
     const auto size = static_cast<std::int64_t>(given_.size());

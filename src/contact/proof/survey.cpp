@@ -38,7 +38,8 @@ void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const d
     const bool none = n == Marks::together && std::min({least[0], least[1], least[2], least[3]}) > limit &&
                       doubt[0] + doubt[1] + doubt[2] + doubt[3] == 0;
     std::uint64_t marked = 0;
-    for (std::size_t k = 0; k < n && !none; ++k) marked |= static_cast<std::uint64_t>(!((gap[k] > limit) & (gap[k] <= most))) << k;
+    for (std::size_t k = 0; k < n && !none; ++k)
+      marked |= static_cast<std::uint64_t>(!((gap[k] > limit) & (gap[k] <= most))) << k;
     marks.set(first, marked);
   }
 }

@@ -22,8 +22,8 @@ struct Survey {
 
 Survey survey(const StepSurface& surface, double compression, const Deflected& answer);
 
-// Marks the points begin .. begin+count-1 of a list whose deformed gap is no larger than the limit [length], or not finite. product:
-// H p [length] at those of the list. begin: where a chunk begins.
+// Marks the points begin .. begin+count-1 of a list whose deformed gap is no larger than the limit [length], or not finite.
+// product: H p [length] at those of the list. begin: where a chunk begins.
 void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const double> product, double compression, double limit,
                std::int64_t begin, std::int64_t count, Marks& marks);
 

@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "solvers/haar_cg/interval.h"
 #include "solvers/haar_cg/known_loads.h"
 #include "solvers/haar_cg/machine.h"
 #include "solvers/haar_cg/newton_slope.h"
 #include "solvers/haar_cg/pace.h"
+#include "solvers/haar_cg/precision.h"
 #include "solvers/haar_cg/progress.h"
 #include "solvers/haar_cg/sought_load.h"
 #include "solvers/haar_cg/task.h"
@@ -28,7 +30,7 @@ template <Machine M, class Poll> class HaarIteration {
   // Starts from the machine's pressures and, by load where there are none, from the approach given; 0: none is known.
   constexpr HaarOutcome run(double approach) {
     start(approach);
-    const HaarEnding ending = since_refresh_ == 0 && worst() <= task_.tol ? HaarEnding::solved : iterate();
+    const HaarEnding ending = precision_.fresh() && worst() <= task_.tol ? HaarEnding::solved : iterate();
     return {ending, datum_ - mean_ * now_.load};  // without the deflection that the added mean causes
   }
 
@@ -36,9 +38,6 @@ template <Machine M, class Poll> class HaarIteration {
   using Real = typename M::Real;
   using Vector = typename M::Vector;
   using Wide = typename M::Wide;
-  static constexpr double little = 1e-4;    // of the energy that an interval's first step gains: a step that gains less ends it
-  static constexpr double nothing = 1e-10;  // of the first step's slope: the set is solved, and a product would tell nothing
-  static constexpr int refresh_every = 12;  // bounds between two refreshes, which remove drift
   // Newton's method on the load, where pressures have a cap, or on the deflection that an added mean causes.
   static constexpr double usual_excess = 2, elongated_excess = 10;       // largest correction of the trees' slope, either way
   static constexpr double settled = 5e-2;                                // residual below which the free set changes little
@@ -54,12 +53,6 @@ template <Machine M, class Poll> class HaarIteration {
   static constexpr double most_swing = 6;  // of the limit: by how much the datum of the trees may raise it
   static constexpr double known = 0.5;     // residual over the datum below which the datum of a load that is sought is known
   static constexpr double most_stretch = 0.01, least_stretch = 0.05;  // of the pressures; of the residual
-  static constexpr bool single = sizeof(Real) < sizeof(double);
-  static constexpr double drop = single ? 1e-4 : 0;             // fall of the residual up to which single precision is reliable
-  static constexpr double sure = single ? 1e-3 : 1e-9;          // the same, for all but a small part of the residual
-  static constexpr double rounding = 1e-10;                     // ten times what two products in double precision differ by
-  static constexpr double surely = 0.9;                         // of the tolerance: a residual that has such an error
-  static constexpr double merit_noise = single ? 1e-6 : 1e-10;  // relative rise of the merit that rounding explains
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   constexpr double most_excess() const { return task_.elongated ? elongated_excess : usual_excess; }
@@ -73,8 +66,6 @@ template <Machine M, class Poll> class HaarIteration {
     return task_.by_load ? std::abs(now_.load / task_.load - 1) : std::abs(mean_ * now_.load - datum_);
   }
   constexpr double worst() const { return std::max(now_.largest / scale(), imbalance()); }
-  // Single precision is reliable for a few digits below the residual of the last product in double precision.
-  constexpr bool blurred(double residual) const { return single && residual <= drop * exact_; }
 
   // to = (H + mean 11') from. The mean makes the energy of a periodic contact depend on the mean pressure, also in full contact.
   template <class Handle> constexpr void product(Handle from, Handle to) {
@@ -110,12 +101,12 @@ template <Machine M, class Poll> class HaarIteration {
     prepared_ = false;
     product(m_.p(), m_.wide_spare());
     measure_at(datum_);
-    since_refresh_ = 0;
+    precision_.refreshed();
   }
   constexpr void measure_at(double datum) {
     datum_ = datum;
     now_ = m_.replace_and_measure(m_.wide_spare(), datum_);
-    exact_ = worst();
+    precision_.found(worst());
   }
 
   constexpr void start(double approach) {
@@ -136,7 +127,7 @@ template <Machine M, class Poll> class HaarIteration {
       }
     } else if (!given.warm) {
       now_ = m_.replace_and_measure(Wide(nullptr), datum_);
-      exact_ = worst();
+      precision_.found(worst());
     } else {
       refresh();
       reduce();
@@ -159,24 +150,20 @@ template <Machine M, class Poll> class HaarIteration {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
     const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
     const double slope = m_.turn(beta);
-    const bool needless = phase_ > 0 && slope <= nothing * first_slope_;
+    const bool needless = interval_.needless(slope);
     if (!needless) product(m_.t(), m_.q());
     curvature_ = needless ? 0 : m_.inner(m_.t(), m_.q());
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
-    ++phase_;
-    if (phase_ == 1) first_slope_ = slope, first_gain_ = slope * slope / curvature_;
-    if (phase_ > HaarPace::first_interval && slope * slope / curvature_ < little * first_gain_) phase_ = planned_;
-    if (!conjugate_) phase_ = planned_;
-    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, phase_ >= planned_);
+    interval_.add(slope, curvature_);
+    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, interval_.over());
     return true;
   }
 
   // Adds to w the product of what the cut added to the pressures.
   constexpr void bound() {
-    phase_ = 0;
     add_cut();
-    planned_ = capped() && cut_any_ ? pace_.interval() / 2 : pace_.interval();
+    interval_.begin(capped() && cut_any_ ? pace_.interval() / 2 : pace_.interval());
   }
 
   // Where steps keep the load, what the cut added to it is scaled off, and the datum takes the trees' level.
@@ -190,7 +177,7 @@ template <Machine M, class Poll> class HaarIteration {
       datum_ += level_;
     }
     // Where the residual will call for a product in double precision, that has the cut as well.
-    if (++since_refresh_ >= refresh_every || (cut_any_ && blurred(last_ * fall_))) return refresh();
+    if (precision_.refresh_due() || (cut_any_ && precision_.blurred(last_ * fall_))) return refresh();
     if (cut_any_) {
       prepared_ = false;
       product(m_.z(), m_.y());
@@ -304,8 +291,7 @@ template <Machine M, class Poll> class HaarIteration {
 
   // Whether a product in double precision would tell no more than w does.
   constexpr bool exact() const {
-    return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) &&
-           task_.tol >= std::max(sure * exact_, rounding) && worst() <= surely * task_.tol &&
+    return mean_ == 0 && !task_.elongated && (now_.free_load > 0 || !capped()) && precision_.known(worst(), task_.tol) &&
            std::abs(to_load() - 1) <= drift * task_.tol;
   }
 
@@ -323,7 +309,7 @@ template <Machine M, class Poll> class HaarIteration {
         lower(now_.free_moment / now_.free_load);
       else if (task_.by_load && capped())
         descend();
-      if (!known_well) exact_ = worst();
+      if (!known_well) precision_.found(worst());
       if (!known_well || worst() <= task_.tol) return worst() <= task_.tol;
     }
   }
@@ -381,18 +367,18 @@ template <Machine M, class Poll> class HaarIteration {
   constexpr HaarEnding iterate() {
     for (std::int64_t steps = 1;; ++steps) {
       if (!step()) return HaarEnding::not_finite;
-      if (phase_ > 0 && phase_ < planned_) {
+      if (!interval_.over()) {
         if (!poll_(steps, last_)) return HaarEnding::stopped;
         continue;
       }
       bound();
       const bool solved = worst() <= task_.tol && settle();
-      if (!solved && blurred(worst())) refresh();
+      if (!solved && precision_.blurred(worst())) refresh();
       fall_ = last_ < infinite ? worst() / last_ : 1;
       last_ = worst();
-      if (solved || (last_ <= task_.tol && since_refresh_ == 0)) return HaarEnding::solved;
+      if (solved || (last_ <= task_.tol && precision_.fresh())) return HaarEnding::solved;
       if (!poll_(steps, last_)) return HaarEnding::stopped;
-      const bool trouble = progress_.in_trouble(last_, merit(), merit_noise, !follows()) || runs_away();
+      const bool trouble = progress_.in_trouble(last_, merit(), HaarPrecision<Real>::merit_noise, !follows()) || runs_away();
       if (progress_.stalled() > task_.patience) return HaarEnding::stalled;
       const bool rose = now_.largest / scale() > violation_;
       violation_ = now_.largest / scale();
@@ -414,25 +400,23 @@ template <Machine M, class Poll> class HaarIteration {
   M& m_;
   const HaarTask& task_;
   const Poll& poll_;
-  bool keeps_load_ = false;                  // steps and bounds leave the load as it is
-  double kept_load_;                         // that load
-  double level_ = 0;                         // of w, from the trees: less it, a step changes no load
-  double mean_;                              // what is added to every entry of the operator
-  double datum_ = 0;                         // w = H p - u - datum
-  double highest_ = 0;                       // largest u
-  HaarMeasure now_;                          // of the present p and w
-  double last_ = infinite;                   // residual after the last bound
-  double fall_ = 1;                          // that over the one before
-  double exact_ = 1;                         // residual of the last product in double precision
-  int since_refresh_ = 0;                    // bounds since then
-  double curvature_ = 0;                     // (t, q) of the last step
-  double first_slope_ = 0, first_gain_ = 0;  // of the first step of the interval: (w, t), twice the energy gained
+  bool keeps_load_ = false;  // steps and bounds leave the load as it is
+  double kept_load_;         // that load
+  double level_ = 0;         // of w, from the trees: less it, a step changes no load
+  double mean_;              // what is added to every entry of the operator
+  double datum_ = 0;         // w = H p - u - datum
+  double highest_ = 0;       // largest u
+  HaarMeasure now_;          // of the present p and w
+  double last_ = infinite;   // residual after the last bound
+  double fall_ = 1;          // that over the one before
+  HaarPrecision<Real> precision_;
+  double curvature_ = 0;  // (t, q) of the last step
   HaarPace pace_;
-  int planned_ = HaarPace::first_interval, phase_ = 0;  // steps of this interval; how many were made
-  bool conjugate_ = false;                              // the next direction is made conjugate to t
-  bool cut_any_ = false;                                // the last bound cut pressures off
-  bool prepared_ = false;                               // the trees are set up for the present free set
-  double violation_ = infinite;                         // at the last bound, relative to the largest compenetration
+  HaarInterval interval_;
+  bool conjugate_ = false;       // the next direction is made conjugate to t
+  bool cut_any_ = false;         // the last bound cut pressures off
+  bool prepared_ = false;        // the trees are set up for the present free set
+  double violation_ = infinite;  // at the last bound, relative to the largest compenetration
   KnownLoads loads_;
   NewtonSlope excess_{1 / most_excess(), most_excess()};       // slope of the load over the trees' slope
   NewtonSlope stiffening_{least_stiffening, most_stiffening};  // correction of the datum's slope in displacement control
