@@ -285,6 +285,57 @@ static void an_iteration_makes_three_sums(void) {
   check(more.reductions - few.reductions <= 3 * iterations, "five more iterations", "three sums an iteration");
 }
 
+/* Pressures that only one rank has changed are judged as by one process. */
+static void one_rank_violates(int changed) {
+  enum { kinds = 3 };
+  static const char* const names[kinds] = {"too much pressure", "a negative pressure", "a pressure that is not finite"};
+  const scene* s = &scenes[0];
+  const rc_system system = system_of(s);
+  rc_options* options = options_of(s, 1);
+  rc_mpi_contact* contact = NULL;
+  int64_t first = 0, count = 0, highest = 0;
+  rc_step step;
+  rc_result result;
+  rc_mpi_rows(MPI_COMM_WORLD, &system, &first, &count);
+  const rows r = rows_of(s, first, count), all = rows_of(s, 0, s->ny);
+  prepare(s, &r, &step, &result);
+  check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, options, &contact) == RC_OK, s->name, "create");
+  check(rc_mpi_contact_solve(contact, &step, &result) == RC_OK, s->name, "solve");
+  for (int64_t i = 1; i < s->nx * count; ++i)
+    if (r.p[i] > r.p[highest]) highest = i;
+  const double before = count > 0 ? r.p[highest] : 0;
+  for (int kind = 0; kind < kinds; ++kind) {
+    const double values[kinds] = {1.5 * before, -0.1 * before, NAN};
+    if (rank == changed && count > 0) r.p[highest] = values[kind];
+    rc_result mine = RC_RESULT_INIT;
+    mine.p = r.p;
+    const rc_status status = rc_mpi_contact_certify(contact, &step, &mine);
+    double* p = all_rows(r.p, (size_t)s->nx * sizeof(double), count, s->ny);
+    if (rank == 0) {
+      rc_contact* one = NULL;
+      rc_step alone;
+      rc_result theirs;
+      prepare(s, &all, &alone, &theirs);
+      check(rc_contact_create(&system, options, &one) == RC_OK, names[kind], "create");
+      memcpy(all.p, p, (size_t)(s->nx * s->ny) * sizeof(double));
+      const rc_status expected = rc_contact_certify(one, &alone, &theirs);
+      check(status == expected, names[kind], "the status of one process");
+      if (expected == RC_OK || expected == RC_UNCERTIFIED) {
+        check(fabs(mine.kkt_primal - theirs.kkt_primal) <= 1e-6 * theirs.kkt_primal, names[kind], "primal");
+        check(fabs(mine.kkt_dual - theirs.kkt_dual) <= 1e-6 * theirs.kkt_dual + 1e-9, names[kind], "dual");
+        check(fabs(mine.kkt_complementarity - theirs.kkt_complementarity) <= 1e-6 * theirs.kkt_complementarity + 1e-9,
+              names[kind], "complementarity");
+      }
+      rc_contact_destroy(one);
+    }
+    free(p);
+  }
+  rc_mpi_contact_destroy(contact);
+  rc_options_destroy(options);
+  free_rows(r);
+  free_rows(all);
+}
+
 int main(int argc, char** argv) {
   int worst = 0, provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
@@ -300,6 +351,7 @@ int main(int argc, char** argv) {
         (scenes[i].nx < 200 || scenes[i].nx == 640))
       history(&scenes[i]);
   }
+  for (int changed = 0; changed < ranks && argc < 3; ++changed) one_rank_violates(changed);
   if (argc < 3) an_iteration_makes_three_sums();
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();
