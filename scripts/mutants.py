@@ -5,7 +5,7 @@ Usage: mutants.py BUILD [--jobs N] [--only TEXT] [--list]
 
 BUILD: a build folder of this tree with lib/libroughcontact.a; programs of the mutants are built in BUILD/mutants. Of every file
 and header listed below, each comparison, sign, product, constant, minimum, condition and single statement is changed alone: the file is compiled
-again, linked with tests/mutants, and that program must fail. Mutants that do not compile count for nothing. Those that no test can tell
+again, linked with tests/mutants, and that program must fail. Mutants that do not compile count for nothing. Those that none of these tests can tell
 stand in tests/mutants/equivalents.txt, with the reason: file | line of the source | change | reason. An entry that no longer occurs, or
 that a test does fail on, is an error, too. --only: mutants whose name contains the text. Exit status: 0 if none survives.
 """

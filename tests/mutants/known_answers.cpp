@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
   Figures figures;
   figures_of_certificates(figures);
   figures_of_spectra(figures);
+  figures_of_marks(figures);
   figures_of_bounds(figures);
   figures_of_results(figures);
   figures_of_hardness(figures);

@@ -33,6 +33,7 @@ class Figures {
 void figures_of_bounds(Figures& figures);
 void figures_of_certificates(Figures& figures);
 void figures_of_spectra(Figures& figures);
+void figures_of_marks(Figures& figures);
 void figures_of_results(Figures& figures);
 void figures_of_hardness(Figures& figures);
 void figures_of_capped_results(Figures& figures);

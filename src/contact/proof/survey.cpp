@@ -29,17 +29,13 @@ void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const d
     const std::size_t n = std::min(Marks::together, end - first);
     surface.heights(on, first, n, gap);
     for (std::size_t k = 0; k < n; ++k) gap[k] = product[first + k] - (compression - gap[k]);
-    double least[lanes] = {most, most, most, most}, doubt[lanes] = {};  // not 0 where a gap is not finite
+    const auto apart = [&](std::size_t k) { return (gap[k] > limit) & (gap[k] <= most); };
+    double open[lanes] = {};  // how many, counted first: few points are near
     for (std::size_t k = 0; k + lanes <= n; k += lanes)
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        least[lane] = gap[k + lane] < least[lane] ? gap[k + lane] : least[lane];
-        doubt[lane] += gap[k + lane] * 0;
-      }
-    const bool none = n == Marks::together && std::min({least[0], least[1], least[2], least[3]}) > limit &&
-                      doubt[0] + doubt[1] + doubt[2] + doubt[3] == 0;
+      for (std::size_t lane = 0; lane < lanes; ++lane) open[lane] += apart(k + lane) ? 1.0 : 0.0;
+    const bool none = open[0] + open[1] + open[2] + open[3] == static_cast<double>(n);
     std::uint64_t marked = 0;
-    for (std::size_t k = 0; k < n && !none; ++k)
-      marked |= static_cast<std::uint64_t>(!((gap[k] > limit) & (gap[k] <= most))) << k;
+    for (std::size_t k = 0; !none && k < n; ++k) marked |= static_cast<std::uint64_t>(!apart(k)) << k;
     marks.set(first, marked);
   }
 }
