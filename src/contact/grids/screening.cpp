@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,7 +85,7 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   const StepSurface& surface = work.surface;
   const TrialSet& trial = answer.op->trial();
   Deflected result;
-  std::vector<double> y(answer.p.size()), depth;
+  std::vector<double> y(answer.p.size()), depth, far;
   std::vector<std::int64_t> found;
   rc_screen request{};
   request.struct_size = sizeof request;
@@ -98,6 +99,14 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
   if (tiles) {
     request.first_row = own.first_row();
     request.rows = own.ranks()->rows();
+    if (request.rows == 0) {  // this process has none, and looks at a row that is nowhere near
+      far.assign(static_cast<std::size_t>(surface.nx()), std::numeric_limits<double>::infinity());
+      request.first_row = 0;
+      request.rows = 1;
+      request.undeformed_gap = far.data();
+      request.undeformed_gap_single = nullptr;
+      request.mask = nullptr;
+    }
   } else {
     request.tile_lowest = surface.tile_lowest().data();
   }
@@ -114,7 +123,6 @@ Deflected screened(const Workspace& work, const Answer& answer, double compressi
     request.room = request.n_found;
   }
   if (tiles) {
-    if (request.rows == 0) request.n_found = 0;
     unite(*own.ranks(), found, request.n_found);
     unite(*own.ranks(), depth, request.n_found);
     request.n_found = static_cast<std::int64_t>(found.size());

@@ -61,6 +61,8 @@ bool start_nested(const Problem& problem, const char* solver, std::span<double> 
   Vector pressure;
   on_all(ranks, [&] {
     coarse = downsample(grid.nx, ranks ? ranks->rows() : grid.ny, problem.gap(), problem.mask(), Filter::mean);
+    coarse.gap.reserve(1);  // a rank without rows gives arrays, too
+    pressure.reserve(1);
     pressure.resize(static_cast<std::size_t>(coarse.nx * coarse.ny));
   });
   const double length = problem.length_unit();

@@ -224,10 +224,7 @@ double HaarTreePair::apply(Real* g, const std::uint8_t* active, Real* z, const R
     HaarProducts sum{.zq = inner(end - begin, z + begin, q + begin, active + begin)};
     if (slope) {
       sum.zg = inner(end - begin, z + begin, g + begin, active + begin);
-      sum.tg = sum_of(static_cast<std::size_t>(end - begin), [&](std::size_t k) {
-        const std::int64_t at = begin + static_cast<std::int64_t>(k);
-        return active[at] ? static_cast<double>(slope->t[at]) * static_cast<double>(g[at]) : 0.0;
-      });
+      sum.tg = inner(end - begin, slope->t + begin, g + begin, active + begin);
     }
     if (ranks_)
       ranks_->put_part(static_cast<std::size_t>(i), sum);
