@@ -37,7 +37,7 @@ def _seconds(name, *arguments):
 
 
 def build():
-    """(commit, compiler, build type, flags, FFTW)"""
+    """(compiler, build type, flags, FFTW)"""
     return _call('build').decode().split('\n')
 
 

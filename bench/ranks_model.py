@@ -1,7 +1,7 @@
 """What a solve on ranks takes: a model whose coefficients are fitted to measured and simulated solves.
 
-A solve of N x N points on P ranks makes K products with the given grid. Each transposes the spectra of the rows twice: of N rows the N + 1
-waves of the doubled length, complex, of s bytes a number. The solve takes
+A solve of N x N points on P ranks makes K products with the given grid. Each transposes the spectra of the rows twice: of N rows the waves
+of the doubled length, complex, of s bytes a number; of N + 1 waves two are real, and sent as one. The solve takes
 
     seconds = a K N^2 log2(N) / P  +  i K N^2 log2(N) / P  +  t K (N / 32)^2  +  r  +  m (l messages)  +  b (bytes / w)
 
@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-ROUND, MOST_ROUNDS = 2**23, 16  # bytes of a rank's spectra that a transposition carries, and the largest number of transpositions each way
+ROUND, MESSAGE, MOST_ROUNDS = 2**23, 2**19, 16  # bytes of a rank's spectra that a transposition carries at most, those of a message, and the largest number of transpositions each way
 WINDOW = 16  # ranks with which a transposition exchanges at a time; mpi/exchange.c
 PIECE = 32  # rows of which a rank has at least so many or none
 COARSEST = 256  # points a side of the grid that every rank solves alike
@@ -26,8 +26,8 @@ LARGE = [(n, ranks) for n in (65536, 262144) for ranks in (1024, 4096, 16384)]
 
 
 def waves(n):
-    """Complex numbers of a row's spectrum, free boundaries."""
-    return n + 1
+    """Complex numbers of a row's spectrum that are sent, free boundaries."""
+    return n
 
 
 def transposed(n, ranks, size):
@@ -42,7 +42,12 @@ def counted_transposed(n, ranks, products):
 
 def rounds(n, ranks, size):
     """Parts in which a product's spectra are transposed, so that a rank needs no second copy of them."""
-    return min(max(int(2 * n * waves(n) * size / ranks / ROUND), 1), MOST_ROUNDS)
+    return min(max(int(2 * n * waves(n) * size / ranks / min(ROUND, MESSAGE * ranks)), 1), MOST_ROUNDS)
+
+
+def with_rows(n, ranks):
+    """Ranks that have rows, on grids of 1024 rows and more."""
+    return min(ranks, max(n // PIECE, 1))
 
 
 def terms(row, network):
@@ -53,7 +58,7 @@ def terms(row, network):
     messages = row['transpositions'] * math.ceil((ranks - 1) / row.get('window', 1)) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
     received = row['transposed'] / ranks + (row['reduced'] + row['gathered']) * (1 - 1 / ranks)
     points = row['applications'] * row['n']**2
-    work = points * math.log2(row['n']) / ranks
+    work = points * math.log2(row['n']) / with_rows(row['n'], ranks)
     return [work, 0.0 if alone else work, 1.0, 0.0 if alone else latency * messages, received / width], WHOLE_SECONDS * points / PIECE**2
 
 
@@ -94,16 +99,16 @@ def scaled(last, n, ranks):
 def computed(model, last, networks):
     rows = []
     for n, ranks in LARGE:
-        with_rows = min(ranks, n // PIECE)
+        some = with_rows(n, ranks)
         for name, network in networks.items():
-            units, levels = terms(scaled(last, n, with_rows), network)
+            units, levels = terms(scaled(last, n, some), network)
             found = np.append(np.asarray(units) * model['coefficients'], levels)
             seconds = float(found.sum())
             worst = TERMS[int(np.argmax(found))]
             whole = WHOLE_BYTES * (n / PIECE)**2
-            rows.append({'kind': 'computed', 'n': n, 'ranks': ranks, 'with_rows': with_rows, 'network': name, 'seconds': seconds,
+            rows.append({'kind': 'computed', 'n': n, 'ranks': ranks, 'with_rows': some, 'network': name, 'seconds': seconds,
                          'communication': float(found[3] + found[4]) / seconds, 'limit': worst,
-                         'gigabytes_a_rank': (model['bytes_a_point'] * n * n / with_rows + whole + model['bytes_a_rank']) / 1e9})
+                         'gigabytes_a_rank': (model['bytes_a_point'] * n * n / some + whole + model['bytes_a_rank']) / 1e9})
     return rows
 
 

@@ -25,7 +25,9 @@ def library_hash():
 
 
 def provenance(threads):
-    commit, compiler, kind, flags, fftw = native.build()
+    compiler, kind, flags, fftw = native.build()
+    with open(os.path.join(os.environ['RC_BENCH_BUILD'], 'commit'), encoding='utf-8') as text:
+        commit = text.read().strip()
     with open('/proc/cpuinfo') as info:
         cpu = next((line.split(':', 1)[1].strip() for line in info if line.startswith('model name')), 'unknown')
     return {'date': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'version': '.'.join(map(str, roughcontact.version())),

@@ -54,7 +54,7 @@ template <class Real> AnyProduct* any_product(std::int64_t n, std::int64_t threa
 
 extern "C" {
 
-// commit, compiler, build type, flags and FFTW, a line each
+// compiler, build type, flags and FFTW, a line each
 const char* bench_build() {
   static const std::string text = std::string(RC_BENCH_BUILD) + fftw_version;
   return text.c_str();

@@ -50,7 +50,7 @@ static const scene scenes[] = {
     {"sparse, holes, stiffness", 640, 520, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, holes, "mixed", 0, 2, NULL},
     {"sparse, hardness", 640, 520, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0.15, holes, "mixed", 0, 0, NULL},
     {"sparse, coarse grid of ranks", 1100, 1060, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, holes, "mixed", 0, 0, NULL},
-    {"sparse, few pieces of rows", 4200, 64, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL},
+    {"sparse, few pieces of rows", 1300, 256, RC_BOUNDARY_FREE, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 0, NULL},
     {"sparse, periodic, load", 640, 520, RC_BOUNDARY_PERIODIC, RC_CONTROL_LOAD, 0.01, 0, whole, "mixed", 0, 2, NULL},
     {"sparse, periodic, approach, odd, single", 517, 531, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT, 0.012, 0, whole, "mixed",
      1, 0, NULL},
