@@ -63,21 +63,19 @@ def least(records, into):
 
 
 def simulated(n, ranks, networks, runs, limit):
-    """The answer for each network: of the last run, with the seconds on that network."""
+    """The answer for each network: of the last run, with the seconds on that network. The runs themselves have no messages."""
     with tempfile.TemporaryDirectory() as folder:
         def inside(name):
             os.makedirs(os.path.join(folder, name), exist_ok=True)
             return os.path.join(folder, name)
         hosts = os.path.join(folder, 'hosts')
         solver = program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed'
-        times = []
         for run in range(runs):
             answer = answer_of(smpirun('fast', ranks, hosts, *solver), limit(), RC_RECORD_TO=inside(f'run {run}'))
             if 'error' in answer:
                 return dict.fromkeys(networks, answer)
-            times.append(answer['seconds'])
         own = [least([os.path.join(inside(f'run {run}'), str(rank)) for run in range(runs)], os.path.join(inside('least'), str(rank)))
                for rank in range(ranks)]
-        told = {**answer, 'runs': runs, 'seconds_of_runs': times, 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
+        told = {**answer, 'runs': runs, 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
         replay = '--cfg=smpi/simulate-computation:no', program('RC_BENCH_RANK_REPLAY', "SimGrid's SMPI"), inside('least')
         return {network: {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit())} for network in networks}
