@@ -43,10 +43,16 @@ struct Answer {
   Pressures take_pressures(const rc_team& team) {
     Pressures result{op->trial(), std::move(p)};
     p = {};
-    each_chunk(static_cast<std::int64_t>(result.p.size()), team, [&](std::int64_t begin, std::int64_t count) {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
-        result.p[i] = pressure_of(result.p[i]);
-    });
+    const auto take = [&](const auto& of) {
+      each_chunk(static_cast<std::int64_t>(result.p.size()), team, [&](std::int64_t begin, std::int64_t count) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
+          result.p[i] = of(result.p[i]);
+      });
+    };
+    if (hardness < std::numeric_limits<double>::infinity())
+      take([&](double value) { return pressure_of(value); });
+    else
+      take([unit = pressure_unit](double value) { return value * unit; });
     return result;
   }
 

@@ -44,14 +44,18 @@ void Pressures::write(const OutputArray& everywhere, std::int64_t points) const 
 Pressures Pressures::positive() const {
   Pressures result;
   const auto count = static_cast<std::size_t>(std::count_if(p.begin(), p.end(), [](double value) { return value > 0; }));
-  result.on.index.reserve(count);
-  result.p.reserve(count);
+  std::vector<std::int64_t>& index = result.on.index;
+  index.resize(count + 1);  // written without a branch, which would be foreseen wrongly: one place more than there are
+  result.p.resize(count + 1);
+  std::size_t n = 0;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    if (!(p[k] > 0)) continue;
-    result.on.index.push_back(on.point(static_cast<std::int64_t>(k)));
-    result.p.push_back(p[k]);
+    index[n] = on.index.empty() ? static_cast<std::int64_t>(k) : on.index[k];
+    result.p[n] = p[k];
+    n += p[k] > 0;
   }
-  result.on.n = static_cast<std::int64_t>(result.p.size());
+  index.resize(count);
+  result.p.resize(count);
+  result.on.n = static_cast<std::int64_t>(count);
   return result;
 }
 

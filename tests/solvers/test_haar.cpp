@@ -128,6 +128,45 @@ void a_small_step_by_load_looks_at_few_points() {
         "a small step looks at far more points than may touch");
 }
 
+// After some steps that lie near each other one takes hardly more than the products that tell its residual, also where the target
+// jumps back. Each has the answer of a cold contact, with any number of threads, and a surface that changes is no trap.
+void steps_near_each_other_take_few_products() {
+  Problem problem = rugged(60, 52, 0.5);
+  const double depth = problem.target - problem.lowest_gap(), approach = problem.target, load = solved(problem, haar).result.load;
+  for (const std::int32_t control : controls) {
+    const auto target_of = [&](int step) {
+      const double part = 1 + 1e-3 * (step % 20);
+      return control == RC_CONTROL_LOAD ? part * load : approach + (part - 1) * depth;
+    };
+    const Contact contact(problem, haar), plain(problem, haar, {{"haar-cg.inverse", "0"}}),
+        other(problem, haar, {{RC_OPT_THREADS, "3"}});
+    std::int64_t products = 0, without = 0;
+    for (int step = 0; step < 60; ++step) {
+      rc_step next = problem.step();
+      next.control = control;
+      next.target = target_of(step);
+      if (step > 0) next.undeformed_gap = nullptr;
+      const Answer near = contact.solve(next), slow = plain.solve(next), same = other.solve(next);
+      check_status(near, RC_OK, "step");
+      check_near(near.p, slow.p, 1e-6, "pressures");
+      check_same(same.p, near.p, "pressures of three threads");
+      if (step < 20) continue;
+      products += near.result.applications;
+      without += slow.result.applications;
+    }
+    report("products " + std::to_string(products) + " in 40 steps, without " + std::to_string(without));
+    check(5 * products < 2 * without, "steps near each other are no cheaper");
+
+    Problem changed = problem;
+    for (double& gap : changed.gap) gap *= 1.3;
+    changed.control = control;
+    changed.target = control == RC_CONTROL_LOAD ? 0.8 * load : changed.lowest_gap() + depth;
+    const Answer after = contact.solve(changed);
+    check_status(after, RC_OK, "another surface");
+    check_near(after.p, solved(changed, haar).p, 1e-6, "pressures on another surface");
+  }
+}
+
 void full_contact_is_no_harder() {
   const auto products = [](double depth, double least_share) {
     const Answer answer = solved(rugged(side, side, depth), haar, {{RC_OPT_TOL, "1e-8"}});
@@ -199,6 +238,7 @@ int main(int argc, char** argv) {
                     {"load_control_costs_little_more", load_control_costs_little_more},
                     {"a_large_step_costs_no_more_than_a_cold_one", a_large_step_costs_no_more_than_a_cold_one},
                     {"a_small_step_by_load_looks_at_few_points", a_small_step_by_load_looks_at_few_points},
+                    {"steps_near_each_other_take_few_products", steps_near_each_other_take_few_products},
                     {"full_contact_is_no_harder", full_contact_is_no_harder},
                     {"pivoting_takes_over", pivoting_takes_over},
                     {"its_estimate_of_memory_is_what_it_takes", its_estimate_of_memory_is_what_it_takes},

@@ -52,6 +52,8 @@ OPTIONS = """
         haar_cg_nested=1 (0 .. 1): 1: without a start, begin on coarser grids
         haar_cg_patience=120 (0 .. 1e+06): bounded steps without half the residual before the exact fallback takes
             over
+        haar_cg_inverse=600 (0 .. 4096): most points in contact for which steps near each other keep the inverse of H
+            there, 4 bytes a pair
         nnls_pivoting='block' (block, single): block: all infeasible points at once, a handful of solves; single: one
             point a solve, as published
         cholmod_memory_limit=8192 (1 .. 1e+09): most memory for a factor while it is made [MiB] (fixed)

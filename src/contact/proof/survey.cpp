@@ -44,33 +44,43 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
   const auto n = static_cast<std::int64_t>(answer.size());
   Marks touching(n);
   const auto body = [&](std::int64_t begin, std::int64_t count) {
-    constexpr std::size_t lanes = 4;
-    Largest largest[lanes];
-    double gap[Marks::together];
+    constexpr std::size_t lanes = 8;
+    double product_of[lanes] = {}, gap_of[lanes] = {};  // largest
+    double gap[Marks::together], flag[Marks::together];
     const auto end = static_cast<std::size_t>(begin + count);
     for (auto first = static_cast<std::size_t>(begin); first < end; first += Marks::together) {
       const std::size_t n_here = std::min(Marks::together, end - first);
       const double *const product = answer.product.data() + first, *const p = answer.p().data() + first;
       surface.heights(answer.on(), first, n_here, gap);
-      std::uint64_t marked = 0;  // without branches, which would be foreseen wrongly
-      for (std::size_t k = 0; k < n_here; ++k) {
-        gap[k] = product[k] - (compression - gap[k]);
-        marked |= static_cast<std::uint64_t>((p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= most))) << k;
+      for (std::size_t k = 0; k < n_here; ++k) gap[k] = product[k] - (compression - gap[k]);
+      // Without branches for each, which would be foreseen wrongly.
+      const auto touches = [&](std::size_t k) { return (p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= most)); };
+      for (std::size_t k = 0; k < n_here; ++k) flag[k] = touches(k) ? 1.0 : 0.0;
+      std::uint64_t marked = 0;
+      std::size_t k = 0;
+      for (; k + lanes <= n_here; k += lanes) {
+        const double any =
+            ((flag[k] + flag[k + 1]) + (flag[k + 2] + flag[k + 3])) + ((flag[k + 4] + flag[k + 5]) + (flag[k + 6] + flag[k + 7]));
+        for (std::size_t lane = 0; any > 0 && lane < lanes; ++lane)
+          marked |= static_cast<std::uint64_t>(flag[k + lane] > 0) << (k + lane);
       }
+      for (; k < n_here; ++k) marked |= static_cast<std::uint64_t>(touches(k)) << k;
       touching.set(first, marked);
       if (!surface.whole())
-        for (std::size_t k = 0; k < n_here; ++k)
+        for (k = 0; k < n_here; ++k)
           if (!surface.included(answer.point(first + k))) gap[k] = 0;
-      std::size_t k = 0;
-      const auto add = [&](std::size_t lane) {
-        largest[lane].product = std::max(largest[lane].product, std::abs(product[k + lane]));
-        largest[lane].gap = std::max(largest[lane].gap, std::abs(gap[k + lane]));
-      };
-      for (; k + lanes <= n_here; k += lanes)
-        for (std::size_t lane = 0; lane < lanes; ++lane) add(lane);
-      for (; k < n_here; ++k) add(0);
+      const auto larger = [](double& largest, double value) { largest = largest < std::abs(value) ? std::abs(value) : largest; };
+      for (k = 0; k + lanes <= n_here; k += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+          larger(product_of[lane], product[k + lane]);
+          larger(gap_of[lane], gap[k + lane]);
+        }
+      for (; k < n_here; ++k) {
+        larger(product_of[0], product[k]);
+        larger(gap_of[0], gap[k]);
+      }
     }
-    return (largest[0] + largest[1]) + (largest[2] + largest[3]);
+    return Largest{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes)};
   };
   const Largest largest = surface.united(reduce<Largest>(n, surface.team(), body));
   return {touching.list(), largest.product, largest.gap};

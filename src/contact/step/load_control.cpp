@@ -150,9 +150,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       answer.status = run_solver(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
       answer.compression = d;
     } else {
-      double first = estimate                         ? (likely - lowest) / height
-                     : warm && last.approach > lowest ? (last.approach - lowest) / height
-                                                      : 1;
+      double first = foretold && likely > lowest ? (likely - lowest) / height : 1;
       if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
       answer.status = balance_load(answer, wanted, shift, first, work, monitor);
     }
@@ -163,7 +161,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       continue;
     }
     // The zero mode is taken out with the load that the pressures have, which is not quite the one wanted.
-    const double sum = std::accumulate(answer.p.begin(), answer.p.end(), 0.0);
+    const double sum = trial.zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
     const double per_load = trial.zero_mode / static_cast<double>(system.points());
     answer.datum_shift = per_load * sum * height;
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solvers/haar_cg/iteration.h"
+#include "solvers/haar_cg/near_steps.h"
 #include "solvers/haar_cg/regular_start.h"
 #include "solvers/haar_cg/single_pressures.h"
 #include "solvers/haar_cg/starts.h"
@@ -26,8 +27,11 @@ constexpr rc_option_spec products =
 constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
 constexpr rc_option_spec patience =
     int_option("haar-cg.patience", "120", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
+constexpr rc_option_spec inverse =
+    int_option("haar-cg.inverse", "600", 0, 4096,
+               "most points in contact for which steps near each other keep the inverse of H there, 4 bytes a pair");
 constexpr std::string_view mixed_products = "mixed";
-const rc_option_spec* const specs[] = {&products, &nested, &patience};
+const rc_option_spec* const specs[] = {&products, &nested, &patience, &inverse};
 
 constexpr std::int64_t few_overlaps = 16;  // points without a gap at the approach: then all products are in double precision
 
@@ -98,9 +102,12 @@ const Options haar_cg_options = listed(specs);
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   // A regular surface shows in the values of the whole grid, which ranks do not have.
   const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? "haar-cg" : nullptr;
+  NearSteps near(problem);
+  if (near.solve(p, d)) return near.keep(p), RC_OK;
   if (!serves(problem, coarse_solver, p) && (problem.ranks() || !start_regular(problem, p)))
     start_haar_cg(problem, coarse_solver, p, d);
   const rc_status status = iterate(problem, p, d);
+  if (status == RC_OK) near.keep(p);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;
   problem.note("haar-cg: stalled; nnls finished");
   return problem.by_nnls(p.data());

@@ -4,6 +4,7 @@
 #include <immintrin.h>
 #endif
 
+#include "solvers/haar_cg/threads/matrix_loops.h"
 #include "solvers/haar_cg/threads/tree_loops.h"
 
 namespace rc {
@@ -12,6 +13,7 @@ namespace {
 
 typedef double Doubles __attribute__((vector_size(64)));
 typedef float Floats __attribute__((vector_size(32)));
+typedef float ManyFloats __attribute__((vector_size(64)));
 typedef std::int32_t Integers __attribute__((vector_size(32)));
 typedef std::uint32_t Words __attribute__((vector_size(32)));
 typedef std::int16_t Shorts __attribute__((vector_size(16)));
@@ -50,6 +52,7 @@ inline Floats looked_up(const float* table, const Integers& at) {
   return found;
 }
 #define RC_LOOKUP(table, at) looked_up(table, at)
+#include "solvers/haar_cg/threads/matrix_loops.inc"
 #include "solvers/haar_cg/threads/pass_loops.inc"
 #include "solvers/haar_cg/threads/tree_loops.inc"
 #undef RC_LOOKUP
@@ -66,6 +69,7 @@ namespace avx2 {
   ((Floats)_mm256_blendv_ps(_mm256_permutevar8x32_ps(_mm256_loadu_ps(table), (__m256i)(at)),       \
                             _mm256_permutevar8x32_ps(_mm256_loadu_ps((table) + 8), (__m256i)(at)), \
                             _mm256_castsi256_ps(_mm256_slli_epi32((__m256i)(at), 28))))
+#include "solvers/haar_cg/threads/matrix_loops.inc"
 #include "solvers/haar_cg/threads/pass_loops.inc"
 #include "solvers/haar_cg/threads/tree_loops.inc"
 #undef RC_LOOKUP
@@ -75,6 +79,7 @@ namespace avx2 {
 namespace avx512 {
 #define RC_TARGET __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
 #define RC_LOOKUP(table, at) ((Floats)_mm256_permutex2var_ps(_mm256_loadu_ps(table), (__m256i)(at), _mm256_loadu_ps((table) + 8)))
+#include "solvers/haar_cg/threads/matrix_loops.inc"
 #include "solvers/haar_cg/threads/pass_loops.inc"
 #include "solvers/haar_cg/threads/tree_loops.inc"
 #undef RC_LOOKUP
@@ -107,6 +112,7 @@ template <class Real, class Pressure> HaarLoops<Real, Pressure> best_haar_loops(
   return capped ? RC_BEST(loops<Real, Pressure, true>) : RC_BEST(loops<Real, Pressure, false>);
 }
 HaarRows best_haar_rows() { return RC_BEST(rows); }
+MatrixLoops best_matrix_loops() { return RC_BEST(matrix_loops); }
 template <class Real> HaarFinest<Real> best_haar_finest() { return RC_BEST(finest<Real>); }
 
 template HaarLoops<float, float> best_haar_loops(bool);
