@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
                           {"sparse, periodic", 520, 512, periodic, load, 0.01, 0, whole, "mixed", 0, 0, nullptr}};
   const bool quick = std::getenv("RC_TEST_QUICK") != nullptr;
   for (const scene& s : dense)
-    for (const bool anew : {true, false}) every_allocation(s, anew, quick ? 400 : 1000, quick ? 3 : 1);
+    for (const bool anew : {true, false}) every_allocation(s, anew, quick ? 400 : 500, quick ? 3 : 1);
   for (const scene& s : sparse) every_allocation(s, false, quick ? 200 : 400, quick ? 11 : 3);
   MPI_Allreduce(&failures, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();
