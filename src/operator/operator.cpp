@@ -7,12 +7,6 @@
 
 namespace rc {
 
-namespace {
-
-constexpr std::int64_t most_kept = 1 << 14;  // points of a product that is kept: to copy and compare it costs next to nothing
-
-}  // namespace
-
 Operator::Operator(const rc_backend& backend, const rc_host& host, const rc_system& system, const std::string& kernel,
                    const rc_options& options, const rc_team& team, double scale, const Ranks* ranks)
     : backend_(backend), system_(system), kernel_(kernel), scale_(scale) {
@@ -34,7 +28,6 @@ void Operator::bind(const TrialSet& trial) {
   if (bound_ && trial == trial_) return;
   if (trial.n < 1 && !shared_.of) fail(RC_ERR_INTERNAL, "the trial set is empty");  // backends would take it for the whole grid
   bound_ = false;
-  last_x_.clear();
   if (rows_) {
     trial_ = trial;
     locate_own();
@@ -51,7 +44,6 @@ void Operator::bind(const TrialSet& trial) {
 
 bool Operator::forget() {
   bound_ = false;
-  last_x_.clear();
   return backend_.forget && !rows_ && backend_.forget(self_) == RC_OK;
 }
 
@@ -121,17 +113,7 @@ template <class Real> rc_status Operator::product(Multiply<Real> multiply, const
   return status;
 }
 
-rc_status Operator::apply(const double* x, double* y) {
-  const rc_status status = product(backend_.apply, x, y);
-  const bool kept = status == RC_OK && trial_.n <= most_kept && !rows_ && !shared_.of;
-  last_x_.assign(x, x + (kept ? trial_.n : 0));
-  last_y_.assign(y, y + (kept ? trial_.n : 0));
-  return status;
-}
-
-const double* Operator::known(std::span<const double> x) const {
-  return !last_x_.empty() && std::equal(x.begin(), x.end(), last_x_.begin(), last_x_.end()) ? last_y_.data() : nullptr;
-}
+rc_status Operator::apply(const double* x, double* y) { return product(backend_.apply, x, y); }
 
 rc_status Operator::apply_float(const float* x, float* y) { return product(backend_.apply_float, x, y); }
 

@@ -53,8 +53,6 @@ class Operator {
   // No product follows soon.
   void rest() {
     room_.reset();
-    last_x_ = {};
-    last_y_ = {};
     if (backend_.rest && !rows_) backend_.rest(self_);
   }
 
@@ -72,8 +70,6 @@ class Operator {
 
   rc_status apply(const double* x, double* y);      // y = H[T,T] x
   rc_status apply_float(const float* x, float* y);  // likewise; only with RC_CAP_FLOAT
-  // H[T,T] x where the last product in double precision was that; null where it was another, or is not kept.
-  const double* known(std::span<const double> x) const;
   // y = H[all,T] x; all: with ranks this rank's rows.
   void field(std::span<const double> x, std::span<double> y);
   // H[T,T] x into request.y, and the points outside T that overlap. Only with RC_CAP_SCREEN. request.unit: that of apply's H x.
@@ -127,7 +123,6 @@ class Operator {
   bool bound_ = false;
   std::int64_t applications_ = 0;
   bool failed_ = false;
-  std::vector<double> last_x_, last_y_;  // the last product in double precision, of few points
 
   Operator* rows_ = nullptr;            // null: products are its own
   std::vector<std::int64_t> first_of_;  // [ranks + 1] positions in the trial set: where the points of each rank's rows begin

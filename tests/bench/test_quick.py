@@ -85,4 +85,4 @@ counts = run('counts', '--quick', '--threads', '1')['counts']
 assert len(counts) == 8 and all(5 <= row['products'] <= 40 and 0.5 < row['percent_found'] / row['percent'] < 2 for row in counts), counts
 
 rows = run('rows', '--quick')['rows']
-assert len(rows) == 19 and all(row['value'] > 0 for row in rows), rows
+assert len(rows) == 22 and all(row['value'] > 0 for row in rows), rows

@@ -229,7 +229,7 @@ class Proof {
   // sum(x) = x'H(q - p) + x'w.
   SumBound sum_bound_below_mean() const {
     if (!surface_.whole()) return {};
-    const auto& [mean, square_sum] = surface_.height_moments();
+    const double mean = surface_.mean_height(), square_sum = surface_.height_moments().square;
     const double mean_gap = mean - compression_, off = system_.capped() ? std::abs(mean_gap) : mean_gap;
     const double eps = (off - rounding_ - epsilon * (100 + n() / 512) * surface_.range()) / length_;
     if (!(eps > 0)) return {};

@@ -218,10 +218,10 @@ void write_arrays(const Workspace& work, const Deflected& answer, double compres
 namespace {
 
 // From the dimensionless product to lengths.
-void take_units(const Answer& answer, const Workspace& work, const double* dimensionless, std::vector<double>& product) {
+void take_units(const Answer& answer, const Workspace& work, std::vector<double>& product) {
   each_chunk(static_cast<std::int64_t>(product.size()), work.team(), [&](std::int64_t begin, std::int64_t count) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(begin + count); ++i)
-      product[i] = dimensionless[i] * answer.length_unit - answer.datum_shift;
+      product[i] = product[i] * answer.length_unit - answer.datum_shift;
   });
 }
 
@@ -244,16 +244,14 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
                                    : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
   if (!everywhere && !work.ranks() && only_unknowns_matter(work, answer)) {
     result.product = large_vector<double>(answer.p.size());
-    const double* const known = op.known(answer.p);
-    if (!known) raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
-    take_units(answer, work, known ? known : result.product.data(), result.product);
+    raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
+    take_units(answer, work, result.product);
     result.pressures = answer.take_pressures(work.team());
     return result;
   }
   on_all(work.ranks(), [&] { result.product = large_vector<double>(static_cast<std::size_t>(work.own_points())); });
-  const double* const known = op.trial().n == work.own_points() ? op.known(answer.p) : nullptr;
-  if (!known) op.field(answer.p, result.product);
-  take_units(answer, work, known ? known : result.product.data(), result.product);
+  op.field(answer.p, result.product);
+  take_units(answer, work, result.product);
   result.pressures.on.n = work.own_points();
   Pressures own = answer.take_pressures(work.team());
   if (own.on.index.empty()) {

@@ -61,6 +61,7 @@ struct NearSteps::State {
   std::vector<double> u, w;            // w = H p - u; the gap is that less the datum
   std::vector<std::int64_t> touching;  // unknowns with a pressure, or that overlap
   double datum = 0, residual = 0, load = 0;
+  double limit = 0;  // points with a smaller w join the contact set
 
   // w becomes H p - u. Where the load is prescribed the mean of the gap, weighted by the pressures, vanishes.
   void measure(const std::vector<double>& product, bool by_load, double wanted, double highest, std::span<const double> p) {
@@ -88,7 +89,6 @@ struct NearSteps::State {
   }
   // Of a point that has come with a pressure: whether its gap calls for less than that.
   bool stays(std::size_t i, double p, double stiff) const { return p > stiff * (w[i] - datum); }
-  double limit = 0;
 };
 
 NearSteps::NearSteps(const Problem& problem) : problem_(problem), most_(points_of(problem)) {
@@ -215,23 +215,23 @@ bool NearSteps::solve(std::span<double> p, double& d) {
   compenetrations(problem_, state.u);
   const double highest = by_load ? highest_of(state.u) : 0;
   bool known = know_product(p, product_);
+  const double given = d;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round <= most_rounds; ++round) {
     if (round > 0) problem_.poll(round, state.residual);
     if (!known) problem_.apply(p.data(), product_.data());
     state.measure(product_, by_load, problem_.load(), highest, p);
     d = state.datum;
-    if (known && state.residual <= problem_.tol()) {  // the certificate needs that product
-      problem_.apply(p.data(), product_.data());
-      state.measure(product_, by_load, problem_.load(), highest, p);
-      d = state.datum;
+    if (state.residual <= problem_.tol()) {
+      if (known) product_ = {};  // the next step would add to its errors
+      return true;
     }
     known = false;
-    if (state.residual <= problem_.tol()) return true;
     if (!(state.residual < fall * before) || !follow(state, p)) break;
     correct(state, p);
     if (round > 0) before = state.residual;
   }
+  d = given;  // there is none where no pressure is left
   kept_.near = 0;
   kept_.inverse.reset();
   product_ = {};

@@ -3,7 +3,7 @@
 //
 // A step p += H_CC^-1 (u + datum - H p)_C solves for the contact set C at hand (a primal-dual active set method: Hintermüller,
 // Ito & Kunisch 2003); C then loses the points whose pressure would be negative and gains those that overlap. Each step's
-// product, in double precision, tells the residual; the last is the certificate's. That of the start is known, where pressures go
+// product, in double precision, tells the residual. That of the start is known, where pressures go
 // on along the line through two steps whose products are kept.
 #pragma once
 
