@@ -40,6 +40,21 @@ void figures_of_marks(Figures& figures) {
       put(figures, "end", end.list());
     }
   }
+  // One near point in each place of a word.
+  Small one(64, 1);
+  one.compression = 0.4;
+  one.press(0.4, 0.1, 3);
+  const rc::StepSurface surface = one.surface();
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < one.points(); ++k) {
+    std::vector<double> product(one.points(), 10);
+    product[k] = 0;
+    rc::Marks marks(64);
+    mark_near(surface, one.answer.on(), product, one.compression, 1, 0, 64, marks);
+    for (const std::size_t each : marks.list()) found.push_back(each);
+  }
+  figures.section("marks/one");
+  put(figures, "each", found);
 }
 
 }  // namespace mutants
