@@ -165,7 +165,8 @@ def equivalents():
     entries = {}
     for line in (TESTS / "equivalents.txt").read_text().split("\n"):
         if line and not line.startswith("#"):
-            name, source, change, reason = (part.strip() for part in line.split(" | "))
+            name, rest = line.split(" | ", 1)
+            source, change, reason = (part.strip() for part in rest.rsplit(" | ", 2))
             entries[name, source, change] = reason
     return entries
 
