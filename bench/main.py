@@ -9,7 +9,7 @@ import roughcontact
 from case import Failure
 from options import PARSER
 
-for name in ('scaling', 'limits', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
+for name in ('scaling', 'limits', 'passes', 'speed_accuracy', 'goals', 'histories', 'failures', 'paper', 'physics',
              'peers', 'stiffness', 'counts', 'rows', 'mapped', 'campaign', 'ranks', 'documents', 'store'):
     importlib.import_module(name)  # each adds its sub-commands
 

@@ -79,10 +79,12 @@ class Case:
         fits = self.n >= 64 and self.n & (self.n - 1) == 0
         return [name for name, code in CODES.items()
                 if self.boundary in code.boundaries and self.control in code.controls and (small or not code.small) and
-                (fits or code.family != 'aspher') and (self.n < 8192 or name == 'ours' or name.endswith('-float'))]
+                (fits or code.family != 'aspher')]
 
 
 SMALL_SIZES = (16, 24, 32, 38)
+SHARES = (0.1, 1, 10, 50)  # of the points in contact, in percent
+LARGEST_FREE = 4096  # points a side; periodic surfaces are compared on larger ones, too
 
 
 def cases(sizes, percents, quick):
@@ -92,12 +94,11 @@ def cases(sizes, percents, quick):
         if n * n <= LARGEST_MATRIX:
             found.append(Case('wavy', n, 'free', 'displacement', 30))
             continue
-        free = (1, 10) if quick else (0.1, 1, 10, 30, 50) if n <= 1024 else (0.1, 10, 50) if n <= 2048 else (0.1, 10) if n <= 4096 else (0.1,)
-        found += [Case('rough', n, 'free', 'load', percent) for percent in percents or free]
-        if n < 8192:
+        shares = percents or ((1, 10) if quick else SHARES)
+        if n <= LARGEST_FREE:
+            found += [Case('rough', n, 'free', 'load', percent) for percent in shares]
             found.append(Case('rough', n, 'free', 'displacement', 10))
-            periodic = (10,) if quick or n > 1024 else (1, 10, 50)
-            found += [Case('wavy', n, 'periodic', 'load', percent) for percent in percents or periodic]
+        found += [Case('wavy', n, 'periodic', 'load', percent) for percent in (percents or (10,) if quick else shares)]
     return found
 
 

@@ -129,8 +129,10 @@ def pictures(results, images):
         return growth(run) / case['n']**2 if run and growth(run) > 0 else None
 
     def widest(boundary):
-        """The grid with the most contact areas, the larger of equal ones."""
-        counts = collections.Counter(case['n'] for case in chosen(document['cases'].values(), boundary=boundary, control='load'))
+        """The grid with the most answers, the larger of equal ones."""
+        asked = {key for key, case in document['cases'].items() if (case['boundary'], case['control']) == (boundary, 'load')}
+        counts = collections.Counter(document['cases'][group['case']]['n'] for group in document['groups']
+                                     if group['case'] in asked and tightest(group, SHOWN))
         return max(counts, key=lambda n: (counts[n], n), default=None)
 
     speed = 'set-up and solve [s]'
