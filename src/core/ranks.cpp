@@ -82,9 +82,9 @@ Ranks::Ranks(const rc_exchange& exchange, std::int64_t ny) {
   if (said) failed(RC_ERR_EXTERNAL, said);
 }
 
-Ranks Ranks::on(std::int64_t ny) const {
+Ranks Ranks::on(std::int64_t ny, bool sums) const {
   const RowPieces pieces(ny, size());
-  link_->make_room(pieces.count());
+  if (sums) link_->make_room(pieces.count());
   return {link_, first_rows(pieces), pieces.halvings};
 }
 

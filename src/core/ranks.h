@@ -40,8 +40,9 @@ class Ranks {
  public:
   // All ranks make one at the same time. Throws the same Error on all if one lacks memory.
   Ranks(const rc_exchange& exchange, std::int64_t ny);
-  // The same ranks on a grid of so many rows; on one of half as many rows, each with half of its own.
-  Ranks on(std::int64_t ny) const;
+  // The same ranks on a grid of so many rows, sums: with memory for sums over them; on one of half as many rows, each with half
+  // of its own.
+  Ranks on(std::int64_t ny, bool sums) const;
   Ranks halved() const;
   Ranks(Ranks&&) = default;
   Ranks(const Ranks&) = delete;

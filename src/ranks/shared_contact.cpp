@@ -5,6 +5,7 @@
 
 #include "contact/history/path.h"
 #include "core/error.h"
+#include "core/grid.h"
 #include "ranks/agreement.h"
 
 namespace rc {
@@ -23,6 +24,15 @@ void check_options(const rc_options& options) {
   if (options.text(RC_OPT_WARMUP) != "none") refuse(RC_OPT_WARMUP, options.text(RC_OPT_WARMUP), "warm-up by another solver");
   if (!options.text(RC_OPT_CERTIFY_BACKEND).empty())
     refuse(RC_OPT_CERTIFY_BACKEND, options.text(RC_OPT_CERTIFY_BACKEND), "second backend");
+}
+
+// Before memory is taken, which grows with the rows.
+const rc_system& checked(const rc_system& system, const rc_options& options) {
+  if (system.op != RC_OPERATOR_HALFSPACE)
+    fail(RC_ERR_INCOMPATIBLE, "ranks share half-space grids alone, not a caller's matrix or product");
+  check_grid(system);
+  if (!solved_alike(system)) check_options(options);
+  return system;
 }
 
 // A rank without rows gives no arrays; these stand for them and are neither read nor written.
@@ -63,10 +73,7 @@ Given given_by(const rc_step& step, const rc_result& result) {
 bool solved_alike(const rc_system& system) { return std::min(system.nx, system.ny) < least_side; }
 
 SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options)
-    : ranks_(ranks.on(system.ny)), alike_(solved_alike(system)) {
-  if (system.op != RC_OPERATOR_HALFSPACE)
-    fail(RC_ERR_INCOMPATIBLE, "ranks share half-space grids alone, not a caller's matrix or product");
-  if (!alike_) check_options(options);
+    : ranks_(ranks.on(checked(system, options).ny, !solved_alike(system))), alike_(solved_alike(system)) {
   contact_ = std::make_unique<Contact>(system, options, alike_ ? nullptr : &ranks_);
   if (alike_) contact_->stay_alike();
 }

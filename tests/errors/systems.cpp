@@ -1,3 +1,6 @@
+#include <roughcontact/ranks.h>
+
+#include <cstring>
 #include <vector>
 
 #include "errors/case.h"
@@ -22,6 +25,28 @@ auto grid(std::int64_t nx, std::int64_t ny) {
     scene.system.nx = nx;
     scene.system.ny = ny;
   });
+}
+
+// Shared by the ranks of an exchange that has one.
+auto shared_grid(std::int64_t nx, std::int64_t ny) {
+  return [=]() -> Outcome {
+    Scene scene;
+    scene.system.nx = nx;
+    scene.system.ny = ny;
+    rc_exchange alone = RC_EXCHANGE_INIT;
+    alone.gather = [](void*, const void* mine, const std::int64_t* bytes, void* all) -> const char* {
+      std::memmove(all, mine, static_cast<std::size_t>(*bytes));
+      return nullptr;
+    };
+    alone.transpose = [](void*, const void*, const std::int64_t*, void*, const std::int64_t*) -> const char* { return "unused"; };
+    alone.shift = [](void*, std::int64_t, const void*, std::int64_t, std::int64_t, void*, std::int64_t) -> const char* {
+      return "unused";
+    };
+    rc_ranks_contact* contact = nullptr;
+    const Outcome outcome = rc_ranks_contact_create(&alone, &scene.system, nullptr, &contact);
+    rc_ranks_contact_destroy(contact);
+    return outcome;
+  };
 }
 
 auto coefficients(const char* kernel, double hx, double hy, std::int64_t nx, std::int64_t ny) {
@@ -79,6 +104,14 @@ Section shapes() {
                  scene.system.ny = 1000000;
                  return create(scene);
                }},
+              {"ranks: nx = ny = 2^52",
+               refused,
+               {"rc_ranks_contact_create: rank 0: nx*ny = 4503599627370496 * 4503599627370496 is more than"},
+               shared_grid(INT64_C(1) << 52, INT64_C(1) << 52)},
+              {"ranks: 4 by 2^45 points, no memory for each row",
+               countable ? RC_OK : RC_ERR_SHAPE,
+               {},
+               shared_grid(4, INT64_C(1) << 45)},
               {"kernel coefficients: nx = 0",
                refused,
                {"rc_kernel_coefficients: nx = 0, ny = 2 must both be >= 1"},
