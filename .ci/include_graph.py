@@ -39,7 +39,7 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
                                     'solvers/haar_cg/sought_load.h', 'solvers/haar_cg/pace.h',
                                     'solvers/haar_cg/precision.h', 'solvers/haar_cg/interval.h',
                                     'solvers/haar_cg/newton_slope.h', 'solvers/haar_cg/progress.h'),
-    'solvers/problem.h': ('roughcontact/', 'core/ranks.h', 'grid/gap_values.h'),
+    'solvers/problem.h': ('roughcontact/', 'core/own_history.h', 'core/ranks.h', 'grid/gap_values.h'),
     'solvers/haar_cg/starts.*': ('roughcontact/', 'core/chunks.h', 'core/sums.h', 'grid/', 'solvers/problem.h', 'solvers/haar_cg/starts.h'),
     'solvers/haar_cg/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree_inputs.h'),
     'solvers/haar_cg/tree_shape.*': ('solvers/haar_cg/tree_inputs.h', 'solvers/haar_cg/tree_shape.h'),

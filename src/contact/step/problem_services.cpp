@@ -7,11 +7,12 @@
 
 #include "contact/step/auto_choice.h"
 #include "core/error.h"
+#include "core/own_history.h"
 
 namespace rc {
 
 // rc_history and rc_problem, and the state that their callbacks need.
-struct BoundHistory : rc_history {
+struct BoundHistory : OwnHistory {
   KeptHistory* all;
   const rc_solver* by;
 };
@@ -335,12 +336,13 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   }
   if (history_ && work.keeps_history && grid.nx > 0 && !work.ranks()) {
     const bool as_given = !warms_up(solver, work.options);
-    problem.kept = {{.struct_size = sizeof(rc_history),
-                     .last = as_given ? history_->last.of(solver) : nullptr,
-                     .before = as_given ? history_->before.of(solver) : nullptr,
-                     .ahead = history_->ahead,
-                     .hardness = work.system.hardness,
-                     .keep = keep},
+    problem.kept = {{{.struct_size = sizeof(rc_history),
+                      .last = as_given ? history_->last.of(solver) : nullptr,
+                      .before = as_given ? history_->before.of(solver) : nullptr,
+                      .ahead = history_->ahead,
+                      .hardness = work.system.hardness,
+                      .keep = keep},
+                     work.passes_over && !work.alike()},
                     history_,
                     &solver};
     problem.history = &problem.kept;

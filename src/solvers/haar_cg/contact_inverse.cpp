@@ -22,7 +22,10 @@ ContactInverse::ContactInverse(std::int64_t nx, std::int64_t ny, const std::vect
       inverse_(most_ * stride_),
       column_(stride_),
       change_(stride_),
-      place_(static_cast<std::size_t>(nx * ny), -1) {}
+      place_(static_cast<std::size_t>(nx * ny), -1) {
+  x_.reserve(most_);  // so that points join without memory
+  y_.reserve(most_);
+}
 
 double ContactInverse::coupling(std::int64_t a, std::int64_t b) const {
   return static_cast<double>(

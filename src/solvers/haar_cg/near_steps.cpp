@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -134,7 +135,19 @@ bool NearSteps::know_product(std::span<const double> p, std::vector<double>& pro
   return true;
 }
 
+// False where there are too many points, or no memory and the step may go on without.
 bool NearSteps::make_inverse(std::span<const double> p) {
+  try {
+    return inverse_made(p);
+  } catch (const std::bad_alloc&) {
+    if (!problem_.may_go_without()) throw;
+  } catch (const roughcontact::Failure& failure) {
+    if (failure.code != RC_ERR_MEMORY || !problem_.may_go_without()) throw;
+  }
+  return false;
+}
+
+bool NearSteps::inverse_made(std::span<const double> p) {
   const rc_grid& grid = *problem_.grid();
   const std::size_t n = contacts_of(p);
   if (n == 0 || n > most_) return false;
