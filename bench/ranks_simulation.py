@@ -1,11 +1,12 @@
 """Solves on simulated networks. The program runs under SimGrid's SMPI, all its ranks on one core, and each rank writes down the processor's
 seconds before each of its exchanges, and what that carries. It does so several times. What a rank does is the same each time, and of each
 of its bursts the least seconds count: longer ones are those of other programs. A second program then does the exchanges of all ranks again
-on the network, with these seconds in between."""
+on the network, with these seconds in between, for several networks at the same time."""
 import json
 import os
 import subprocess
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 
 from case import Failure
@@ -37,8 +38,6 @@ def answer_of(command, limit, **environment):
 
 
 def smpirun(network, ranks, hosts, *command):
-    with open(hosts, 'w', encoding='utf-8') as out:
-        out.write(''.join(f'node{k}\n' for k in range(ranks)))
     collectives = ['--cfg=smpi/coll-selector:ompi'] if ranks > 1 else []  # which fails on one
     return [program('RC_BENCH_SMPIRUN', "SimGrid's SMPI"), '-np', str(ranks), '-platform', os.path.join(ROOT, 'platforms', f'{network}.xml'),
             '-hostfile', hosts, *EXACT, *collectives, *command]
@@ -69,6 +68,8 @@ def simulated(n, ranks, networks, runs, limit):
             os.makedirs(os.path.join(folder, name), exist_ok=True)
             return os.path.join(folder, name)
         hosts = os.path.join(folder, 'hosts')
+        with open(hosts, 'w', encoding='utf-8') as out:
+            out.write(''.join(f'node{k}\n' for k in range(ranks)))
         solver = program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed'
         for run in range(runs):
             answer = answer_of(smpirun('fast', ranks, hosts, *solver), limit(), RC_RECORD_TO=inside(f'run {run}'))
@@ -78,4 +79,8 @@ def simulated(n, ranks, networks, runs, limit):
                for rank in range(ranks)]
         told = {**answer, 'runs': runs, 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
         replay = '--cfg=smpi/simulate-computation:no', program('RC_BENCH_RANK_REPLAY', "SimGrid's SMPI"), inside('least')
-        return {network: {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit())} for network in networks}
+
+        def on(network):
+            return {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit())}
+        with ThreadPoolExecutor(os.cpu_count()) as pool:  # no seconds are measured here
+            return dict(zip(networks, pool.map(on, networks)))
