@@ -1,6 +1,7 @@
 """Contacts shared by ranks. Measured: two ranks of one thread beside one process of two. Simulated: whole solves on modelled networks
 (ranks_simulation.py). Computed: a model fitted to both, for grids and ranks that no machine here has."""
 import math
+import os
 import sys
 import time
 
@@ -88,12 +89,15 @@ class Ranks:
     def simulate(self, n, ranks):
         def key(network):
             return {'n': n, 'ranks': ranks, 'network': network}
-        missing = [network for network in self.request.networks if not self.store.known('simulated', key(network))]
+        def lacks(network):
+            return not self.store.known('simulated', key(network)) or self.store.find('simulated', key(network)).get('runs', 0) < self.request.runs
+        missing = [network for network in self.request.networks if lacks(network)]
         what = f'{n}^2 on {ranks} ranks'
-        if not missing or not self.room('simulated', what, n, ranks):
+        if not missing and self.request.networks or not self.room('simulated', what, n, ranks):
             return
         begun = time.monotonic()
-        answers = simulated(n, ranks, missing, self.request.runs, lambda: max(self.left(), 60))
+        records = self.request.records and os.path.join(self.request.records, self.store.library)
+        answers = simulated(n, ranks, missing, self.request.runs, records, lambda: max(self.left(), 60))
         for network, answer in answers.items():
             self.put('simulated', key(network), f'{what}, {network} network', {**answer, 'window': WINDOW, 'wall_seconds': time.monotonic() - begun})
 
@@ -117,7 +121,8 @@ question('ranks', 'contacts shared by ranks: two ranks here, many on simulated n
     'strong': (listed(side), [4096, 8192], 'points a side, simulated'),
     'ranks': (listed(ranged(int, 1, 256)), [1, 4, 16, 64, 256], 'of each of them'),
     'weak': (listed(ranged(int, 1, 256)), [1, 4, 16, 64], 'ranks of 2^20 points each, simulated'),
-    'networks': (listed(one_of(*NETWORKS)), list(NETWORKS), 'fast, slow'),
+    'networks': (listed(one_of(*NETWORKS)), list(NETWORKS), 'fast, slow; none: only what --records keeps'),
+    'records': (str, '', 'a folder that keeps what was run; a later call takes the least of its own runs and of these'),
     'runs': (ranged(int, 1, 100), 3, 'of what is simulated; the least time of each burst between two exchanges counts'),
     'repeats': (ranged(int, 1, 100), 5, 'of what is measured; the least time counts'),
     'budget': (float, 60, 'minutes after which nothing begins'), 'threads': (threads, 2, 'not more than the cores')},

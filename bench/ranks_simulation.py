@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
+from itertools import count
 
 from case import Failure
 
@@ -61,24 +62,42 @@ def least(records, into):
     return seconds
 
 
-def simulated(n, ranks, networks, runs, limit):
-    """The answer for each network: of the last run, with the seconds on that network. The runs themselves have no messages."""
+def recorded(folder, n, ranks, hosts, runs, limit):
+    """Runs without messages, as many as asked for and all that lie in the folder already. The answer of the last, and their folders."""
+    solver = program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed'
+    done = []
+    for run in count():
+        into = os.path.join(folder, f'run {run}')
+        finished = os.path.join(into, 'answer.json')  # which an interrupted run lacks
+        if not os.path.exists(finished):
+            if run >= runs:
+                return answer, done
+            os.makedirs(into, exist_ok=True)
+            answer = answer_of(smpirun('fast', ranks, hosts, *solver), limit(), RC_RECORD_TO=into)
+            if 'error' in answer:
+                return answer, []
+            with open(finished, 'w', encoding='utf-8') as out:
+                json.dump(answer, out)
+        with open(finished, encoding='utf-8') as text:
+            answer = json.load(text)
+        done.append(into)
+
+
+def simulated(n, ranks, networks, runs, records, limit):
+    """The answer for each network: of the last run, with the seconds on that network. records: a folder that keeps the runs, for this
+    library alone; '': none."""
     with tempfile.TemporaryDirectory() as folder:
-        def inside(name):
-            os.makedirs(os.path.join(folder, name), exist_ok=True)
-            return os.path.join(folder, name)
-        hosts = os.path.join(folder, 'hosts')
+        kept = os.path.join(records or folder, f'{n}-{ranks}')
+        hosts, fewest = os.path.join(folder, 'hosts'), os.path.join(folder, 'least')
+        os.makedirs(fewest)
         with open(hosts, 'w', encoding='utf-8') as out:
             out.write(''.join(f'node{k}\n' for k in range(ranks)))
-        solver = program('RC_BENCH_RANK_SIMULATION', "SimGrid's SMPI"), str(n), '1', 'ranks', 'mixed'
-        for run in range(runs):
-            answer = answer_of(smpirun('fast', ranks, hosts, *solver), limit(), RC_RECORD_TO=inside(f'run {run}'))
-            if 'error' in answer:
-                return dict.fromkeys(networks, answer)
-        own = [least([os.path.join(inside(f'run {run}'), str(rank)) for run in range(runs)], os.path.join(inside('least'), str(rank)))
-               for rank in range(ranks)]
-        told = {**answer, 'runs': runs, 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
-        replay = '--cfg=smpi/simulate-computation:no', program('RC_BENCH_RANK_REPLAY', "SimGrid's SMPI"), inside('least')
+        answer, done = recorded(kept, n, ranks, hosts, runs, limit)
+        if not done:
+            return dict.fromkeys(networks, answer)
+        own = [least([os.path.join(run, str(rank)) for run in done], os.path.join(fewest, str(rank))) for rank in range(ranks)]
+        told = {**answer, 'runs': len(done), 'own_seconds': sum(own) / ranks, 'most_own_seconds': max(own)}
+        replay = '--cfg=smpi/simulate-computation:no', program('RC_BENCH_RANK_REPLAY', "SimGrid's SMPI"), fewest
 
         def on(network):
             return {**told, **answer_of(smpirun(network, ranks, hosts, *replay), limit())}
