@@ -151,13 +151,10 @@ class Answers(unittest.TestCase):
             self.assertEqual({row["status"] for row in rows}, {"OK"})
             self.assertTrue(all(row["load_lower"] <= row["load"] <= row["load_upper"] for row in rows))
             few = answers(*(task(history, seed, details=False, **system) for seed in (1, 2, 3)))
-            self.assertEqual(
-                few,
-                [
-                    {name: row[name] for name in few[0]} | {"task": less["task"], "key": less["key"]}
-                    for row, less in zip(rows, few)
-                ],
-            )
+            for row, less in zip(rows, few, strict=True):
+                # Without bounds the certificate may take over the solver's last product: the same residual, but for rounding.
+                self.assertLess(abs(less.pop("certificate") - row["certificate"]), 1e-14)
+                self.assertEqual(less, {name: row[name] for name in less} | {"task": less["task"], "key": less["key"]})
             self.assertTrue(all(0 < row["area_fraction"] < 1 and row["max_pressure"] > row["mean_pressure"] for row in rows))
 
     def test_histories_of_different_lengths_in_one_chunk(self):
