@@ -152,7 +152,7 @@ class Answers(unittest.TestCase):
             self.assertTrue(all(row["load_lower"] <= row["load"] <= row["load_upper"] for row in rows))
             few = answers(*(task(history, seed, details=False, **system) for seed in (1, 2, 3)))
             for row, less in zip(rows, few, strict=True):
-                # Without bounds the certificate may take over the solver's last product: the same residual, but for rounding.
+                # The certificate is of another product where more is asked for: the same residual, but for rounding.
                 self.assertLess(abs(less.pop("certificate") - row["certificate"]), 1e-14)
                 self.assertEqual(less, {name: row[name] for name in less} | {"task": less["task"], "key": less["key"]})
             self.assertTrue(all(0 < row["area_fraction"] < 1 and row["max_pressure"] > row["mean_pressure"] for row in rows))
