@@ -102,7 +102,7 @@ def measure_performance(remake):
         return
     single = '--controls', 'load', '--budget', '0'
     remake.rows('--sizes', '128,256,512,1024,2048,4096', '--percents', '10,0.1,1,40')
-    for command, *options in (('busy',), ('deterministic',), ('products', '--sizes', '512,1024,2048,4096'), ('limits',), ('dilute',)):
+    for command, *options in (('busy',), ('deterministic',), ('products', '--sizes', '512,1024,2048,4096'), ('limits',), ('passes',), ('dilute',)):
         remake.once(command, *options)
     remake.rows('--sizes', '1024,2048,4096,8192,16384', '--percents', '0.04,10', '--precision', 'single', '--tol', '1e-4', *single)
     remake.once('mapped')

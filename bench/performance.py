@@ -8,6 +8,7 @@ from typing import Callable
 import histories
 import limits
 import mapped
+import passes
 from charts import OPEN_MARKERS, PROPORTIONAL, TARGET, Panels, decades, style
 from peers_report import best, growth as memory_growth, total
 from samples import groups, total_seconds
@@ -241,6 +242,7 @@ SECTIONS = {  # results, a table of them, the options that measure it
     'machine': ('limits', lambda d: records(limits.MACHINE, limits.machine_rows(d)) + '\n\n' + provenance(d), ''),
     'product-limits': ('limits', lambda d: records(limits.PRODUCTS, d['products']), ''),
     'pass-limits': ('limits', lambda d: records(limits.PASSES, d['passes']), ''),
+    'pass-rates': ('passes', lambda d: records(passes.COLUMNS, d['rows']) + f'\n\nThe triad: {d["triad_gigabytes_per_second"]:.1f} GB/s. ' + provenance(d), ''),
     'scaling': ('scaling', lambda d: scaling_table(d, certified_rows(d)) + '\n\n' + provenance(d), ''),
     'scaling-single': ('scaling', single_table, ' --precision single --tol 1e-4 --sizes 4096,8192,16384 --percents 0.04,10'),
     'mapped': ('mapped', lambda d: records(mapped.COLUMNS, d['solves']) + '\n\n' + provenance(d), ''),

@@ -22,7 +22,7 @@ def performance(folder):
     assert 'measured before' not in first, first
     for name in ('targets', 'machine', 'product-limits', 'pass-limits', 'scaling', 'growth', 'dilute', 'busy', 'deterministic', 'batch'):
         assert filled[name].startswith('|') and 'Not measured' not in filled[name], name
-    for name in ('scaling-single', 'baseline', 'profile'):
+    for name in ('scaling-single', 'baseline', 'profile', 'pass-rates'):
         assert filled[name].startswith('Not measured yet'), name
     # Every row once.
     assert filled['scaling'].count('²') == 8, filled['scaling']
