@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "platform/memory.h"
+
 namespace rc_fft {
 
 namespace {
@@ -32,6 +34,14 @@ bool in_single_precision(const rc_host* host, const rc_options* options) {
     return roughcontact::option_real(host, options, "accuracy") >= (of_area ? 1000 : 100) * least_single_tol;
   }
   return std::strcmp(named, "single") == 0;
+}
+
+// The eigenvalues alone need this: they are made of a coefficient for each point of the box, or of a period's quarter.
+void check_memory(const Box& box, bool periodic) {
+  const double bytes = (periodic ? 2.0 : 8.0) * static_cast<double>(box.nx) * static_cast<double>(box.ny);
+  if (const double machine = rc_platform::machine_bytes(); bytes > machine)
+    fail(RC_ERR_MEMORY, "products on a box of ", box.nx, "x", box.ny, " points need ", bytes, " bytes, this machine has ",
+         machine, "; use a coarser grid or a smaller domain");
 }
 
 }  // namespace
@@ -81,6 +91,7 @@ void Operator::bind(const rc_domain& domain) {
   const std::int64_t nx = spec_.system->nx, ny = spec_.system->ny;
   const Box grid{0, 0, nx, ny};
   box_ = periodic() ? grid : rc_common::bounding_box(domain, nx, ny);
+  check_memory(box_, periodic());  // the points take memory for each row
   points_ = domain.index ? Points(domain, box_, nx) : whole_;
   zero_mode_ = domain.zero_mode;
   if (!periodic()) {

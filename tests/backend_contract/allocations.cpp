@@ -8,6 +8,10 @@
 
 namespace contract {
 
+namespace {
+constexpr std::size_t most_taken = 64 << 20;  // bytes
+}
+
 // Lets a later allocation fail each time, until a run succeeds.
 void any_allocation_may_fail(const rc_backend& backend) {
 #ifdef RC_CONTRACT_SUITESPARSE
@@ -37,7 +41,8 @@ void any_allocation_may_fail(const rc_backend& backend) {
   }
 }
 
-// Neither can be allocated: more than the address space, and more than an integer counts.
+// Neither can be allocated: more than the address space, and more than an integer counts. Nothing is taken for a side of them
+// before they are refused.
 void impossible_sizes_are_refused(const rc_backend& backend) {
   for (std::int64_t side : {std::int64_t{1} << 24, std::int64_t{1} << 28, std::int64_t{1} << 31}) {
     StandInHost host(backend);
@@ -45,9 +50,11 @@ void impossible_sizes_are_refused(const rc_backend& backend) {
     const Index corners{0, side * side - 1};
     const Vector x(2, 1.0);
     Vector y(2);
+    support::fail_allocation(0);
     const rc_status status = status_of_operations(backend, host, spec_of(system, host), corners, x.data(), y.data());
     assert_true(status == RC_ERR_MEMORY || status == RC_ERR_SHAPE);
     assert_true(StandInHost::message().find(backend.name) == 0);
+    assert_true(support::largest_allocation() <= most_taken);
   }
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 thread_local std::int64_t remaining = 0;
 thread_local bool failed = false, every_later = false;
+thread_local std::size_t largest = 0;
 
 constexpr std::size_t absurd = std::size_t{1} << (sizeof(std::size_t) > 4 ? 42 : 31);
 
@@ -19,11 +20,19 @@ bool fails_now() {
   return true;
 }
 
-void* allocated(std::size_t bytes) { return bytes > absurd || fails_now() ? nullptr : std::malloc(bytes ? bytes : 1); }
+void* counted(void* memory, std::size_t bytes) {
+  if (memory && bytes > largest) largest = bytes;
+  return memory;
+}
+
+void* allocated(std::size_t bytes) {
+  return bytes > absurd || fails_now() ? nullptr : counted(std::malloc(bytes ? bytes : 1), bytes);
+}
 
 void* allocated(std::size_t bytes, std::align_val_t align) {
   const auto unit = static_cast<std::size_t>(align);
-  return bytes > absurd || fails_now() ? nullptr : support::aligned_memory(unit, (bytes + unit - 1) / unit * unit);
+  return bytes > absurd || fails_now() ? nullptr
+                                       : counted(support::aligned_memory(unit, (bytes + unit - 1) / unit * unit), bytes);
 }
 
 void* checked(void* memory) {
@@ -38,10 +47,13 @@ namespace support {
 void fail_allocation(std::int64_t countdown, bool forever) {
   failed = false;
   every_later = forever;
+  largest = 0;
   remaining = countdown;
 }
 
 bool allocation_failed() { return failed; }
+
+std::size_t largest_allocation() { return largest; }
 
 }  // namespace support
 
