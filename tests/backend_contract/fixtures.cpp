@@ -27,7 +27,7 @@ void check(rc_status status) {
 }  // namespace
 
 Problem::Problem(std::uint64_t cap, std::int64_t nx, std::int64_t ny, double hx, double hy, double zero_mode)
-    : zero_mode_(zero_mode), system_(halfspace(boundary_of(cap), nx, ny, hx, hy)), matrix_(system_, zero_mode) {
+    : zero_mode_(zero_mode), system_(halfspace(boundary_of(cap), nx, ny, hx, hy)), matrix_(matrix_of(system_, zero_mode)) {
   if (cap == RC_CAP_DENSE_INPUT) {
     system_.op = RC_OPERATOR_DENSE;
     system_.dense = matrix_.row(0);
@@ -35,7 +35,7 @@ Problem::Problem(std::uint64_t cap, std::int64_t nx, std::int64_t ny, double hx,
   } else if (cap == RC_CAP_CALLBACK) {
     system_.op = RC_OPERATOR_CALLBACK;
     system_.apply = multiply;
-    system_.user = &matrix_;
+    system_.user = const_cast<Matrix*>(&matrix_);
   }
 }
 

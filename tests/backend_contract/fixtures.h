@@ -27,7 +27,7 @@ class Problem {
  private:
   double zero_mode_;
   rc_system system_;
-  Matrix matrix_;
+  const Matrix& matrix_;
 };
 
 // On an nx x ny grid, one for each kind of input that the backend takes; periodic ones with and without zero mode.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
+#include <tuple>
 
 #include "kernel/kernel.h"
 #include "stand_in_host.h"
@@ -65,6 +68,14 @@ Matrix::Matrix(const rc_system& s, double zero_mode) : n_(s.nx * s.ny) {
   for (std::int64_t i = 0; i < n_; ++i)
     for (std::int64_t j = 0; j < n_; ++j)
       entries_.push_back(table[static_cast<std::size_t>(std::abs(i / s.nx - j / s.nx) * s.nx + std::abs(i % s.nx - j % s.nx))]);
+  for (std::int64_t i = 0; i < n_; ++i)
+    norm_ = std::max(norm_, std::accumulate(row(i), row(i) + n_, 0.0, [](double sum, double h) { return sum + std::abs(h); }));
+}
+
+const Matrix& matrix_of(const rc_system& s, double zero_mode) {
+  static std::map<std::tuple<std::int32_t, std::int64_t, std::int64_t, double, double, double>, Matrix> made;
+  const auto [at, is_new] = made.try_emplace({s.boundary, s.nx, s.ny, s.hx, s.hy, zero_mode}, s, zero_mode);
+  return at->second;
 }
 
 Vector Matrix::product(const Index& rows, const Index& columns, const Vector& x) const {
@@ -75,16 +86,6 @@ Vector Matrix::product(const Index& rows, const Index& columns, const Vector& x)
     y.push_back(static_cast<double>(sum));
   }
   return y;
-}
-
-double Matrix::norm() const {
-  double largest = 0.0;
-  for (std::int64_t i = 0; i < n_; ++i) {
-    double sum = 0.0;
-    for (std::int64_t j = 0; j < n_; ++j) sum += std::abs(row(i)[j]);
-    largest = std::max(largest, sum);
-  }
-  return largest;
 }
 
 Vector random_vector(std::size_t n, unsigned seed) {

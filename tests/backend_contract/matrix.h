@@ -23,12 +23,16 @@ class Matrix {
   // H[rows, columns] x.
   Vector product(const Index& rows, const Index& columns, const Vector& x) const;
   // Largest sum of |entries| in a row, by which errors are measured.
-  double norm() const;
+  double norm() const { return norm_; }
 
  private:
   std::int64_t n_;
   Vector entries_;
+  double norm_ = 0;
 };
+
+// That of a system which may have been asked for before, by another backend or case.
+const Matrix& matrix_of(const rc_system& system, double zero_mode);
 
 Vector random_vector(std::size_t n, unsigned seed);
 double largest_difference(const Vector& a, const Vector& b);

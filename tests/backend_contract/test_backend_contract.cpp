@@ -85,7 +85,8 @@ void run(void** state) {
   test.test_case->run(*test.backend);
 }
 
-std::vector<Test> all_tests() {
+// only: a backend's name, or null.
+std::vector<Test> all_tests(const char* only) {
   std::vector<Test> tests;
 #define RC_CONTRACT_BACKEND(name) rc_builtin_##name,
   const rc_plugin_query_fn queries[] = {RC_CONTRACT_BACKENDS};
@@ -95,7 +96,7 @@ std::vector<Test> all_tests() {
     if (query(nullptr, &plugin) != RC_OK || plugin->abi_major != RC_PLUGIN_ABI_MAJOR) std::abort();
     for (std::int64_t i = 0; i < plugin->n_backends; ++i)
       for (const Case& test_case : cases)
-        if (test_case.applies(*plugin->backends[i]))
+        if (test_case.applies(*plugin->backends[i]) && (!only || std::string(only) == plugin->backends[i]->name))
           tests.push_back({plugin->backends[i], &test_case, std::string(plugin->backends[i]->name) + "/" + test_case.name});
   }
   return tests;
@@ -105,8 +106,9 @@ std::vector<Test> all_tests() {
 
 }  // namespace contract
 
-int main() {
-  std::vector<contract::Test> tests = contract::all_tests();
+int main(int argc, char** argv) {
+  std::vector<contract::Test> tests = contract::all_tests(argc > 1 ? argv[1] : nullptr);
+  if (tests.empty()) return 1;
   std::vector<CMUnitTest> list;
   for (contract::Test& test : tests) list.push_back({test.name.c_str(), contract::run, nullptr, nullptr, &test});
   return _cmocka_run_group_tests("backends", list.data(), list.size(), nullptr, nullptr);
