@@ -31,7 +31,7 @@ Problem two_points() {
   return problem;
 }
 
-constexpr std::int64_t loose_side = 24;  // a thousand points would take twenty times as long
+constexpr std::int64_t loose_side = 16;  // a thousand points would take fifty times as long
 
 Problem waves(std::int64_t side = 32) { return rough_problem(side, side, RC_BOUNDARY_PERIODIC); }
 
