@@ -19,9 +19,9 @@ WIDE = 8  # bytes of a pressure or a compenetration
 
 def passes_of(real):
     """(pass, functions, bytes a point, times an iteration), docs/performance.md."""
-    return (('trees, finest blocks', 'finest_(up|down)|(up|down)_finest', 4 * real + 6, 1),
+    return (('trees, finest blocks', 'finest_(up|down)', 4 * real + 6, 1),
             ('trees, coarser levels', '(up|down)', 2 * (2 * 20 / 12 + 4), 1),
-            ('trees set up', '(finest_)?solve|finest', 3 + 2 * (20 / 12 + 2), 0.5),
+            ('trees set up', '(finest_)?solve', 3 + 2 * (20 / 12 + 2), 0.5),
             ('new direction', 'turn', 4 * real + 1, 1),
             ('curvature', 'inner', 2 * real, 1),
             ('step and cut', 'advance(_and_cut)?', 2 * WIDE + 4.5 * real, 1),
@@ -48,7 +48,7 @@ def sampled(work):
         match = re.match(r'\s*(\d+)\s+\[.\]\s+(.*)', line)
         if match:
             whole += int(match[1])
-            name = re.search(r'::(?:baseline|sse2|avx2|avx512)::(\w+)', match[2])
+            name = re.search(r'::(?:baseline|avx2|avx512)::(\w+)', match[2])
             if name:
                 found[name[1]] = found.get(name[1], 0) + int(match[1])
     return {name: count / whole for name, count in found.items()}, seconds
