@@ -39,9 +39,21 @@ def check_judge():
         assert judge.judge('load', 0.01, gap, answer)['residual'] > 1e-4
 
 
+def check_stopped(document):
+    """Of a code that was stopped only a time above its target tells something."""
+    from performance import compared
+    for group in document['groups']:
+        if group['code'] == 'baseline':
+            group.update(runs=[], stopped='over the limit of 1000 s', limit=1000)
+    found = compared(document, ('baseline',), 'rough', lambda each: 1)
+    assert found and all(ratio > 1 for _, ratio, _ in found)
+    assert not compared(document, ('baseline',), 'rough', lambda each: 1e9)
+
+
 with tempfile.TemporaryDirectory() as folder:
     first = run(folder)
     check_document(first)
     assert run(folder)['groups'] == first['groups']
     assert run(folder, '--fresh')['groups'] != first['groups']
     check_judge()
+    check_stopped(first)
