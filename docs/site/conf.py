@@ -67,6 +67,7 @@ docs/surfaces
 docs/derivatives
 docs/speed-accuracy
 docs/plugins
+docs/device
 ```
 
 ```{toctree}
