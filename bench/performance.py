@@ -82,7 +82,7 @@ def listed(rows, label, value, limit, chosen=lambda row: True):
 
 
 def compared(document, codes, surface, limit, control=None, value='ratio'):
-    """A code that was stopped below its limit tells nothing, and is left out."""
+    """A code that was stopped before the time that a target asks of it tells nothing, and is left out."""
     found = [(f'{code} {each.label}' if len(codes) > 1 or control else each.label, getattr(each, value), limit(each), each.at_least)
              for code in codes for each in against(document, code, surface, control)]
     return [(label, reached, wanted) for label, reached, wanted, at_least in found
@@ -152,8 +152,8 @@ TARGETS = (
            lambda d: dilute(d, 'rough', {1024: 8, 2048: 15, 4096: 30}), True),
     Target('one asperity on 4096²: full-grid solver, times slower', '>= 100', BENCH + 'dilute', 'dilute', lambda d: dilute(d, 'asperity', {4096: 100}),
            True),
-    Target('16384², single, 1e-4, 10 %', '<= 200 s', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, total_seconds, 200)),
-    Target('its memory in all', '<= 13 GB', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, gigabytes, 13)),
+    Target('16384², single, 1e-4, 10 %', '<= 75 s', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, total_seconds, 75)),
+    Target('its memory in all', '<= 12 GB', SINGLE + '10', 'scaling', lambda d: large(d, 0.1, gigabytes, 12)),
     Target('16384², single, 1e-4, 0.04 %', '<= 4 s', SINGLE + '0.04', 'scaling', lambda d: large(d, 0.0004, total_seconds, 4)),
     Target('its memory in all', '<= 4 GB', SINGLE + '0.04', 'scaling', lambda d: large(d, 0.0004, gigabytes, 4)),
     Target('32768², single, 1e-4, 0.04 %, gap of floats', '<= 12 s', BENCH + 'mapped', 'mapped', lambda d: from_file(d, 32768, 'seconds', 12)),
@@ -181,7 +181,7 @@ TARGETS = (
     Target('its hierarchical operator, single, 1e-4, 0.1 to 1 %, 512² to 2048²', '>= 7 (10)', PEERS, 'peers',
            lambda d: compared(d, ('aspher-h2-float',), 'rough',
                               lambda each: 7 if each.case['percent'] <= 1 and each.case['n'] <= 2048 else None, 'load'), True),
-    Target('ASPHER, periodic, times slower', '>= 5 (8) at 0.1 to 1 %, >= 8 (12) from 10 % on', PEERS, 'peers',
+    Target('ASPHER, periodic, times slower', '>= 5 (8) at 0.1 to 1 %, >= 8 (12) from 8 % on', PEERS, 'peers',
            lambda d: compared(d, ('aspher-periodic',), 'wavy', lambda each: 8 if each.case['percent'] >= 8 else 5, 'load'), True),
     Target('our memory over ASPHER\'s', '<= 0.5', PEERS, 'peers', lambda d: compared(d, ASPHER, 'rough', lambda each: 0.5, 'load', 'memory')),
     Target('Tamaas, periodic, times slower', '>= 10', PEERS, 'peers', lambda d: compared(d, ('tamaas',), 'wavy', lambda each: 10, 'load'), True),

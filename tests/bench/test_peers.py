@@ -40,7 +40,7 @@ def check_judge():
 
 
 def check_stopped(document):
-    """Of a code that was stopped only a time above its target tells something."""
+    """A code that was stopped meets its target if it had taken long enough by then; else it is left out."""
     from performance import compared
     for group in document['groups']:
         if group['code'] == 'baseline':
