@@ -65,11 +65,15 @@ template <class R, class Place> class DeviceMachine {
   constexpr double turn(double beta) {
     return place_.template reduce<Sum>(n_, Turn<R>{z(), m_.w, m_.t, m_.state, static_cast<R>(beta)}).value;
   }
-  constexpr bool advance(double length, bool cut) {
+  constexpr bool advance(double length, bool cut, bool keep) {
     const Advance<R> ahead{m_.t, m_.q, m_.p, m_.w, length};
-    if (cut) return place_.template reduce<Any>(n_, Cut<R>{ahead, z(), cap_}).value;
-    place_.each(n_, ahead);
-    return false;
+    if (!cut) {
+      place_.each(n_, ahead);
+      return false;
+    }
+    const bool any = place_.template reduce<Any>(n_, Cut<R>{ahead, z(), cap_}).value;
+    if (any && keep) keep_loads();
+    return any;
   }
   constexpr rc::HaarMeasure add_and_measure(Vector change, double shift) {
     return measured({m_.w, change, nullptr, m_.u, m_.p, m_.state, shift, cap_, NewW::changed});
@@ -90,6 +94,11 @@ template <class R, class Place> class DeviceMachine {
 
  private:
   static constexpr double nearly = 1 - 1e-9;  // of the cap
+
+  constexpr void keep_loads() {
+    const Index nx = trees_.levels[0][0].mx, ny = trees_.levels[0][0].my, strips = (ny + rc::haar_strip - 1) / rc::haar_strip;
+    place_.each(nx * strips, KeepLoad<R>{m_.p, cap_, z(), nx, ny});
+  }
 
   RC_CALLED constexpr rc::HaarMeasure measured(const Update<R>& update) {
     const Measured sum = place_.template reduce<Measured>(n_, update);

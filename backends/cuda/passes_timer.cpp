@@ -100,8 +100,8 @@ void measure(Index n) {
   report("trees: apply", 41, time_of(device, [&] { machine.apply_trees(machine.w(), machine.q(), &level); }));
   report("turn", 17, time_of(device, [&] { machine.turn(0.5); }));
   report("inner", 9, time_of(device, [&] { machine.inner(machine.t(), machine.q()); }));
-  report("advance", 32, time_of(device, [&] { machine.advance(0, false); }));
-  report("advance and cut", 36, time_of(device, [&] { machine.advance(0, true); }));
+  report("advance", 32, time_of(device, [&] { machine.advance(0, false, false); }));
+  report("advance and cut", 36, time_of(device, [&] { machine.advance(0, true, true); }));
   report("add and measure", 29, time_of(device, [&] { machine.add_and_measure(machine.y(), 0); }));
   report("choose", 13, time_of(device, [&] { machine.choose_set(0); }));
   report("total", 9, time_of(device, [&] { machine.total(machine.p()); }));

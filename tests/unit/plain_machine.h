@@ -112,7 +112,7 @@ template <class R> class PlainMachine {
     return inner(&w_, &t_);
   }
 
-  bool advance(double length, bool cut) {
+  bool advance(double length, bool cut, bool keep) {
     bool any = false;
     for (std::size_t i = 0; i < n_; ++i) {
       const double next = p_[i] - length * static_cast<double>(t_[i]);
@@ -122,7 +122,22 @@ template <class R> class PlainMachine {
       z_[i] = static_cast<Real>(p_[i] - next);
       any = any || z_[i] != 0;
     }
+    for (std::size_t i = 0; keep && any && i < n_; i += haar_strip) keep_load(i, std::min(i + haar_strip, n_));
     return any;
+  }
+  void keep_load(std::size_t begin, std::size_t end) {
+    double load = 0, added = 0, highest = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      load += p_[i];
+      added += static_cast<double>(z_[i]);
+      highest = std::max(highest, p_[i]);
+    }
+    if (!(added > 0) || highest >= cap_) return;
+    const double factor = std::max(1 - added / load, least_kept_share);
+    for (std::size_t i = begin; i < end; ++i) {
+      z_[i] += static_cast<Real>(factor * p_[i] - p_[i]);
+      p_[i] *= factor;
+    }
   }
 
   HaarMeasure add_and_measure(Vector change, double shift) {

@@ -142,6 +142,32 @@ template <class R> struct Cut {
   }
 };
 
+// Of a strip of a column, so that neighbouring threads read neighbouring cells.
+template <class R> struct KeepLoad {
+  double *p, cap;
+  R* z;
+  Index nx, ny;
+  RC_ANYWHERE void operator()(Index strip) const {
+    const Place first = place_of(strip, nx);
+    const Index begin = first.row * rc::haar_strip, end = begin + rc::haar_strip < ny ? begin + rc::haar_strip : ny;
+    double load = 0, added = 0, highest = 0;
+    for (Index row = begin; row < end; ++row) {
+      const Index i = row * nx + first.column;
+      load += p[i];
+      added += static_cast<double>(z[i]);
+      highest = highest < p[i] ? p[i] : highest;
+    }
+    if (!(added > 0) || highest >= cap) return;
+    const double share = 1 - added / load, factor = share > rc::least_kept_share ? share : rc::least_kept_share;
+    for (Index row = begin; row < end; ++row) {
+      const Index i = row * nx + first.column;
+      const double next = factor * p[i];
+      z[i] += static_cast<R>(next - p[i]);
+      p[i] = next;
+    }
+  }
+};
+
 // w + change - shift, w + shift (w + u), product - u - shift.
 enum class NewW { changed, grown, replaced };
 template <class R> struct Update {

@@ -156,7 +156,7 @@ template <Machine M, class Poll> class HaarIteration {
     if (std::isnan(curvature_)) return false;
     conjugate_ = curvature_ > 0;
     interval_.add(slope, curvature_);
-    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, interval_.over());
+    cut_any_ = m_.advance(conjugate_ ? slope / curvature_ : 0, interval_.over(), !task_.elongated);
     return true;
   }
 
@@ -321,16 +321,18 @@ template <Machine M, class Poll> class HaarIteration {
   // What the solution minimises, among pressures of one load where that is kept.
   constexpr double merit() const { return now_.merit + 0.5 * datum_ * now_.load; }
 
-  // The first trouble is tolerated.
+  // After the first trouble fewer points enter the free set and a steepest step is made. After the others bounds also become
+  // rarer.
   constexpr void safeguard() {
     ++rises_;
     if (rises_ > tolerated_rises && mean_ > 0 && !task_.by_load) return drop_mean();
     if (rises_ > most_rises && mean_tried_ && !keeps_load_) return keep_load();
     if (runs_away()) return add_mean();
+    pace_.admit_fewer();
+    conjugate_ = false;
     if (rises_ <= 1) return;
     if (may_run_away()) return add_mean();
-    pace_.tighten();
-    conjugate_ = false;
+    pace_.make_more_steps();
   }
 
   // Without a mean in the operator steps may raise the load without end. The datum is then the deflection that it causes.

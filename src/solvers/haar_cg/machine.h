@@ -22,6 +22,11 @@ struct HaarMeasure {
   double free_moment = 0;  // sum of p w where p is below the cap
 };
 
+// A strip is so many neighbouring points in a line, or fewer at its end. Where it keeps its load, its pressures are multiplied by
+// one factor, at least this share. Strips with a point at the cap do not keep theirs.
+constexpr int haar_strip = 64;
+constexpr double least_kept_share = 0.5;
+
 struct HaarStart {
   double highest;  // largest u
   bool warm;       // some pressure is positive
@@ -70,9 +75,9 @@ concept Machine = std::floating_point<typename M::Real> && std::constructible_fr
   m.scale(number, yes);
   // t = z + number t on the free set, 0 elsewhere. Returns (w, t).
   { m.turn(number) } -> std::same_as<double>;
-  // p -= number t and w -= number q. With yes: p = min(max(p, 0), cap), and z is what that added to p; returns whether it added
-  // anything.
-  { m.advance(number, yes) } -> std::same_as<bool>;
+  // p -= number t and w -= number q. With the first yes: p = min(max(p, 0), cap), and z is what that added to p; returns whether
+  // it added anything. With the second as well: the strips keep the loads that they had before, and z has that, too.
+  { m.advance(number, yes, yes) } -> std::same_as<bool>;
   // w += a and w -= number; without a: w -= number.
   { m.add_and_measure(a, number) } -> std::same_as<HaarMeasure>;
   // w = wide - u - number; without wide: w = -u - number, for p = 0.

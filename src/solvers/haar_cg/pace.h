@@ -18,11 +18,11 @@ class HaarPace {
   constexpr double admission(bool capped) const { return capped ? std::max(admission_, capped_admission) : admission_; }
 
   constexpr void begin_at_cap() { admission_ = strictest_admission; }
-  constexpr void tighten() {
+  constexpr void admit_fewer() {
     calm_ = 0;
-    interval_ = std::min(longest_interval, 2 * interval_);
     admission_ = std::min(strictest_admission, admission_ + admission_step);
   }
+  constexpr void make_more_steps() { interval_ = std::min(longest_interval, 2 * interval_); }
   // After a bound without trouble. rose: the violation is larger than at the last one. Strict admission lets few points in at a
   // time, which is slow once sets no longer cycle.
   constexpr void relieve(bool rose) {

@@ -39,6 +39,8 @@ template <class Real, class Pressure> struct HaarLoops {
   void (*advance)(std::int64_t n, double length, const Real* t, const Real* q, Pressure* p, Real* w, const HaarRun* runs);
   // The same, then p = min(max(p, 0), cap); cut: what that added to p, and as it is, 0, in runs that are not busy.
   Cut advance_and_cut;
+  // After a cut: each strip keeps the load that it had before; cut: also what that added to p. Returns the sum of p.
+  double (*keep_loads)(std::int64_t n, Pressure* p, double cap, Real* cut, const HaarRun* runs);
   // p = min(number p, cap) below the cap; cut: what that added to p, and what it was before with yes; as it is, 0, in runs that
   // are not busy. Returns whether some are at the cap.
   bool (*scale)(std::int64_t n, double number, Pressure* p, double cap, Real* cut, bool yes, const HaarRun* runs);

@@ -195,7 +195,7 @@ template <class Real, class Pressure> double ThreadMachine<Real, Pressure>::turn
   return slope_->along_z + beta * slope_->along_t;
 }
 
-template <class Real, class Pressure> bool ThreadMachine<Real, Pressure>::advance(double length, bool cut) {
+template <class Real, class Pressure> bool ThreadMachine<Real, Pressure>::advance(double length, bool cut, bool keep) {
   pressures_.reset();
   if (!cut) {
     each([&](std::int64_t i, std::int64_t n) { loops_.advance(n, length, t_ + i, q_ + i, p_ + i, w_ + i, runs_at(i)); });
@@ -203,8 +203,9 @@ template <class Real, class Pressure> bool ThreadMachine<Real, Pressure>::advanc
   }
   const Loops& loops = cap_ < infinite ? capped_loops_ : loops_;
   const auto cut_chunk = [&](std::int64_t i, std::int64_t n) {
-    const HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
+    HaarCut found = loops.advance_and_cut(n, length, t_ + i, q_ + i, p_ + i, cap_, w_ + i, z() + i, runs_at(i));
     if (found.capped) reached_at(i) = 1;
+    if (keep && found.any) found.load = loops.keep_loads(n, p_ + i, cap_, z() + i, runs_at(i));
     return found;
   };
   const HaarCut all = sum<HaarCut>(cut_chunk, {}, [](const HaarCut& a, const HaarCut& b) {

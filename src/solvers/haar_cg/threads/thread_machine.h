@@ -51,7 +51,7 @@ template <class R, class Pressure = double> class ThreadMachine {
   void multiply(double factor, bool free);
   void scale(double factor, bool after_cut);
   double turn(double beta);
-  bool advance(double length, bool cut);
+  bool advance(double length, bool cut, bool keep);
   HaarMeasure add_and_measure(Vector change, double shift);
   HaarMeasure grow_and_measure(double share);
   HaarMeasure replace_and_measure(Wide product, double shift);
