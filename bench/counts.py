@@ -42,7 +42,7 @@ def run(request):
 
 
 question('counts', 'products of cold solves by size, contact area, boundary and control', run, {
-    'sizes': (listed(side), [512, 1024, 2048], 'points per side'),
+    'sizes': (listed(side), [512, 1024, 2048, 4096], 'points per side'),
     'percents': (listed(percent), [0.1, 1, 10, 40], 'contact areas in percent of the grid, about'),
     'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),
     'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'), 'seed': (int, 1, 'of the surface'),

@@ -24,7 +24,7 @@ def passes_of(real):
             ('trees set up', '(finest_)?solve', 3 + 2 * (20 / 12 + 2), 0.5),
             ('new direction', 'turn', 4 * real + 1, 1),
             ('curvature', 'inner', 2 * real, 1),
-            ('step and cut', 'advance(_and_cut)?', 2 * WIDE + 4.5 * real, 1),
+            ('step and cut', 'advance(_and_cut)?|keep_loads|(sum|scale)_strip', 2 * WIDE + 4.5 * real, 1),
             ('residual, load and merit', 'measure', 3 * real + 2 * WIDE, 0.5),
             ('contact set', 'choose', 10 + real, 0.5))
 
