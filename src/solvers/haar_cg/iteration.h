@@ -310,7 +310,7 @@ template <Machine M, class Poll> class HaarIteration {
       else if (task_.by_load && capped())
         descend();
       if (!known_well) precision_.found(worst());
-      if (!known_well || worst() <= task_.tol) return worst() <= task_.tol;
+      if (!known_well || precision_.known(worst(), task_.tol)) return worst() <= task_.tol;
     }
   }
 
