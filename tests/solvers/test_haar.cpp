@@ -102,7 +102,7 @@ void load_control_costs_little_more() {
 }
 
 // A third of the points in contact, in many small parts, on a surface whose points are those of half the grid, each four times.
-// Where a cut adds its load to each part, sets swing: 64 products by load.
+// Sets swing where cuts add load to the parts: without strips that keep theirs a load takes 64 products.
 void broken_contact_takes_no_more_products() {
   constexpr std::int64_t n = 1024;
   const auto waves = [](double number) { return 2 * std::numbers::pi * number / static_cast<double>(n); };
