@@ -31,22 +31,28 @@ class PlainTree {
     double hx = table.hx, hy = table.hy, scale = 1;
     std::int64_t wide = 1, high = 1;  // cells of the grid along the sides of a block
     const bool period_x = nx == table.nx, period_y = ny == table.ny;
+    Line columns = cells(nx), rows = cells(ny);
     for (int depth = 0; nx * ny > 1 || depth == 0; ++depth) {
       Level level{nx, ny};
-      const bool large = scale < 1 && table.nx > 0;  // against the period of a periodic surface
-      const auto between = [&](std::int64_t dx, std::int64_t dy) {
-        return large ? periodic_coupling(table, hx / table.hx, hy / table.hy, dx, dy)
-                     : scale * coupling(table, wide, high, dx, dy);
-      };
-      level.x = between(1, 0);
-      level.y = between(0, 1);
-      level.xy = between(1, 1);
       level.merge_x = nx > 1 && (hx <= anisotropy * hy || ny == 1);
       level.merge_y = ny > 1 && (hy <= anisotropy * hx || nx == 1);
       const bool shift = shifted && depth % 2 == 0;
       level.shift_x = shift && level.merge_x && nx > 2;
       level.shift_y = shift && level.merge_y && ny > 2;
       const bool around_x = level.shift_x && period_x && nx % 2 == 0, around_y = level.shift_y && period_y && ny % 2 == 0;
+      const Line above_columns = level.merge_x ? joined(columns, level.shift_x, around_x) : columns,
+                 above_rows = level.merge_y ? joined(rows, level.shift_y, around_y) : rows;
+      const bool large = scale < 1 && table.nx > 0;  // against the period of a periodic surface
+      const auto between = [&](std::int64_t dx, std::int64_t dy) {
+        return large ? periodic_coupling(table, shared_waves(columns, above_columns, table.nx, dx == 1),
+                                         shared_waves(rows, above_rows, table.ny, dy == 1))
+                     : scale * coupling(table, wide, high, dx, dy);
+      };
+      level.x = between(1, 0);
+      level.y = between(0, 1);
+      level.xy = between(1, 1);
+      columns = above_columns;
+      rows = above_rows;
       if (level.merge_x) {
         nx = around_x ? nx / 2 : (nx + level.shift_x + 1) / 2;
         hx *= 2;
@@ -153,26 +159,66 @@ class PlainTree {
     return sum / static_cast<double>(wide * wide * high * high);
   }
 
-  // The same by the waves of a periodic surface, up to the fourth lobe of a block's spectrum. Blocks of more than half a period
-  // count as that wide.
-  static double periodic_coupling(const CouplingTable& table, double wide, double high, std::int64_t dx, std::int64_t dy) {
-    const auto nx = static_cast<double>(table.nx), ny = static_cast<double>(table.ny);
-    if (2 * wide > nx) wide = nx;
-    if (2 * high > ny) high = ny;
-    // The mean over a block's cells of a wave, times that over another block's.
-    const auto between = [](std::int64_t k, double n, double side, std::int64_t offset) {
-      std::complex<double> mean = 0;
-      for (int cell = 0; cell < side; ++cell)
-        mean += std::polar(1 / side, 2 * std::numbers::pi * static_cast<double>(k) * cell / n);
-      return std::norm(mean) * std::cos(2 * std::numbers::pi * static_cast<double>(k * offset) * side / n);
+  // Blocks along one direction, and the cells of each.
+  using Line = std::vector<std::vector<std::int64_t>>;
+
+  static Line cells(std::int64_t n) {
+    Line line;
+    for (std::int64_t i = 0; i < n; ++i) line.push_back({i});
+    return line;
+  }
+
+  static Line joined(const Line& line, std::int64_t shift, bool around) {
+    const auto n = static_cast<std::int64_t>(line.size());
+    Line above(static_cast<std::size_t>(around ? n / 2 : (n + shift + 1) / 2));
+    for (std::int64_t i = 0; i < n; ++i) {
+      const std::vector<std::int64_t>& from = line[static_cast<std::size_t>(i)];
+      std::vector<std::int64_t>& to = above[static_cast<std::size_t>((around ? (i + shift) % n : i + shift) / 2)];
+      to.insert(to.end(), from.begin(), from.end());
+    }
+    return above;
+  }
+
+  // Of each wave along a period of n cells, up to the fourth lobe of a block's spectrum: the mean over a block times that over
+  // another, where these are the same or, with `neighbours`, two that join. Means over all blocks, weighted by the cells of both.
+  static Values shared_waves(const Line& line, const Line& above, std::int64_t n, bool neighbours) {
+    const auto sums = [&](std::int64_t k, const std::vector<std::int64_t>& block) {
+      std::complex<double> sum = 0;
+      for (const std::int64_t cell : block)
+        sum += std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(k * cell) / static_cast<double>(n));
+      return sum;
     };
+    std::size_t all = 0;
+    for (const auto& block : line) all += block.size();
+    Values shared;
+    for (std::int64_t k = 0; k <= n / 2 && k * static_cast<std::int64_t>(all) <= 4 * n * static_cast<std::int64_t>(line.size());
+         ++k) {
+      double sum = 0, weight = 0;
+      for (const auto& a : line)
+        for (const auto& b : line) {
+          const bool join = std::any_of(above.begin(), above.end(), [&](const auto& both) {
+            return std::count(both.begin(), both.end(), a.front()) > 0 && std::count(both.begin(), both.end(), b.front()) > 0;
+          });
+          if (neighbours ? &a == &b || !join : &a != &b) continue;
+          sum += std::real(sums(k, a) * std::conj(sums(k, b)));
+          weight += static_cast<double>(a.size() * b.size());
+        }
+      if (weight > 0) shared.push_back(sum / weight);
+    }
+    return shared;
+  }
+
+  // The same as coupling() by the waves of a periodic surface, in both directions along each side.
+  static double periodic_coupling(const CouplingTable& table, const Values& along_x, const Values& along_y) {
+    const auto nx = static_cast<double>(table.nx), ny = static_cast<double>(table.ny);
+    const auto last_x = static_cast<std::int64_t>(along_x.size()) - 1, last_y = static_cast<std::int64_t>(along_y.size()) - 1;
     double sum = 0;
-    for (std::int64_t l = -table.ny / 2; l <= table.ny / 2; ++l)
-      for (std::int64_t k = -table.nx / 2; k <= table.nx / 2; ++k) {
+    for (std::int64_t l = -last_y; l <= last_y; ++l)
+      for (std::int64_t k = -last_x; k <= last_x; ++k) {
         if (k == 0 && l == 0) continue;
-        if (std::abs(static_cast<double>(k)) * wide > 4 * nx || std::abs(static_cast<double>(l)) * high > 4 * ny) continue;
         const double length = std::hypot(static_cast<double>(k) / (nx * table.hx), static_cast<double>(l) / (ny * table.hy));
-        sum += between(k, nx, wide, dx) * between(l, ny, high, dy) / (std::numbers::pi * length);
+        sum += along_x[static_cast<std::size_t>(std::abs(k))] * along_y[static_cast<std::size_t>(std::abs(l))] /
+               (std::numbers::pi * length);
       }
     return table.softness * sum / (nx * ny * std::sqrt(table.hx * table.hy)) + table.mean;
   }
