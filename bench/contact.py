@@ -109,13 +109,14 @@ def record_of(result):
 
 
 def cold_call(system, gap, options, control, target, pressure=None):
-    """(result, seconds of the whole call, its processor time) of one cold solve by the C functions themselves."""
+    """(result, seconds of the whole call, its processor time) of one cold solve by the C functions themselves. Arrays of doubles or floats."""
     struct, _ = system.struct()
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
     step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
-    step.undeformed_gap = gap.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+    kind, single = (ctypes.c_float, '_single') if gap.dtype == np.float32 else (ctypes.c_double, '')
+    setattr(step, f'undeformed_gap{single}', gap.ctypes.data_as(ctypes.POINTER(kind)))
     if pressure is not None:
-        answer.p = pressure.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        setattr(answer, f'p{single}', pressure.ctypes.data_as(ctypes.POINTER(kind)))
     with OptionSet(options, None) as chosen:
         begun, cpu = time.perf_counter(), cpu_seconds()
         status = library.rc_contact_create(struct, chosen, handle)

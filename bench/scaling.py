@@ -59,14 +59,14 @@ def light_load(area):
 def measure_solve(request, area, gap, control, target, interpreter):
     """A cold solve, its peak memory, then the product on the same trial set. interpreter: memory that is not the library's [bytes]."""
     system, points = unit_square(len(gap)), gap.size
-    pressure = np.full(gap.shape, 0.0) if area >= SPARSE else None
+    pressure = np.zeros_like(gap) if area >= SPARSE else None
     before = resident_memory()
     result, row = time_solve(system, gap, options_of(request), request.budget, control, target, pressure)
     peak = max(peak_memory(), before)
     row.update(area_found=share_in_contact(result), peak_bytes=peak - interpreter, bytes_per_point=(peak - before) / points,
                bytes_per_point_in_all=(peak - interpreter) / points)
     if len(gap) <= LARGEST_PROFILE and row['status'] == OK:
-        product = native.time_products(system, gap, result.approach, result.backend, threads=request.threads, budget=request.budget / 4)
+        product = native.time_products(system, np.asarray(gap, float), result.approach, result.backend, threads=request.threads, budget=request.budget / 4)
         row.update(product_seconds_best=product['best'], product_seconds_median=product['median'], product_count=product['count'])
     return row
 
@@ -76,13 +76,14 @@ class Scaling:
         self.request, self.store = request, Store(request.json, 'scaling', request.threads)
         self.settings = {'tol': request.tol, 'precision': request.precision, 'threads': request.threads, 'seed': request.seed,
                          'solver_option': request.solver, 'backend_option': request.backend}
+        self.real = np.float32 if request.precision == 'single' else float  # of the gap and the pressures
         self.areas = [value / 100 for value in request.percents]
         self.begun, self.interpreter, self.kept = time.monotonic(), interpreter_memory(), np.empty(0)
 
     def gap(self, n):
         if len(self.kept) != n:
             self.kept = np.empty(0)
-            self.kept = self_affine_gap(n, self.request.seed, rms_slope=SLOPE)
+            self.kept = self_affine_gap(n, self.request.seed, rms_slope=SLOPE).astype(self.real)
         return self.kept
 
     def load_for(self, n, area, approach):
@@ -107,8 +108,8 @@ class Scaling:
         return self.store.put('loads', key, checked(in_child(work)))
 
     def needed(self, n, area, control):
-        """Bytes of a solve that takes as much a point as the finest grid so far, its gap included; at least the gap and an in-place
-        transform of it."""
+        """Bytes of a solve that takes as much a point as the finest grid so far, its gap included; at least a gap of doubles and an
+        in-place transform of it."""
         known = [row for row in self.store.rows('solves', area_wanted=area, control=control, **self.settings) if 'peak_bytes' in row]
         return max(16 * n * n, max(known, key=lambda row: row['n'])['bytes_per_point_in_all'] * n * n if known else 0)
 
