@@ -179,6 +179,34 @@ void a_second_step_starts_from_the_first() {
   check(second.result.applications < first.result.applications, "products of a step that changes little");
 }
 
+// Even steps, the first two of which start on coarser grids. Without the line all of them do, and take what cold ones take.
+void further_steps_start_on_the_line_through_the_last_two() {
+  const Problem whole = self_affine(side, side, 8, shallow);
+  const double load = sparse_contact::solved(whole, "split").result.load;
+  for (const bool by_load : {false, true}) {
+    const auto step = [&](int k) {
+      const double part = 0.8 + 0.04 * k;
+      if (by_load) return at_load(whole, part * load);
+      Problem problem = whole;
+      problem.target = whole.lowest_gap() + part * (whole.target - whole.lowest_gap());
+      return problem;
+    };
+    const SparseContact contact(step(0));
+    std::int64_t warm = 0, cold = 0;
+    for (int k = 0; k <= 5; ++k) {
+      const Sparse found = contact.solve(step(k)), alone = sparse_contact::solved(step(k), "split");
+      check(found.status == RC_OK, found.message);
+      check_near(found.everywhere(), alone.everywhere(), 1e-6, "pressures");
+      if (k < 2) continue;
+      warm += found.result.applications;
+      cold += alone.result.applications;
+    }
+    report(std::string(by_load ? "by load: " : "by approach: ") + std::to_string(warm) + " products, cold " +
+           std::to_string(cold));
+    check(warm < cold, "products of steps on the line");
+  }
+}
+
 std::int32_t stop(const rc_progress*, void*) { return 1; }
 
 void stops_are_reported() {
@@ -202,17 +230,19 @@ void stops_are_reported() {
 
 int main(int argc, char** argv) {
   using namespace sparse_contact;
-  return pairs::run_group("sparse_contact",
-                          {{"rough_surfaces", rough_surfaces},
-                           {"any_shape_and_cell", any_shape_and_cell},
-                           {"masked_points", masked_points},
-                           {"periodic_arrays_over_all_points", periodic_arrays_over_all_points},
-                           {"peaks_that_no_coarse_grid_shows", peaks_that_no_coarse_grid_shows},
-                           {"one_asperity", one_asperity},
-                           {"dense_contact_is_left_to_transforms", dense_contact_is_left_to_transforms},
-                           {"arrays_over_all_points_on_request", arrays_over_all_points_on_request},
-                           {"borrowed_arrays_and_threads_do_not_change_a_bit", borrowed_arrays_and_threads_do_not_change_a_bit},
-                           {"a_second_step_starts_from_the_first", a_second_step_starts_from_the_first},
-                           {"stops_are_reported", stops_are_reported}},
-                          argc, argv);
+  return pairs::run_group(
+      "sparse_contact",
+      {{"rough_surfaces", rough_surfaces},
+       {"any_shape_and_cell", any_shape_and_cell},
+       {"masked_points", masked_points},
+       {"periodic_arrays_over_all_points", periodic_arrays_over_all_points},
+       {"peaks_that_no_coarse_grid_shows", peaks_that_no_coarse_grid_shows},
+       {"one_asperity", one_asperity},
+       {"dense_contact_is_left_to_transforms", dense_contact_is_left_to_transforms},
+       {"arrays_over_all_points_on_request", arrays_over_all_points_on_request},
+       {"borrowed_arrays_and_threads_do_not_change_a_bit", borrowed_arrays_and_threads_do_not_change_a_bit},
+       {"a_second_step_starts_from_the_first", a_second_step_starts_from_the_first},
+       {"further_steps_start_on_the_line_through_the_last_two", further_steps_start_on_the_line_through_the_last_two},
+       {"stops_are_reported", stops_are_reported}},
+      argc, argv);
 }

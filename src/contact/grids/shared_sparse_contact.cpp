@@ -82,8 +82,9 @@ std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& mem
   if (!ranks || step.p0 || !all_can(work, step)) return std::nullopt;
   const std::int64_t contacts = step.warm_start ? contacts_of(memory.last, work) : 0;
   const double before = step.control == RC_CONTROL_LOAD ? memory.last.load : memory.last.approach;
-  const bool sparse_before = few(contacts, work.system.points(), work.system.periodic());
-  if (contacts > 0 && !sparse_before && memory.last.same_gap && step.target >= before) return std::nullopt;  // it grows denser
+  const auto sparse = [&](std::int64_t n) { return few(n, work.system.points(), work.system.periodic()); };
+  const bool older_sparse = step.warm_start && sparse(contacts_of(memory.before, work));
+  if (contacts > 0 && !sparse(contacts) && memory.last.same_gap && step.target >= before) return std::nullopt;  // it grows denser
   if (!work.facts.tilt && !work.system.periodic())
     work.facts.tilt = plane_share(work.surface, work.system.given.nx, work.system.given.ny);
 
@@ -99,7 +100,8 @@ std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& mem
     all->record.warm = work.record.warm;
     all->surface = StepSurface(work.surface, work.team());
     Memory known;
-    if (sparse_before) known.last = gathered(memory.last, work);
+    if (sparse(contacts)) known.last = gathered(memory.last, work);
+    if (older_sparse) known.before = gathered(memory.before, work);
     std::optional<Estimate> none;
     if (std::optional<Answer> answer = sparse_contact(*all, known, step, monitor, none))
       finished = certified_result(*all, step, std::move(*answer), monitor, told);

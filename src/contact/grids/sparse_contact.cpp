@@ -28,6 +28,7 @@ constexpr double halo = 0.02;        // of the depth: tiles, or points, with a s
 constexpr double headroom = 0.1;     // of the depth: room for an approach above its estimate, in load control
 constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
+constexpr double near_line = 0.3;    // the line through the last two steps
 constexpr std::int64_t least_side = 64;
 constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
 constexpr std::int64_t compact = 16;            // boxes of at most 1/compact of the grid's points are solved whole, by transforms
@@ -172,15 +173,26 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
   }
 }
 
-std::optional<Estimate> last_estimate(const Workspace& work, const CertifiedStep& last, const rc_step& step) {
+// The last step's pressures or, farther away, those of the line through the last two.
+std::optional<Estimate> last_estimate(const Workspace& work, const Memory& memory, const rc_step& step) {
+  const CertifiedStep &last = memory.last, &older = memory.before;
   if (!step.warm_start || last.pressures.empty() || !last.same_gap) return std::nullopt;
+  const auto sparse = [&](const Pressures& pressures) {
+    return !pressures.empty() && few(count_positive(pressures.p), work.system.points(), work.rows());
+  };
   const bool by_load = step.control == RC_CONTROL_LOAD;
   const double before = by_load ? last.load : last.approach - work.surface.lowest();
   const double now = by_load ? step.target : step.target - work.surface.lowest();
-  if (!(std::abs(now - before) <= near * before)) return std::nullopt;
-  Estimate estimate{last.pressures.positive(), by_load ? last.approach : step.target};
-  if (!few(estimate.pressures.on.n, work.system.points(), work.rows())) return std::nullopt;
-  return estimate;
+  const double part = sparse(older.pressures) ? memory.ahead(step) : 0;
+  if (!(std::abs(now - before) <= (part != 0 ? near_line : near) * before) || !sparse(last.pressures)) return std::nullopt;
+  Pressures found = last.pressures.positive();
+  if (part != 0) {
+    const std::vector<double> earlier = older.pressures.at(found.on);
+    for (std::size_t k = 0; k < earlier.size(); ++k) found.p[k] += part * (found.p[k] - earlier[k]);
+    found = found.positive();
+    if (found.empty()) return std::nullopt;
+  }
+  return Estimate{std::move(found), by_load ? last.approach + part * (last.approach - older.approach) : step.target};
 }
 
 // Whether a step takes contact that is not sparse farther.
@@ -250,7 +262,7 @@ std::optional<Answer> sparse_contact(Workspace& work, const Memory& memory, cons
   const std::optional<Choice> choice = choose_for_few(work.options, work.system, step.control, work.rows());
   if (!choice || !(choice->solver->controls & static_cast<std::uint32_t>(step.control))) return std::nullopt;
   if (estimate && !few(count_positive(estimate->pressures.p), work.system.points(), work.rows())) return std::nullopt;
-  std::optional<Estimate> start = estimate ? estimate : last_estimate(work, memory.last, step);
+  std::optional<Estimate> start = estimate ? estimate : last_estimate(work, memory, step);
   if (!start) {
     if (grows_dense(work, memory.last, step)) return std::nullopt;
     // Ranks that do not find sparse contact start on coarser grids in another way.
