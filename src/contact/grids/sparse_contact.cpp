@@ -28,7 +28,7 @@ constexpr double halo = 0.02;        // of the depth: tiles, or points, with a s
 constexpr double headroom = 0.1;     // of the depth: room for an approach above its estimate, in load control
 constexpr int most_rounds = 8;       // of adding tiles
 constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
-constexpr double near_line = 0.3;    // the line through the last two steps
+constexpr double near_line = 0.3;    // the same for the line through the last two steps
 constexpr std::int64_t least_side = 64;
 constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
 constexpr std::int64_t compact = 16;            // boxes of at most 1/compact of the grid's points are solved whole, by transforms
@@ -173,7 +173,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
   }
 }
 
-// The last step's pressures or, farther away, those of the line through the last two.
+// The last step's pressures or, where there were two sparse ones, those of the line through both.
 std::optional<Estimate> last_estimate(const Workspace& work, const Memory& memory, const rc_step& step) {
   const CertifiedStep &last = memory.last, &older = memory.before;
   if (!step.warm_start || last.pressures.empty() || !last.same_gap) return std::nullopt;
@@ -187,8 +187,7 @@ std::optional<Estimate> last_estimate(const Workspace& work, const Memory& memor
   if (!(std::abs(now - before) <= (part != 0 ? near_line : near) * before) || !sparse(last.pressures)) return std::nullopt;
   Pressures found = last.pressures.positive();
   if (part != 0) {
-    const std::vector<double> earlier = older.pressures.at(found.on);
-    for (std::size_t k = 0; k < earlier.size(); ++k) found.p[k] += part * (found.p[k] - earlier[k]);
+    found.p = memory.start(step, found.on, 1, std::numeric_limits<double>::infinity(), nullptr);
     found = found.positive();
     if (found.empty()) return std::nullopt;
   }
