@@ -1,3 +1,20 @@
+# Each target's files are compiled in batches, and a batch parses its headers once. Names of a file's own are therefore unique in
+# their target. -DCMAKE_UNITY_BUILD=OFF compiles each file by itself.
+if(NOT DEFINED CMAKE_UNITY_BUILD)
+  set(CMAKE_UNITY_BUILD ON)
+endif()
+if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endif()
+
+# rc_shared_sources(<variable> <file of src>...): these files, which src and the target of this folder compile, outside of batches:
+# a program may link both statically, and then takes one of the two objects.
+function(rc_shared_sources variable)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/src/)
+  set_source_files_properties(${ARGN} DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set(${variable} ${ARGN} PARENT_SCOPE)
+endfunction()
+
 # One interface target with the warnings and sanitizers that all of our own code is compiled with.
 add_library(rc_compile INTERFACE)
 target_compile_definitions(rc_compile INTERFACE _FILE_OFFSET_BITS=64)  # files above 2 GiB on 32-bit systems, too

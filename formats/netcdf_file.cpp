@@ -38,9 +38,9 @@ struct Dimension {
 };
 
 // Reads the header from its beginning to its end. The version sets how wide counts and offsets are.
-class Header {
+class NetcdfHeader {
  public:
-  Header(std::string_view file, int version) : file_(file), wide_counts_(version == 5), wide_offsets_(version != 1) {}
+  NetcdfHeader(std::string_view file, int version) : file_(file), wide_counts_(version == 5), wide_offsets_(version != 1) {}
 
   std::uint32_t word() { return take<std::uint32_t>(); }
   std::uint64_t count() { return wide_counts_ ? take<std::uint64_t>() : take<std::uint32_t>(); }
@@ -84,7 +84,7 @@ class Header {
   std::uint64_t at_ = 4;  // after the magic
 };
 
-std::vector<NetcdfFile::Attribute> read_attributes(Header& header) {
+std::vector<NetcdfFile::Attribute> read_attributes(NetcdfHeader& header) {
   std::vector<NetcdfFile::Attribute> attributes;
   for (std::uint64_t left = header.list(attribute_list); left > 0; --left) {
     const auto name = header.name();
@@ -96,7 +96,7 @@ std::vector<NetcdfFile::Attribute> read_attributes(Header& header) {
   return attributes;
 }
 
-std::vector<Dimension> read_dimensions(Header& header) {
+std::vector<Dimension> read_dimensions(NetcdfHeader& header) {
   std::vector<Dimension> dimensions;
   for (std::uint64_t left = header.list(dimension_list); left > 0; --left) {
     const auto name = header.name();
@@ -105,7 +105,7 @@ std::vector<Dimension> read_dimensions(Header& header) {
   return dimensions;
 }
 
-NetcdfFile::Variable read_variable(Header& header, const std::vector<Dimension>& dimensions, std::string_view file) {
+NetcdfFile::Variable read_variable(NetcdfHeader& header, const std::vector<Dimension>& dimensions, std::string_view file) {
   NetcdfFile::Variable variable;
   variable.name = header.name();
   const std::uint64_t rank = header.count();
@@ -161,7 +161,7 @@ NetcdfFile::NetcdfFile(std::string_view file) {
   const int version = file.starts_with("CDF") && file.size() > 3 ? file[3] : 0;
   if (version != 1 && version != 2 && version != 5) throw Error("the file does not begin with CDF and version 1, 2 or 5");
 
-  Header header{file, version};
+  NetcdfHeader header{file, version};
   header.count();  // of records
   const auto dimensions = read_dimensions(header);
   read_attributes(header);

@@ -14,7 +14,7 @@ namespace rc::formats {
 
 namespace {
 
-struct Header {
+struct NpyHeader {
   std::string_view descr;
   std::string_view fortran_order;
   std::string_view shape;
@@ -25,8 +25,8 @@ class Dictionary {
  public:
   explicit Dictionary(std::string_view text) : rest_(text) {}
 
-  Header parse() {
-    Header header;
+  NpyHeader parse() {
+    NpyHeader header;
     expect('{');
     while (!accept('}')) {
       const auto key = value();
@@ -140,7 +140,7 @@ std::string_view take_header(std::string_view& file) {
 
 NpyLayout npy_layout(std::string_view file) {
   std::string_view rest = file;
-  const Header header = Dictionary{take_header(rest)}.parse();
+  const NpyHeader header = Dictionary{take_header(rest)}.parse();
   const NumberType& type = number_type(header.descr);
   const auto [ny, nx] = parse_shape(header.shape);
   return {ny,        nx,        parse_order(header.fortran_order), type.code[0] == 'f',

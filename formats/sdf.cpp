@@ -17,7 +17,7 @@ namespace rc::formats {
 namespace {
 
 constexpr std::uint64_t binary_header = 81;
-constexpr std::size_t longest_header = 1 << 16;
+constexpr std::size_t longest_sdf_header = 1 << 16;
 
 std::string lower_case(std::string_view text) {
   std::string lower{text};
@@ -27,13 +27,13 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-using Header = std::map<std::string, std::string_view>;  // keys in lower case: writers disagree
+using SdfHeader = std::map<std::string, std::string_view>;  // keys in lower case: writers disagree
 
 // Cuts the lines up to the one with '*' off the file.
-Header take_header(std::string_view& file) {
-  Header header;
+SdfHeader take_sdf_header(std::string_view& file) {
+  SdfHeader header;
   for (std::string_view line = file.substr(0, file.find('\n')); trimmed(line) != "*"; line = file.substr(0, file.find('\n'))) {
-    if (line.size() == file.size() || header.size() > 1000 || line.size() > longest_header)
+    if (line.size() == file.size() || header.size() > 1000 || line.size() > longest_sdf_header)
       throw Error("the header has no end: a line \"*\" is missing; the file is truncated or damaged");
     file.remove_prefix(line.size() + 1);
     const auto equals = line.find('=');
@@ -50,13 +50,13 @@ Header take_header(std::string_view& file) {
   return header;
 }
 
-std::string_view entry(const Header& header, const std::string& key) {
+std::string_view entry(const SdfHeader& header, const std::string& key) {
   const auto found = header.find(lower_case(key));
   if (found == header.end()) throw Error("the header has no " + key);
   return found->second;
 }
 
-std::int64_t points(const Header& header, const std::string& key) {
+std::int64_t points(const SdfHeader& header, const std::string& key) {
   const auto value = to_integer(entry(header, key));
   if (!value || *value < 1) throw Error(key + " " + in_quotes(entry(header, key)) + " is not a whole number from 1 on");
   return *value;
@@ -71,7 +71,7 @@ std::string_view take_word(std::string_view& text) {
 }
 
 Surface read_ascii(std::string_view file) {
-  const Header header = take_header(file);
+  const SdfHeader header = take_sdf_header(file);
   Surface surface;
   surface.nx = points(header, "NumPoints");
   surface.ny = points(header, "NumProfiles");

@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view zip_magic = "PK\3\4";
 
 // Deflate codes at most 258 bytes in 2 bits, a ratio of 1032.
-constexpr std::uint64_t largest_ratio = 1032, slack = 1024;
+constexpr std::uint64_t largest_ratio = 1032, zip_slack = 1024;
 
 std::string message(zip_error_t& error) {
   std::string text = zip_error_strerror(&error);
@@ -64,7 +64,7 @@ std::string ZipArchive::contents(std::size_t entry, std::uint64_t most) const {
     throw Error(where + " is compressed by method " + std::to_string(stat.comp_method) +
                 ", only deflate can be read; pack it anew");
   }
-  if (stat.comp_size > (std::uint64_t{1} << 60) || stat.size > largest_ratio * stat.comp_size + slack) {
+  if (stat.comp_size > (std::uint64_t{1} << 60) || stat.size > largest_ratio * stat.comp_size + zip_slack) {
     throw Error(where + " claims " + std::to_string(stat.size) + " bytes, more than " + std::to_string(stat.comp_size) +
                 " compressed ones can hold; the file is damaged");
   }

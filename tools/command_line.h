@@ -2,12 +2,9 @@
 #pragma once
 
 #include "analyze_command.h"
+#include "command.h"
 #include "generate_command.h"
 #include "problem.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cli {
 
@@ -17,7 +14,7 @@ struct CommandLine {
   AnalyzeArguments analyze;
 };
 
-// Parsing by the app fills the line, which must live as long.
-void add_commands(CLI::App& app, CommandLine& line);
+// Parsing fills the line, which must live as long as the command.
+Command whole_command(CommandLine& line);
 
 }  // namespace cli

@@ -1,6 +1,6 @@
 #include "completion.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string_view>
@@ -70,19 +70,21 @@ void join_at_equals(std::vector<std::string>& words) {
   }
 }
 
-bool takes_value(const CLI::App& app, const std::string& word) {
-  const CLI::Option* option = word.starts_with("-") ? app.get_option_no_throw(word) : nullptr;
-  return option && option->get_type_size() > 0 && option->get_items_expected_max() > 0;
+bool takes_value(const Command& command, const std::string& word) {
+  return word.starts_with("-") && std::ranges::any_of(command.options, [&](const Option& option) {
+           return word == option.name && !std::holds_alternative<bool*>(option.target);
+         });
 }
 
 // What may stand at the place of the last word.
-Names candidates(CLI::App& app, const std::vector<std::string>& words) {
-  CLI::App* at = &app;
+Names candidates(const Command& command, const std::vector<std::string>& words) {
+  const Command* at = &command;
   std::string waiting;  // the option whose value comes next
   for (std::size_t k = 0; k + 1 < words.size(); ++k) {
-    const auto below = at->get_subcommands([&](CLI::App* each) { return waiting.empty() && each->get_name() == words[k]; });
+    const auto below = std::ranges::find(at->commands, words[k], &Command::name);
+    const bool goes_down = waiting.empty() && below != at->commands.end();
     waiting = waiting.empty() && takes_value(*at, words[k]) ? words[k] : "";
-    if (!below.empty()) at = below.front();
+    if (goes_down) at = &*below;
   }
   const std::string& word = words.back();
   if (const auto equals = word.find('='); equals != std::string::npos) {
@@ -91,29 +93,15 @@ Names candidates(CLI::App& app, const std::vector<std::string>& words) {
     return found;
   }
   if (!waiting.empty()) return values(waiting);
-  return word.starts_with("-") ? option_names(*at) : subcommand_names(*at);
+  return word.starts_with("-") ? option_names(*at) : command_names(*at);
 }
 
 }  // namespace
 
-Names subcommand_names(const CLI::App& app) {
-  Names names;
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(below->get_name());
-  return names;
-}
-
-Names option_names(const CLI::App& app) {
-  Names names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-void complete(CLI::App& app, Names words) {
+void complete(const Command& command, Names words) {
   join_at_equals(words);
   if (words.empty()) words.emplace_back();
-  for (const std::string& each : candidates(app, words)) {
+  for (const std::string& each : candidates(command, words)) {
     if (each.starts_with(words.back())) std::printf("%s\n", each.c_str());
   }
 }

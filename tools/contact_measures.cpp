@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "library.h"
+#include "problem.h"
 
 namespace cli {
 

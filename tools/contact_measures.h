@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "percolation.h"
-#include "problem.h"
 
 namespace cli {
+
+struct Problem;
 
 // Pressures and deformed gaps of a step and, where there is a hardness, the plastic indentation after it.
 struct Fields {

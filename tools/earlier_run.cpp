@@ -17,18 +17,17 @@ std::string_view take_part(std::string_view& place) {
   return part;
 }
 
-double number(const JsonValue& value) { return value.is_number() ? value.get<double>() : 0; }
-
 void add_to_step(const JsonEntry& entry, std::string_view field, EarlierStep& step) {
-  if (field == "/status" && entry.value.is_string()) step.status = entry.value.get<std::string>();
-  if (field == "/approach") step.approach = number(entry.value);
-  if (field == "/load") step.load = number(entry.value);
+  const auto* const text = std::get_if<std::string>(&entry.value);
+  if (field == "/status" && text) step.status = *text;
+  if (field == "/approach") step.approach = number_in(entry.value, 0);
+  if (field == "/load") step.load = number_in(entry.value, 0);
   step.fields.push_back(entry);
 }
 
 std::string told(const std::vector<JsonEntry>& entries, const std::string& place) {
   for (const JsonEntry& entry : entries) {
-    if (entry.place == place) return entry.value.dump(-1, ' ', false, JsonValue::error_handler_t::replace);
+    if (entry.place == place) return dumped(entry.value);
   }
   return "nothing";
 }
@@ -44,7 +43,7 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
     std::string_view rest = entry.place;
     const std::string_view room = take_part(rest);
     if (room == "input" && rest.starts_with("/targets/")) {
-      run.targets.push_back(number(entry.value));
+      run.targets.push_back(number_in(entry.value, 0));
     } else if (room == "input" && rest != "/file" && rest != "/against") {
       run.input.push_back(entry);
     } else if (room == "steps" && !rest.empty()) {
@@ -52,8 +51,8 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
       if (step != step_now) run.steps.emplace_back();
       step_now = step;
       add_to_step(entry, rest, run.steps.back());
-    } else if (room == "removing" && entry.value.is_number_unsigned()) {
-      run.removing = entry.value.get<std::size_t>();
+    } else if (const auto* const count = std::get_if<std::int64_t>(&entry.value); room == "removing" && count && *count >= 0) {
+      run.removing = static_cast<std::size_t>(*count);
     }
   }
   const bool ours = told(run.input, "/input/library_version") != "nothing" && !run.targets.empty();

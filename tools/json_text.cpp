@@ -1,12 +1,10 @@
 #include "json_text.h"
 
-#include <cstdint>
+#include <nlohmann/json.hpp>
 
 namespace cli {
 
 namespace {
-
-std::string dumped(const JsonValue& value) { return value.dump(-1, ' ', false, JsonValue::error_handler_t::replace); }
 
 // Collects the values in the order in which the parser meets them.
 class Collector {
@@ -16,10 +14,12 @@ class Collector {
   bool null() { return put(nullptr); }
   bool boolean(bool value) { return put(value); }
   bool number_integer(std::int64_t value) { return put(value); }
-  bool number_unsigned(std::uint64_t value) { return put(value); }
+  bool number_unsigned(std::uint64_t value) {
+    return std::in_range<std::int64_t>(value) ? put(static_cast<std::int64_t>(value)) : put(static_cast<double>(value));
+  }
   bool number_float(double value, const std::string&) { return put(value); }
   bool string(std::string& value) { return put(std::move(value)); }
-  bool binary(JsonValue::binary_t&) { return false; }
+  bool binary(nlohmann::json::binary_t&) { return false; }
   bool key(std::string& name) {
     levels_.back().name = std::move(name);
     return true;
@@ -63,6 +63,17 @@ class Collector {
 
 }  // namespace
 
+double number_in(const JsonValue& value, double otherwise) {
+  if (const auto* const whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  const auto* const real = std::get_if<double>(&value);
+  return real ? *real : otherwise;
+}
+
+std::string dumped(const JsonValue& value) {
+  const auto json = std::visit([](const auto& held) { return nlohmann::json(held); }, value);
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void JsonText::next(const char* key) {
   if (closing_.empty()) return;
   text_ += empty_ ? "\n" : ",\n";
@@ -103,7 +114,7 @@ std::string JsonText::text() const {
 
 std::optional<std::vector<JsonEntry>> read_json(const std::string& text) {
   Collector collector;
-  if (!JsonValue::sax_parse(text, &collector)) return std::nullopt;
+  if (!nlohmann::json::sax_parse(text, &collector)) return std::nullopt;
   return std::move(collector.entries);
 }
 

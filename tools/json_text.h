@@ -2,19 +2,27 @@
 // has run out.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace cli {
 
-using JsonValue = nlohmann::json;  // here always a number, a text, true, false or null
+using JsonValue = std::variant<std::nullptr_t, bool, std::int64_t, double, std::string>;
 using JsonField = std::pair<const char*, JsonValue>;
 
-// A document in the making, indented by two. Numbers that are not finite become null. Text need not be UTF-8.
+// The value as a number; otherwise: where it is none.
+double number_in(const JsonValue& value, double otherwise);
+
+// The value as it stands in a document. A number that is not finite is null. Text need not be UTF-8.
+std::string dumped(const JsonValue& value);
+
+// A document in the making, indented by two.
 class JsonText {
  public:
   JsonText() { begin(nullptr); }

@@ -1,6 +1,6 @@
 // The command `roughcontact`: arguments in, exit code out.
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -10,9 +10,9 @@
 #include "completion.h"
 #include "interrupt.h"
 #include "list_commands.h"
+#include "parser.h"
 #include "platform/libraries.h"
 #include "platform/terminal.h"
-#include "refusal.h"
 #include "solve_command.h"
 #include "standard_streams.h"
 #include "text.h"
@@ -34,41 +34,39 @@ std::string version() {
 
 // words: what follows the name of the command.
 int run(const std::vector<std::string>& words) {
-  CLI::App app{"Normal contact of rough surfaces on an elastic half-space, every answer certified", "roughcontact"};
-  app.allow_windows_style_options(false);  // "/x" is a path
-  app.set_version_flag("--version", version());
   cli::CommandLine line;
-  cli::add_commands(app, line);
+  cli::Command command = cli::whole_command(line);
+  command.version = version();
   if (!words.empty() && words[0] == "complete") {
-    cli::complete(app, {words.begin() + 1, words.end()});
+    cli::complete(command, {words.begin() + 1, words.end()});
     return cli::exit_certified;
   }
 
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes the last one first
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    cli::report(cli::refusal(app, words, error));
+  const cli::Parsed parsed = cli::parse(command, words);
+  if (!parsed.refusal.empty()) {
+    cli::report(parsed.refusal);
     return cli::exit_error;
   }
-
-  if (app.got_subcommand("solve")) return cli::run_solve(line.solve);
-  if (app.got_subcommand("generate")) {
-    cli::generate(app.get_subcommand("generate")->get_subcommands().front()->get_name(), line.generate);
+  if (!parsed.answer.empty()) {
+    std::fputs(parsed.answer.c_str(), stdout);
+    return cli::exit_certified;
   }
-  if (app.got_subcommand("analyze")) cli::analyze(line.analyze);
-  if (app.got_subcommand("backends")) cli::list_backends();
-  if (app.got_subcommand("solvers")) cli::list_solvers();
-  if (app.got_subcommand("kernels")) cli::list_kernels();
-  if (app.got_subcommand("options")) cli::list_options();
-  if (app.got_subcommand("formats")) cli::list_formats();
-  if (app.get_subcommands().empty()) {
+  if (parsed.commands.empty()) {
     cli::report(
         "no command given, give solve, generate, analyze, backends, solvers, kernels, options or formats; see roughcontact "
         "--help");
     return cli::exit_error;
   }
+
+  const std::string& name = parsed.commands.front();
+  if (name == "solve") return cli::run_solve(line.solve);
+  if (name == "generate") cli::generate(parsed.commands.back(), line.generate);
+  if (name == "analyze") cli::analyze(line.analyze);
+  if (name == "backends") cli::list_backends();
+  if (name == "solvers") cli::list_solvers();
+  if (name == "kernels") cli::list_kernels();
+  if (name == "options") cli::list_options();
+  if (name == "formats") cli::list_formats();
   return cli::exit_certified;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "problem.h"
+
 namespace cli {
 
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "problem.h"
-
 namespace cli {
+
+struct Problem;
 
 struct Crossing {
   bool x = false, y = false;

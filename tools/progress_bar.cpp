@@ -13,7 +13,7 @@ namespace cli {
 namespace {
 
 constexpr auto redraw_interval = std::chrono::milliseconds(100);
-constexpr int bar_width = 30;
+constexpr int progress_width = 30;
 
 }  // namespace
 
@@ -37,9 +37,9 @@ void ProgressBar::update(const rc_progress& progress) {
 }
 
 void ProgressBar::draw(long long iteration, double residual, double seconds) {
-  const int filled = static_cast<int>(furthest_ * bar_width);
+  const int filled = static_cast<int>(furthest_ * progress_width);
   const std::string bar =
-      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(bar_width - filled), '.');
+      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(progress_width - filled), '.');
   std::string line =
       format("step %d/%zu [%s] iteration %lld  residual %.1e  %.1f s", step_, steps_, bar.c_str(), iteration, residual, seconds);
   line.resize(std::min(line.size(), rc_platform::terminal_width() - 1));  // a wrapped line could not be overwritten

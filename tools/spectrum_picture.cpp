@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
 
 double power_law(const rc_surface_power_law& law, double q) { return law.prefactor * std::pow(q, law.slope); }
 
-std::string length_text(double q) { return with_prefix(wavelength(q), "m"); }
+std::string wavelength_text(double q) { return with_prefix(wavelength(q), "m"); }
 
 // A line across the picture; spectra fall, so there is room beside its upper end.
 std::string mark(int number, double q, const char* text, double height) {
@@ -37,7 +37,7 @@ std::string mark(int number, double q, const char* text, double height) {
   return format(
              "set arrow %d from first %.9g,graph 0 to first %.9g,graph 1 nohead dashtype 2 linewidth 2 linecolor rgb '#707070'\n",
              number, q, q) +
-         format("set label %d '%s %s' at first %.9g,graph %g offset 0.6,0\n", number, text, length_text(q).c_str(), q, height);
+         format("set label %d '%s %s' at first %.9g,graph %g offset 0.6,0\n", number, text, wavelength_text(q).c_str(), q, height);
 }
 
 std::string peaks(const rc_surface_power_law& law) {
@@ -87,7 +87,7 @@ Gnuplot draw_spectrum(const Analysis& analysis, std::FILE* file) {
   }
   if (law.peaks > 0) {
     script += format(", NaN with lines linewidth 2 linecolor rgb '#c04000' title 'texture, %s'",
-                     length_text(std::hypot(law.peak_qx[0], law.peak_qy[0])).c_str());
+                     wavelength_text(std::hypot(law.peak_qx[0], law.peak_qy[0])).c_str());
   }
   script += "\n";
 

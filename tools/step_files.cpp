@@ -19,7 +19,7 @@ namespace {
 HistoryPoint history_point(const EarlierStep& step) {
   const auto number = [&step](std::string_view field) {
     for (const auto& [place, value] : step.fields) {
-      if (place.ends_with(field) && value.is_number()) return value.get<double>();
+      if (place.ends_with(field)) return number_in(value, std::numeric_limits<double>::quiet_NaN());
     }
     return std::numeric_limits<double>::quiet_NaN();
   };

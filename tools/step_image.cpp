@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "problem.h"
 #include "step_fields.h"
 
 namespace cli {
@@ -14,15 +15,11 @@ StepImage make_image(const Problem& problem, std::span<const JsonEntry> step, co
                   {"gap", "m", fields.gap.data()}};
   if (!fields.indentation.empty()) image.fields.push_back({"indentation", "m", fields.indentation.data()});
   for (const JsonEntry& entry : step) {
-    StepImage::Number number{std::string(name_of(entry)), std::string(unit_of(name_of(entry))), 0.0};
-    const JsonValue& value = entry.value;
-    if (value.is_string()) {
-      number.value = value.get<std::string>();
-    } else if (value.is_number_integer()) {
-      number.value = value.get<std::int64_t>();
-    } else {
-      number.value = value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-    }
+    StepImage::Number number{std::string(name_of(entry)), std::string(unit_of(name_of(entry))),
+                             std::numeric_limits<double>::quiet_NaN()};
+    if (const auto* const text = std::get_if<std::string>(&entry.value)) number.value = *text;
+    if (const auto* const whole = std::get_if<std::int64_t>(&entry.value)) number.value = *whole;
+    if (const auto* const real = std::get_if<double>(&entry.value)) number.value = *real;
     image.numbers.push_back(std::move(number));
   }
   return image;

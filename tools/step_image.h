@@ -10,9 +10,10 @@
 
 #include "contact_measures.h"
 #include "json_text.h"
-#include "problem.h"
 
 namespace cli {
+
+struct Problem;
 
 struct StepImage {
   struct Field {

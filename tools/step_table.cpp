@@ -12,11 +12,11 @@ namespace {
 
 // As RFC 4180 has it: a text that could be taken apart stands in quotes, and a quote in it is doubled.
 std::string cell(const JsonValue& value) {
-  if (!value.is_string()) {
-    const std::string number = value.dump();
+  if (!std::holds_alternative<std::string>(value)) {
+    const std::string number = dumped(value);
     return number == "null" ? "" : number;  // also where it is not finite
   }
-  const auto& text = value.get_ref<const std::string&>();
+  const auto& text = std::get<std::string>(value);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::ostringstream quoted;
   quoted << std::quoted(text, '"', '"');

@@ -68,7 +68,7 @@ std::string Summary::text(std::size_t removing) const {
   if (removing == 0) return document_.text();
   JsonText document = document_;
   document.end();
-  document.add("removing", removing);
+  document.add("removing", static_cast<std::int64_t>(removing));
   return document.text();
 }
 

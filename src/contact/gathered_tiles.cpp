@@ -1,17 +1,16 @@
 #include "contact/gathered_tiles.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "contact/step_surface.h"
 #include "core/error.h"
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
 
 constexpr std::int64_t side = StepSurface::tile;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

@@ -7,13 +7,13 @@
 
 #include "core/error.h"
 #include "core/large_memory.h"
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
 
 constexpr std::int64_t tile = StepSurface::tile;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Results of a pass over one row of tiles.
 struct Summary {
@@ -289,7 +289,7 @@ struct Moments {
 };
 
 // The sum of term(0) .. term(n-1).
-template <class Term> double sum_of(std::int64_t n, const Term& term) {
+template <class Term> double sum_of_points(std::int64_t n, const Term& term) {
   constexpr std::int64_t lanes = 8;
   double sum[lanes] = {};
   std::int64_t k = 0;
@@ -318,9 +318,9 @@ const StepSurface::HeightMoments& StepSurface::height_moments() const {
           if (included(static_cast<std::size_t>(first + k))) height[n++] = height[k];
       }
       const double mean =
-          sum_of(n, [&](std::int64_t k) { return height[k]; }) / static_cast<double>(std::max<std::int64_t>(n, 1));
+          sum_of_points(n, [&](std::int64_t k) { return height[k]; }) / static_cast<double>(std::max<std::int64_t>(n, 1));
       all = all + Moments{static_cast<double>(n), mean,
-                          sum_of(n, [&](std::int64_t k) { return (height[k] - mean) * (height[k] - mean); })};
+                          sum_of_points(n, [&](std::int64_t k) { return (height[k] - mean) * (height[k] - mean); })};
     }
     return all;
   };

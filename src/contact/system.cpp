@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <numbers>
-#include <sstream>
 #include <variant>
 #include <vector>
 
@@ -86,15 +84,12 @@ void probe_callback(System& result) {
 
 // Everything that a component can see of the half-space, the kernel's options included.
 std::string key_of(const System& system, const rc_options& options, double cell) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
   const rc_system& unit = system.unit;
-  text << std::hexfloat << system.kernel << ' ' << unit.nx << ' ' << unit.ny << ' ' << unit.boundary << ' ' << unit.hx << ' '
-       << unit.hy << ' ' << unit.hardness << ' ' << cell << ' ' << system.given.modulus;
+  std::string text = join(system.kernel, " ", unit.nx, " ", unit.ny, " ", unit.boundary, " ", exact(unit.hx), " ", exact(unit.hy),
+                          " ", exact(unit.hardness), " ", exact(cell), " ", exact(system.given.modulus));
   for (const OptionSpec* spec : options.context->known_options())
-    if (spec->key.starts_with(system.kernel + '.'))
-      std::visit([&](const auto& value) { text << ' ' << spec->key << '=' << value; }, options.values.get(*spec));
-  return text.str();
+    if (spec->key.starts_with(system.kernel + '.')) text += join(" ", spec->key, "=", options.values.text_of(*spec));
+  return text;
 }
 
 Promises promises_of(const System& system) {

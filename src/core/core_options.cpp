@@ -11,7 +11,7 @@ constexpr rc_option_spec fixed(rc_option_spec spec) {
   return spec;
 }
 
-constexpr rc_option_spec specs[] = {
+constexpr rc_option_spec core_specs[] = {
     text_option(RC_OPT_SOLVER, "auto", nullptr, "solver by name; auto: the one that needs least time, by its own estimate"),
     text_option(RC_OPT_BACKEND, "auto", nullptr,
                 "backend by name, or a preference list \"a,b\"; auto: the one that needs least time, by its own estimate"),
@@ -44,6 +44,6 @@ constexpr rc_option_spec specs[] = {
 
 }  // namespace
 
-std::vector<OptionSpec> core_options() { return {std::begin(specs), std::end(specs)}; }
+std::vector<OptionSpec> core_options() { return {std::begin(core_specs), std::end(core_specs)}; }
 
 }  // namespace rc

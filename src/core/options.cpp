@@ -92,6 +92,13 @@ OptionValue parsed_value(const OptionSpec& spec, std::string_view text) {
 
 void OptionSet::set(const OptionSpec& spec, const OptionValue& value) { values_[spec.key] = checked_value(spec, value); }
 
+std::string OptionSet::text_of(const OptionSpec& spec) const {
+  const OptionValue& value = get(spec);
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return join(*number);
+  if (const auto* number = std::get_if<double>(&value)) return exact(*number);
+  return std::get<std::string>(value);
+}
+
 const OptionValue& OptionSet::get(const OptionSpec& spec) const {
   const auto it = values_.find(spec.key);
   return it != values_.end() ? it->second : spec.parsed_default;

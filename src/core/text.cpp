@@ -2,9 +2,48 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <iterator>
 #include <numeric>
 
 namespace rc {
+
+std::string in_digits(double value, int significant) {
+  char digits[32];
+  return {digits, std::to_chars(digits, std::end(digits), value, std::chars_format::general, significant).ptr};
+}
+
+void TextPart::append_to(std::string& text) const {
+  char digits[32];
+  std::to_chars_result end{digits, {}};
+  switch (kind_) {
+    case Kind::text:
+      text += text_;
+      return;
+    case Kind::letter:
+      text += letter_;
+      return;
+    case Kind::real:
+      text += in_digits(real_, 12);
+      return;
+    case Kind::integer:
+      end = std::to_chars(digits, std::end(digits), integer_);
+      break;
+    case Kind::count:
+      end = std::to_chars(digits, std::end(digits), count_);
+      break;
+    case Kind::address:
+      text += "0x";
+      end = std::to_chars(digits, std::end(digits), reinterpret_cast<std::uintptr_t>(address_), 16);
+  }
+  text.append(digits, end.ptr);
+}
+
+std::string joined(std::initializer_list<TextPart> parts) {
+  std::string text;
+  for (const TextPart& part : parts) part.append_to(text);
+  return text;
+}
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;

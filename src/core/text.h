@@ -1,24 +1,50 @@
 // Text helpers that do not depend on the locale.
 #pragma once
 
-#include <locale>
+#include <concepts>
+#include <initializer_list>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rc {
 
-template <class... Parts> std::string join(const Parts&... parts) {
-  std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // else a text, or a path, would end silently where memory ran out
-  out.imbue(std::locale::classic());
-  out.precision(12);
-  (out << ... << parts);
-  return out.str();
-}
+// A part of a text: characters, a number or an address. It refers to characters of others.
+class TextPart {
+ public:
+  TextPart(std::string_view text) : kind_(Kind::text), text_(text) {}
+  TextPart(const char* text) : TextPart(std::string_view(text)) {}
+  TextPart(const std::string& text) : TextPart(std::string_view(text)) {}
+  TextPart(const void* address) : kind_(Kind::address), address_(address) {}
+  TextPart(char letter) : kind_(Kind::letter), letter_(letter) {}
+  TextPart(double real) : kind_(Kind::real), real_(real) {}
+  TextPart(std::signed_integral auto number) : kind_(Kind::integer), integer_(number) {}
+  TextPart(std::unsigned_integral auto number) : kind_(Kind::count), count_(number) {}
+
+  void append_to(std::string& text) const;
+
+ private:
+  enum class Kind { text, address, letter, real, integer, count } kind_;
+  union {
+    std::string_view text_;
+    const void* address_;
+    char letter_;
+    double real_;
+    long long integer_;
+    unsigned long long count_;
+  };
+};
+
+// The same text in every locale; "inf" and "nan" as well.
+std::string in_digits(double value, int significant);
+// In digits that tell any two numbers apart.
+inline std::string exact(double value) { return in_digits(value, 17); }
+
+std::string joined(std::initializer_list<TextPart> parts);
+// Reals have up to 12 digits.
+std::string join(const auto&... parts) { return joined({TextPart(parts)...}); }
 
 std::vector<std::string> split(std::string_view text, char separator);
 

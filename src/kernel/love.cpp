@@ -15,17 +15,17 @@ double integral(double x, double y) {
   return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y));
 }
 
-double closed(double x, double y, double side) {
+double corner_term(double x, double y, double side) {
   const double left = x - 0.5, right = x + 0.5, lower = y - side / 2, upper = y + side / 2;
   return (integral(right, upper) - integral(left, upper) - integral(right, lower) + integral(left, lower)) / side;
 }
 
-double on_line(double x, double y) { return std::asinh((x + 0.5) / y) - std::asinh((x - 0.5) / y); }
+double line_term(double x, double y) { return std::asinh((x + 0.5) / y) - std::asinh((x - 0.5) / y); }
 
 }  // namespace
 
 void love(double hx, double hy, const Window& window, double* out) {
-  fill_rectangle({box, on_line, closed}, hx, hy, window, out);
+  fill_rectangle({box, line_term, corner_term}, hx, hy, window, out);
 }
 
 }  // namespace rc::kernel

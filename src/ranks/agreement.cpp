@@ -1,8 +1,6 @@
 #include "ranks/agreement.h"
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -11,27 +9,11 @@ namespace rc {
 
 namespace {
 
-std::string text_of(const rc_options& options, const OptionSpec& spec) {
-  const OptionValue& value = options.values.get(spec);
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return join(*number);
-  if (const auto* number = std::get_if<double>(&value)) return exact(*number);
-  return std::get<std::string>(value);
-}
-
 const char* which(const void* in_double, const void* in_single) {
   return in_double && in_single ? "both" : in_double ? "double" : in_single ? "float" : "none";
 }
 
 }  // namespace
-
-std::string exact(double value) {
-  std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // else it would end silently where memory ran out
-  out.imbue(std::locale::classic());
-  out.precision(17);
-  out << value;
-  return out.str();
-}
 
 std::vector<Fact> facts_of(const rc_system& system, const rc_options& options) {
   std::int32_t major = 0, minor = 0, patch = 0, abi = 0;
@@ -46,7 +28,7 @@ std::vector<Fact> facts_of(const rc_system& system, const rc_options& options) {
                           {"rc_system.modulus", exact(system.modulus)},
                           {"rc_system.hardness", exact(system.hardness)}};
   for (const OptionSpec* spec : options.context->known_options())
-    if (spec->key != RC_OPT_THREADS) facts.push_back({join("option ", spec->key), text_of(options, *spec)});
+    if (spec->key != RC_OPT_THREADS) facts.push_back({join("option ", spec->key), options.values.text_of(*spec)});
   return facts;
 }
 

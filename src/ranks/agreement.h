@@ -15,9 +15,6 @@ struct Fact {
   std::string name, value;
 };
 
-// In digits that tell any two numbers apart.
-std::string exact(double value);
-
 std::vector<Fact> facts_of(const rc_system& system, const rc_options& options);
 // What is given, and what is asked for; not the values at points.
 std::vector<Fact> facts_of(const rc_step& step, const rc_result& result);

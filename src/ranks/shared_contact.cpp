@@ -12,7 +12,7 @@ namespace rc {
 
 namespace {
 
-constexpr std::int64_t least_side = 32;
+constexpr std::int64_t least_shared_side = 32;
 
 // What a contact on rows cannot do yet is refused by the option that asks for it.
 void check_options(const rc_options& options) {
@@ -70,7 +70,7 @@ Given given_by(const rc_step& step, const rc_result& result) {
 
 }  // namespace
 
-bool solved_alike(const rc_system& system) { return std::min(system.nx, system.ny) < least_side; }
+bool solved_alike(const rc_system& system) { return std::min(system.nx, system.ny) < least_shared_side; }
 
 SharedContact::SharedContact(const Ranks& ranks, const rc_system& system, const rc_options& options)
     : ranks_(ranks.on(checked(system, options).ny, !solved_alike(system))), alike_(solved_alike(system)) {

@@ -52,7 +52,7 @@ template <class Vtable> void check_bit(const Vtable& component, std::uint64_t bi
          "() but its caps say otherwise");
 }
 
-void check(const rc_backend& backend) {
+void check_members(const rc_backend& backend) {
   if (!backend.create || !backend.destroy || !backend.bind || !backend.apply || !backend.field || !backend.modelled)
     fail(RC_ERR_PLUGIN, "backend \"", backend.name, "\" lacks one of create, destroy, bind, apply, field, modelled");
   if (!backend.fetch != !backend.store)
@@ -64,12 +64,12 @@ void check(const rc_backend& backend) {
   check_bit(backend, RC_CAP_SCREEN, backend.screen != nullptr, "screen");
 }
 
-void check(const rc_solver& solver) {
+void check_members(const rc_solver& solver) {
   if (!solver.solve || (solver.controls & RC_CONTROL_DISPLACEMENT) == 0)
     fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" lacks solve or displacement control");
 }
 
-void check(const rc_kernel& kernel) {
+void check_members(const rc_kernel& kernel) {
   check_bit(kernel, RC_KERNEL_FREE, kernel.window != nullptr, "window");
   check_bit(kernel, RC_KERNEL_PERIODIC, kernel.symbol != nullptr, "symbol");
   if (!kernel.window && !kernel.symbol) fail(RC_ERR_PLUGIN, "kernel \"", kernel.name, "\" lacks window and symbol");
@@ -102,7 +102,7 @@ void Context::add_component(std::deque<Component<Vtable>>& components, const Vta
          "\"; names are [a-z][a-z0-9_-]*, at most 31 characters");
   if (!copy.summary || !copy.license) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" lacks a summary or a licence");
   if (knows(copy.name)) fail(RC_ERR_PLUGIN, "a component named \"", copy.name, "\" is registered already");
-  check(copy);
+  check_members(copy);
   if (copy.n_options > 0 && !copy.options) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\" has options, but the list is null");
   for (std::int64_t i = 0; i < copy.n_options; ++i) {
     if (!copy.options[i]) fail(RC_ERR_PLUGIN, "component \"", copy.name, "\": option ", i, " is null");

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/limits.h"
 #include "kernel/lowest_eigenvalue.h"
 
 namespace rc {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double round_off = 1e-9;     // by which promises may be missed
 constexpr std::int64_t patch = 8;      // cells along a side of the patch on which promises are looked at
 constexpr double unlooked = 1 - 1e-6;  // of a lowest eigenvalue that is looked up: transforms round

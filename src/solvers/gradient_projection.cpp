@@ -12,9 +12,9 @@ namespace rc {
 
 namespace {
 
-constexpr double progress = 0.9;         // the residual falls when it is below this share of its value at the last fall
-constexpr std::int64_t patience = 1000;  // iterations without such a fall, after which the solver has stalled
-constexpr double visible = 1e-6;         // least size of a step, relative to p, whose curvature is above round-off
+constexpr double gp_progress = 0.9;         // the residual falls when it is below this share of its value at the last fall
+constexpr std::int64_t gp_patience = 1000;  // iterations without such a fall, after which the solver has stalled
+constexpr double visible = 1e-6;            // least size of a step, relative to p, whose curvature is above round-off
 
 class Descent {
  public:
@@ -27,7 +27,7 @@ class Descent {
   rc_status run() {
     if (std::any_of(p_.begin(), p_.end(), [](double value) { return value > 0; })) problem_.apply(p_, hp_);
     Vector previous = p_, h_previous = hp_;
-    Stall stalls(progress, patience);
+    Stall stalls(gp_progress, gp_patience);
     // H s is combined from products with p: the residual of p needs no product of its own.
     for (std::int64_t k = 0, i = 0; k < settings_.steps; ++k, ++i) {
       const Residual residual = residual_of(problem_, p_, hp_);
@@ -79,11 +79,11 @@ constexpr rc_option_spec lipschitz = text_option("gp.lipschitz", "collatz", "col
                                                  "Frobenius norm, as published, where the backend has it");
 constexpr rc_option_spec restart =
     int_option("gp.restart", "1", 0, 1, "1: the acceleration starts afresh where it points uphill; 0: never, as published");
-const rc_option_spec* const specs[] = {&lipschitz, &restart};
+const rc_option_spec* const gp_specs[] = {&lipschitz, &restart};
 
 }  // namespace
 
-const Options gp_options = listed(specs);
+const Options gp_options = listed(gp_specs);
 
 rc_status gradient_projection(const Problem& problem, Vector& p, double& d, GradientSettings settings) {
   return Descent(problem, p, d, settings).run();

@@ -12,9 +12,9 @@
 // Iterations are counted in solves, each on one contact set.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "core/limits.h"
 #include "solvers/common/largest_eigenvalue.h"
 #include "solvers/common/residual.h"
 #include "solvers/gradient_projection.h"
@@ -27,8 +27,7 @@ namespace {
 constexpr int block_attempts = 10;           // exchanges that do not lower the number of infeasible points
 constexpr std::int64_t start_directly = 64;  // most points for which the first set is {u > 0}; with more, gradient steps find it
 constexpr std::int64_t gradient_steps = 30, warm_gradient_steps = 25;
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double round_off = 1e-15;  // relative to the largest pressure: below, a pressure has vanished
+constexpr double nnls_round_off = 1e-15;  // relative to the largest pressure: below, a pressure has vanished
 
 enum class State : char { open, free, capped };
 
@@ -138,7 +137,7 @@ class Pivoting {
         p_[i] += length * (solution_[k] - p_[i]);
         if (length == 1 && is_between(solution_[k])) p_[i] = solution_[k];
         const bool up = solution_[k] > 0;
-        if (is_between(solution_[k]) || (up ? cap_ - p_[i] > round_off * cap_ : p_[i] > round_off * largest)) continue;
+        if (is_between(solution_[k]) || (up ? cap_ - p_[i] > nnls_round_off * cap_ : p_[i] > nnls_round_off * largest)) continue;
         p_[i] = up ? cap_ : 0;
         state_[i] = up ? State::capped : State::open;
         left = true;
@@ -232,11 +231,11 @@ class Pivoting {
 constexpr rc_option_spec pivoting =
     text_option("nnls.pivoting", "block", "block|single",
                 "block: all infeasible points at once, a handful of solves; single: one point a solve, as published");
-const rc_option_spec* const specs[] = {&pivoting};
+const rc_option_spec* const nnls_specs[] = {&pivoting};
 
 }  // namespace
 
-const Options nnls_options = listed(specs);
+const Options nnls_options = listed(nnls_specs);
 
 rc_status nnls(const Problem& problem, Vector& p, double&) {
   Pivoting pivoting_method(problem, p);

@@ -5,8 +5,8 @@
 // there as well, rest while the bodies overlap, and are released where a gap opens.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/limits.h"
 #include "core/stall.h"
 #include "core/sums.h"
 #include "solvers/common/residual.h"
@@ -16,12 +16,11 @@ namespace rc {
 
 namespace {
 
-constexpr int refresh_every = 25;    // updates of H p between products that remove its drift
-constexpr double progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
-constexpr int patience = 300;        // iterations without such a fall, after which the solver has stalled
-constexpr double round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
+constexpr int refresh_every = 25;       // updates of H p between products that remove its drift
+constexpr double pk_progress = 0.9;     // the residual falls when it is below this share of its value at the last fall
+constexpr int pk_patience = 300;        // iterations without such a fall, after which the solver has stalled
+constexpr double pk_round_off = 1e-13;  // of a curvature t'Ht, relative to |t|^2 times the largest |H t| / |t| seen
 constexpr double same_load = 1e-15;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Iteration {
  public:
@@ -142,8 +141,8 @@ class Iteration {
     if (std::isnan(curvature)) not_definite(curvature);
     const double size = dot(t_, t_);
     steepest_ = std::max(steepest_, std::sqrt(dot(q_, q_) / size));
-    if (curvature > round_off * steepest_ * size) return slope > 0 ? slope / curvature : 0;
-    if (curvature < -round_off * steepest_ * size) not_definite(curvature);
+    if (curvature > pk_round_off * steepest_ * size) return slope > 0 ? slope / curvature : 0;
+    if (curvature < -pk_round_off * steepest_ * size) not_definite(curvature);
     return first_bound();
   }
 
@@ -180,7 +179,7 @@ class Iteration {
   }
 
   rc_status iterate() {
-    Stall stalls(progress, patience);
+    Stall stalls(pk_progress, pk_patience);
     for (std::int64_t iteration = 0;; ++iteration) {
       double r = residual();
       if (r <= problem_.tol() && since_refresh_ > 0) {

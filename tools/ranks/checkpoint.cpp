@@ -16,7 +16,7 @@ void Checkpoint::write(std::size_t step, std::int64_t iterations, const std::vec
   write_rows(ranks_, folder_ / array_name(), pressure, row_.problem.system.nx, row_.problem.system.ny, row_.rows);
   ranks_.on_first([&] {
     JsonText note;
-    note.add({{"step", step}, {"iterations", iterations}, {"second", second_}});
+    note.add({{"step", static_cast<std::int64_t>(step)}, {"iterations", iterations}, {"second", second_}});
     write_whole_file(folder_ / note_name, note.text());
   });
   second_ = !second_;
@@ -28,9 +28,11 @@ std::optional<std::int64_t> Checkpoint::read(std::size_t step, std::vector<doubl
     const auto entries = read_json(run_->files().read(note_name));
     std::int64_t of_step = 0, found = -1;
     for (const auto& [place, value] : entries.value_or(std::vector<JsonEntry>{})) {
-      if (place == "/step" && value.is_number_integer()) of_step = value.get<std::int64_t>();
-      if (place == "/iterations" && value.is_number_integer()) found = value.get<std::int64_t>();
-      if (place == "/second" && value.is_boolean()) second = value.get<bool>() ? 1 : 0;
+      const auto* const whole = std::get_if<std::int64_t>(&value);
+      if (place == "/step" && whole) of_step = *whole;
+      if (place == "/iterations" && whole) found = *whole;
+      const auto* const truth = std::get_if<bool>(&value);
+      if (place == "/second" && truth) second = *truth ? 1 : 0;
     }
     if (of_step == static_cast<std::int64_t>(step)) iterations = found;
   });

@@ -1,14 +1,14 @@
 // The command `roughcontact-mpi`: arguments in, the same exit code on every rank out.
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "parser.h"
 #include "platform/terminal.h"
 #include "press.h"
-#include "refusal.h"
 #include "solve_options.h"
 #include "standard_streams.h"
 #include "text.h"
@@ -29,35 +29,30 @@ Exit code, on every rank: 0 every step is certified, 1 wrong input or a failed c
 written, marked by their status). A run that was ended goes on with --resume.
 )";
 
-void add_options(CLI::App& app, cli::RankArguments& arguments) {
-  app.footer(help);
-  app.allow_windows_style_options(false);  // "/x" is a path
+cli::Command whole_command(cli::RankArguments& arguments) {
+  cli::Command command{"roughcontact-mpi", "Normal contact of a rough surface that the ranks of an MPI program share", help};
   cli::SolveArguments& solve = arguments.solve;
-  cli::add_surface(app, solve.surface, "Missing points: reject (default) or exclude (from contact)", true);
-  cli::add_other_body(app, solve.surface);
-  cli::add_loading(app, solve);
-  cli::add_method(app, solve, "Threads of each rank; 1");
-  app.add_option("--out", solve.out, "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy")
-      ->type_name("DIR")
-      ->group("Output");
-  app.add_option("--checkpoint", arguments.checkpoint, "Write the pressures of a step every N iterations")
-      ->type_name("N")
-      ->group("Output");
-  cli::add_resume(app, solve);
-  cli::add_quiet(app, solve);
+  cli::add_surface(command, solve.surface, "Missing points: reject (default) or exclude (from contact)", true);
+  cli::add_other_body(command, solve.surface);
+  cli::add_loading(command, solve);
+  cli::add_method(command, solve, "Threads of each rank; 1");
+  command.add("Output", {{"--out", &solve.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy"},
+                         {"--checkpoint", &arguments.checkpoint, "N", "Write the pressures of a step every N iterations"}});
+  cli::add_resume(command, solve);
+  cli::add_quiet(command, solve);
+  return command;
 }
 
 int run(const cli::Communicator& ranks, const std::vector<std::string>& words) {
-  CLI::App app{"Normal contact of a rough surface that the ranks of an MPI program share", "roughcontact-mpi"};
   cli::RankArguments arguments;
-  add_options(app, arguments);
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes the last one first
-  } catch (const CLI::Success& success) {
-    return ranks.first() ? app.exit(success) : cli::exit_certified;
-  } catch (const CLI::ParseError& error) {
-    if (ranks.first()) cli::report(cli::refusal(app, words, error));
+  const cli::Parsed parsed = cli::parse(whole_command(arguments), words);
+  if (!parsed.refusal.empty()) {
+    if (ranks.first()) cli::report(parsed.refusal);
     return cli::exit_error;
+  }
+  if (!parsed.answer.empty()) {
+    if (ranks.first()) std::fputs(parsed.answer.c_str(), stdout);
+    return cli::exit_certified;
   }
   return cli::press(ranks, arguments);
 }

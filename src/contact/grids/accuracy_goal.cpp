@@ -12,19 +12,19 @@
 #include "contact/step/target.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
 
-constexpr std::int64_t least_side = 16;  // of a coarser grid
+constexpr std::int64_t least_coarse_side = 16;  // of a coarser grid
 constexpr std::size_t most_grids = 12;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A periodic grid must halve without a remainder, or its period would change.
 bool can_be_halved(const rc_system& system) {
   const bool even = system.nx % 2 == 0 && system.ny % 2 == 0;
-  return std::min(system.nx, system.ny) >= 2 * least_side && (even || system.boundary != RC_BOUNDARY_PERIODIC);
+  return std::min(system.nx, system.ny) >= 2 * least_coarse_side && (even || system.boundary != RC_BOUNDARY_PERIODIC);
 }
 
 double relative(double difference, double value) {

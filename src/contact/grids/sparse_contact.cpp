@@ -23,13 +23,13 @@ namespace rc {
 
 namespace {
 
-constexpr double coarse_tol = 1e-2;  // of an estimate: spreading the pressures loses further digits
-constexpr double halo = 0.02;        // of the depth: tiles, or points, with a smaller gap under the estimate become unknowns
-constexpr double headroom = 0.1;     // of the depth: room for an approach above its estimate, in load control
-constexpr int most_rounds = 8;       // of adding tiles
-constexpr double near = 0.02;        // largest relative change of the target at which the last step serves as estimate
-constexpr double near_line = 0.3;    // the same for the line through the last two steps
-constexpr std::int64_t least_side = 64;
+constexpr double estimate_tol = 1e-2;  // of an estimate: spreading the pressures loses further digits
+constexpr double halo = 0.02;          // of the depth: tiles, or points, with a smaller gap under the estimate become unknowns
+constexpr double headroom = 0.1;       // of the depth: room for an approach above its estimate, in load control
+constexpr int most_tile_rounds = 8;    // of adding tiles
+constexpr double near_target = 0.02;   // largest relative change of the target at which the last step serves as estimate
+constexpr double near_line = 0.3;      // the same for the line through the last two steps
+constexpr std::int64_t least_sparse_side = 64;
 constexpr std::int64_t most_coarse_points = 8192 * 8192;  // of the grid that gives the estimate
 constexpr std::int64_t compact = 16;            // boxes of at most 1/compact of the grid's points are solved whole, by transforms
 constexpr std::int64_t most_compact = 1 << 20;  // points of such a box that every rank solves alike
@@ -154,7 +154,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     if (!std::isfinite(answer.compression)) return std::nullopt;
 
     estimate = {answer.pressures(), by_load ? lowest + answer.compression : step.target};
-    const bool last = answer.status != RC_OK || round == most_rounds;
+    const bool last = answer.status != RC_OK || round == most_tile_rounds;
     if (whole) {
       if (last || answer.compression <= limit - lowest) return answer;
       continue;
@@ -184,7 +184,7 @@ std::optional<Estimate> last_estimate(const Workspace& work, const Memory& memor
   const double before = by_load ? last.load : last.approach - work.surface.lowest();
   const double now = by_load ? step.target : step.target - work.surface.lowest();
   const double part = sparse(older.pressures) ? memory.ahead(step) : 0;
-  if (!(std::abs(now - before) <= (part != 0 ? near_line : near) * before) || !sparse(last.pressures)) return std::nullopt;
+  if (!(std::abs(now - before) <= (part != 0 ? near_line : near_target) * before) || !sparse(last.pressures)) return std::nullopt;
   Pressures found = last.pressures.positive();
   if (part != 0) {
     found.p = memory.start(step, found.on, 1, std::numeric_limits<double>::infinity(), nullptr);
@@ -224,9 +224,9 @@ std::vector<std::int64_t> points_of(const Pressures& coarse, const Blocks& block
 // The estimate from a coarser grid, which has its own from a still coarser one. dense: wanted even where contact is not sparse.
 std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& step, const Monitor& monitor, bool dense) {
   const rc_system& system = work.system.given;
-  if (std::min(system.nx, system.ny) < 2 * least_side) return std::nullopt;
+  if (std::min(system.nx, system.ny) < 2 * least_sparse_side) return std::nullopt;
   rc_options options = coarse_options(work.options, monitor);
-  options.set(RC_OPT_TOL, std::max(coarse_tol, work.options.real(RC_OPT_TOL)));
+  options.set(RC_OPT_TOL, std::max(estimate_tol, work.options.real(RC_OPT_TOL)));
   const int halvings = work.surface.tiles() ? 1 : halvings_of(work.system.points());
   const HalvedGrid grid(work, options, halvings);
   Workspace& half = grid.contact().work();

@@ -15,14 +15,14 @@
 #include "contact/history/many.h"
 #include "core/cancelled.h"
 #include "core/error.h"
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_text = 640;
-constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(double));
+constexpr std::int64_t most_values = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(double));
 
 // The distance from one contact's values to the next one's.
 std::int64_t resolved_stride(std::int64_t stride, std::int64_t values, std::int64_t n, const char* name, const char* least) {
@@ -30,8 +30,8 @@ std::int64_t resolved_stride(std::int64_t stride, std::int64_t values, std::int6
   if (stride != 0 && stride < values)
     fail(RC_ERR_SHAPE, "rc_batch.", name, " = ", stride, " must be 0, RC_BATCH_SHARED (-1) or at least ", least, " = ", values);
   const std::int64_t result = std::max(stride, values);
-  if (result > 0 && n > most / result)
-    fail(RC_ERR_SHAPE, "rc_batch: n = ", n, " contacts of ", result, " values are more than ", most, " values");
+  if (result > 0 && n > most_values / result)
+    fail(RC_ERR_SHAPE, "rc_batch: n = ", n, " contacts of ", result, " values are more than ", most_values, " values");
   return result;
 }
 
@@ -50,9 +50,9 @@ struct Request {
     given.undeformed_gap_stride = resolved_stride(given.undeformed_gap_stride, points, given.n, "undeformed_gap_stride", "nx*ny");
     given.mask_stride = resolved_stride(given.mask_stride, points, given.n, "mask_stride", "nx*ny");
     if (given.n == 0 || given.steps == 0) return;
-    if (given.n > most / std::max(given.steps, points))
+    if (given.n > most_values / std::max(given.steps, points))
       fail(RC_ERR_SHAPE, "rc_batch: n = ", given.n, " contacts of ", std::max(given.steps, points), " values are more than ",
-           most, " values");
+           most_values, " values");
     if (!given.targets) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
     if (!given.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
   }

@@ -14,7 +14,7 @@ namespace rc {
 namespace {
 
 // Points of one call: enough to be worth it, few enough for a stop to be seen soon.
-constexpr std::int64_t least_points = std::int64_t{1} << 22, most_points = std::int64_t{1} << 25;
+constexpr std::int64_t least_points_together = std::int64_t{1} << 22, most_points_together = std::int64_t{1} << 25;
 
 // What answers of many have no place for.
 bool asks_for_more(const Workspace& work, const rc_batch& batch) {
@@ -50,7 +50,7 @@ std::optional<ManySolve> ManySolve::of(const Workspace& work, const rc_batch& ba
   clear_message();
   if (status != RC_OK) return std::nullopt;
   const std::int64_t share = (batch.n + threads - 1) / threads;
-  many.at_once_ = std::max<std::int64_t>(1, std::clamp(share, least_points / points, most_points / points));
+  many.at_once_ = std::max<std::int64_t>(1, std::clamp(share, least_points_together / points, most_points_together / points));
   return many;
 }
 

@@ -5,14 +5,15 @@
 #include <optional>
 #include <span>
 
+#include "core/limits.h"
+
 namespace rc {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double product_error = 4;  // round-off of a product, in units of epsilon log2(n) times its size
-constexpr int most_rounds = 3;       // each leaves out the points that the round before proved open
+constexpr double product_error = 4;   // round-off of a product, in units of epsilon log2(n) times its size
+constexpr int most_bound_rounds = 3;  // each leaves out the points that the round before proved open
 
 double square(double x) { return x * x; }
 
@@ -59,7 +60,7 @@ class Proof {
     if (!std::isfinite(delta_square_ + doubt_)) return result;
     Extent support = undecided_pressures();  // no proof yet
     SumBound sum_bound = system_.periodic() ? better(sum_bound_below_mean(), sum_bound_of(support)) : sum_bound_of(support);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_bound_rounds; ++round) {
       distance_.tighten(distance(sum_bound, support, beta_, 0));
       distance_.tighten(distance_without_stray(sum_bound, support));
       const double before = points_of(support);

@@ -9,7 +9,7 @@ namespace rc {
 namespace {
 
 constexpr std::int64_t most_samples = 32;  // along each side
-constexpr std::size_t least_points = 16;
+constexpr std::size_t least_judged_points = 16;
 constexpr double most_mean_pressure = 0.1;  // over E*
 constexpr double most_tilt = 0.5;
 
@@ -43,7 +43,7 @@ std::string text(const char* format, double value) {
 double plane_share(const StepSurface& surface, std::int64_t nx, std::int64_t ny) {
   if (!(surface.range() > 0)) return 0;
   const std::vector<Sample> samples = samples_of(surface, nx, ny);
-  if (samples.size() < least_points) return 0;
+  if (samples.size() < least_judged_points) return 0;
   const double n = static_cast<double>(samples.size());
   Sample mean{};
   for (const Sample& s : samples) mean = {mean.x + s.x, mean.y + s.y, mean.z + s.z};

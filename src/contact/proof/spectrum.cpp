@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double dot(const double* a, const double* b, std::size_t n) {
   double sum[4] = {0, 0, 0, 0};

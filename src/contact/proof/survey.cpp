@@ -8,15 +8,15 @@ namespace rc {
 
 namespace {
 
-struct Largest {
+struct LargestTerms {
   double product = 0, gap = 0;
 
-  friend Largest operator+(const Largest& a, const Largest& b) {
+  friend LargestTerms operator+(const LargestTerms& a, const LargestTerms& b) {
     return {std::max(a.product, b.product), std::max(a.gap, b.gap)};
   }
 };
 
-constexpr double most = std::numeric_limits<double>::max();
+constexpr double largest_double = std::numeric_limits<double>::max();
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void mark_near(const StepSurface& surface, const TrialSet& on, std::span<const d
     const std::size_t n = std::min(Marks::together, end - first);
     surface.heights(on, first, n, gap);
     for (std::size_t k = 0; k < n; ++k) gap[k] = product[first + k] - (compression - gap[k]);
-    const auto apart = [&](std::size_t k) { return (gap[k] > limit) & (gap[k] <= most); };
+    const auto apart = [&](std::size_t k) { return (gap[k] > limit) & (gap[k] <= largest_double); };
     double open[lanes] = {};  // how many, counted first: few points are near
     for (std::size_t k = 0; k + lanes <= n; k += lanes)
       for (std::size_t lane = 0; lane < lanes; ++lane) open[lane] += apart(k + lane) ? 1.0 : 0.0;
@@ -54,7 +54,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
       surface.heights(answer.on(), first, n_here, gap);
       for (std::size_t k = 0; k < n_here; ++k) gap[k] = product[k] - (compression - gap[k]);
       // Without branches for each, which would be foreseen wrongly.
-      const auto touches = [&](std::size_t k) { return (p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= most)); };
+      const auto touches = [&](std::size_t k) { return (p[k] != 0) | !((gap[k] >= 0) & (gap[k] <= largest_double)); };
       for (std::size_t k = 0; k < n_here; ++k) flag[k] = touches(k) ? 1.0 : 0.0;
       std::uint64_t marked = 0;
       std::size_t k = 0;
@@ -80,9 +80,9 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
         larger(gap_of[0], gap[k]);
       }
     }
-    return Largest{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes)};
+    return LargestTerms{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes)};
   };
-  const Largest largest = surface.united(reduce<Largest>(n, surface.team(), body));
+  const LargestTerms largest = surface.united(reduce<LargestTerms>(n, surface.team(), body));
   return {touching.list(), largest.product, largest.gap};
 }
 

@@ -223,11 +223,7 @@ std::vector<Candidate> answered(const Question& question, std::optional<Error>* 
 
 // Two digits are enough of an estimate.
 std::string cost_of(const Candidate& pair) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(2);
-  out << pair.seconds << " s, " << pair.bytes / 1048576 << " MiB";
-  return out.str();
+  return join(in_digits(pair.seconds, 2), " s, ", in_digits(pair.bytes / 1048576, 2), " MiB");
 }
 
 // One line, without the end of it.

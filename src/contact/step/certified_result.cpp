@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -18,12 +17,11 @@
 #include "core/certificate_terms.h"
 #include "core/error.h"
 #include "core/large_memory.h"
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <std::size_t size> void copy_text(char (&to)[size], const char* text) { std::snprintf(to, size, "%s", text); }
 
@@ -264,7 +262,6 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
 }
 
 double fitting_compression(const Workspace& work, const Deflected& answer) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   struct Part {
     double sum = 0, moment = 0, least = -infinite;
     Part operator+(const Part& b) const { return {sum + b.sum, moment + b.moment, std::max(least, b.least)}; }

@@ -4,26 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "contact/step/problem_services.h"
 #include "contact/step/trial_set.h"
 #include "core/error.h"
+#include "core/limits.h"
 
 namespace rc {
 
 namespace {
 
-constexpr int most_rounds = 8;       // of enlarging the trial set
+constexpr int most_widenings = 8;    // of enlarging the trial set
 constexpr int most_approaches = 80;  // of the iteration on the approach
 constexpr double growth = 1.2;
-constexpr double margin = 1.05;       // of the bed of springs
+constexpr double bed_margin = 1.05;   // of the bed of springs
 constexpr double warm_margin = 1.02;  // of the last step's approach, in proportion to the load
-constexpr double near = 1.1;          // ratio of two loads up to which that is all that is needed
+constexpr double near_load = 1.1;     // ratio of two loads up to which that is all that is needed
 constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
-constexpr double farthest = 4;        // ratio of two loads above which the one's pressures are no help for the other
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double farthest_load = 4;   // ratio of two loads above which the one's pressures are no help for the other
 
 // Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
 // share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
@@ -33,8 +32,8 @@ double approach_estimate(double load, bool warm, const Workspace& work, const Ce
   const rc_system& s = work.system.given;
   const double ratio = warm ? std::max(1.0, load / last.load) : infinite;
   const double foretold = warm ? warm_margin * (last.approach - work.surface.lowest()) * ratio : infinite;
-  if (ratio <= near) return foretold;
-  return std::min(foretold, margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
+  if (ratio <= near_load) return foretold;
+  return std::min(foretold, bed_margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
 }
 
 // Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
@@ -102,7 +101,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
   const CertifiedStep& last = memory.last;
   const double lowest = surface.lowest(), load = step.target / system.cell_area();
   const double ratio = last.load > 0 ? step.target / last.load : infinite;
-  const bool near = step.warm_start != 0 && ratio <= farthest && ratio >= 1 / farthest, warm = near && last.same_gap;
+  const bool near = step.warm_start != 0 && ratio <= farthest_load && ratio >= 1 / farthest_load, warm = near && last.same_gap;
   const bool narrow = estimate && !estimate->dense;
   double height = narrow               ? growth * (estimate->approach - lowest)
                   : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
@@ -167,7 +166,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
     const bool covered = work.ranks() || trial.n == surface.included_points() || answer.compression <= answer.limit;
     const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
-    if (covered || !finite || answer.status != RC_OK || round == most_rounds) return answer;
+    if (covered || !finite || answer.status != RC_OK || round == most_widenings) return answer;
     height = growth * answer.compression;
     nearer = answer.pressures();
   }

@@ -12,7 +12,7 @@ namespace rc {
 namespace {
 
 constexpr int collatz_steps = 4, power_steps = 8;
-constexpr double margin = 1.15;  // power iteration approaches the eigenvalue from below
+constexpr double power_margin = 1.15;  // power iteration approaches the eigenvalue from below
 
 // Collatz (1942): for H without negative entries and any x > 0, max_i (Hx)_i / x_i >= lambda_max; it tightens as x nears the
 // Perron vector.
@@ -52,7 +52,7 @@ template <class Multiply> double power_estimate(std::size_t n, const Multiply& m
 
 double largest_eigenvalue(const Problem& problem) {
   if (problem.positive()) return collatz_bound(problem);
-  return margin *
+  return power_margin *
          power_estimate(static_cast<std::size_t>(problem.size()), [&](const Vector& x, Vector& y) { problem.apply(x, y); });
 }
 

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/limits.h"
 #include "core/sums.h"
 
 namespace rc {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 void scale(const Problem& problem, Vector& p) {
   const double sum = sum_of(p.size(), [&](std::size_t i) { return p[i]; });

@@ -25,13 +25,13 @@ namespace {
 constexpr rc_option_spec products =
     text_option("haar-cg.products", "mixed", "mixed|double", "mixed: single precision, corrected by some in double precision");
 constexpr rc_option_spec nested = int_option("haar-cg.nested", "1", 0, 1, "1: without a start, begin on coarser grids");
-constexpr rc_option_spec patience =
+constexpr rc_option_spec patience_option =
     int_option("haar-cg.patience", "120", 0, 1e6, "bounded steps without half the residual before the exact fallback takes over");
 constexpr rc_option_spec inverse =
     int_option("haar-cg.inverse", "600", 0, 4096,
                "most points in contact for which steps near each other keep the inverse of H there, 4 bytes a pair");
 constexpr std::string_view mixed_products = "mixed";
-const rc_option_spec* const specs[] = {&products, &nested, &patience, &inverse};
+const rc_option_spec* const haar_specs[] = {&products, &nested, &patience_option, &inverse};
 
 constexpr std::int64_t few_overlaps = 16;  // points without a gap at the approach: then all products are in double precision
 
@@ -97,7 +97,7 @@ rc_status iterate(const Problem& problem, std::span<double> p, double& d) {
 
 }  // namespace
 
-const Options haar_cg_options = listed(specs);
+const Options haar_cg_options = listed(haar_specs);
 
 rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   // A regular surface shows in the values of the whole grid, which ranks do not have.

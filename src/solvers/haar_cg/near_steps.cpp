@@ -15,11 +15,11 @@ namespace rc {
 
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int most_near_rounds = 6;
 constexpr double fall = 0.5;                  // of the residual in a round, at least
 constexpr double admission = 0.1;             // of the residual: points that overlap by more join the contact set
 constexpr std::size_t share = 16;             // the part of the contact set that may change at once
-constexpr std::size_t few = 4;                // points that may change in any case
+constexpr std::size_t few_changes = 4;        // points that may change in any case
 constexpr std::int64_t most_cells = 1 << 14;  // of the grid: products of larger ones cost more than the contact set
 constexpr int near_first = 12;                // steps near each other after which an inverse is made
 constexpr std::size_t room = 5;               // for a quarter more points than there are
@@ -123,7 +123,7 @@ bool NearSteps::know_product(std::span<const double> p, std::vector<double>& pro
   const double ahead = history.ahead, per_pressure = 1 / problem_.pressure_unit(), per_length = 1 / problem_.length_unit();
   std::size_t raised = 0;
   for (std::size_t i = 0; i < p.size(); ++i) raised += last.p[i] + ahead * (last.p[i] - before.p[i]) < 0 ? 1 : 0;
-  if (raised > few) return false;
+  if (raised > few_changes) return false;
   for (std::size_t i = 0; i < p.size(); ++i)
     product[i] = (last.product[i] + ahead * (last.product[i] - before.product[i])) * per_length;
   for (std::size_t i = 0; i < p.size() && raised > 0; ++i) {
@@ -153,7 +153,7 @@ bool NearSteps::inverse_made(std::span<const double> p) {
   if (n == 0 || n > most_) return false;
   Vector coupling;
   problem_.coefficients(grid.nx, grid.ny, coupling);
-  kept_.inverse = std::make_unique<ContactInverse>(grid.nx, grid.ny, coupling, n + n / room + few);
+  kept_.inverse = std::make_unique<ContactInverse>(grid.nx, grid.ny, coupling, n + n / room + few_changes);
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p[i] > 0 && !kept_.inverse->add(problem_.point(static_cast<std::int64_t>(i)))) return false;
   return true;
@@ -183,7 +183,7 @@ bool NearSteps::follow(State& state, std::span<double> p) {
   }
   for (std::size_t k = 0; k < stays.size(); ++k)
     if (!stays[k]) leaving.push_back(inverse.point(k));
-  if (joining.size() + leaving.size() > few + inverse.size() / share) return false;
+  if (joining.size() + leaving.size() > few_changes + inverse.size() / share) return false;
   for (const std::int64_t point : leaving) inverse.remove(point);
   state.touching = std::move(contact);
   for (const auto& [point, pressure] : released) {
@@ -230,7 +230,7 @@ bool NearSteps::solve(std::span<double> p, double& d) {
   bool known = know_product(p, product_);
   const double given = d;
   double before = std::numeric_limits<double>::infinity();
-  for (int round = 0; round <= most_rounds; ++round) {
+  for (int round = 0; round <= most_near_rounds; ++round) {
     if (round > 0) problem_.poll(round, state.residual);
     if (!known) problem_.apply(p.data(), product_.data());
     state.measure(product_, by_load, problem_.load(), highest, p);

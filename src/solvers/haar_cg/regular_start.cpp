@@ -11,9 +11,9 @@ namespace rc {
 namespace {
 
 constexpr int most_waves = 3;
-constexpr double rounding = 1e-10;  // of a vector's size: what is smaller is 0
+constexpr double dot_rounding = 1e-10;  // of a vector's size: what is smaller is 0
 
-double dot(const Vector& a, const Vector& b) {
+double dot_of(const Vector& a, const Vector& b) {
   return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }
 
@@ -36,15 +36,15 @@ void sum_neighbours(std::int64_t nx, std::int64_t ny, const Vector& v, Vector& o
 // as few dimensions, which Lanczos' method finds.
 bool few_waves(std::int64_t nx, std::int64_t ny, Vector v) {
   Vector before(v.size(), 0.0), next(v.size());
-  double size = std::sqrt(dot(v, v)), link = 0;
+  double size = std::sqrt(dot_of(v, v)), link = 0;
   if (!(size > 0)) return true;
   for (double& value : v) value /= size;
   for (int k = 0; k < most_waves; ++k) {
     sum_neighbours(nx, ny, v, next);
-    const double own = dot(v, next);
+    const double own = dot_of(v, next);
     for (std::size_t i = 0; i < v.size(); ++i) next[i] -= own * v[i] + link * before[i];
-    link = std::sqrt(dot(next, next));
-    if (link <= rounding) return true;
+    link = std::sqrt(dot_of(next, next));
+    if (link <= dot_rounding) return true;
     for (std::size_t i = 0; i < v.size(); ++i) {
       before[i] = v[i];
       v[i] = next[i] / link;
@@ -57,17 +57,17 @@ bool few_waves(std::int64_t nx, std::int64_t ny, Vector v) {
 bool press_flat(const Problem& problem, const Vector& height, std::span<double> p) {
   const auto n = static_cast<double>(p.size());
   Vector found(p.size(), problem.load() / n), left = height, t = left, q(p.size());
-  const double first = dot(left, left);
-  for (int k = 0; k < most_waves && dot(left, left) > rounding * rounding * first; ++k) {
+  const double first = dot_of(left, left);
+  for (int k = 0; k < most_waves && dot_of(left, left) > dot_rounding * dot_rounding * first; ++k) {
     problem.apply(t, q);
     remove_mean(q);
-    const double curvature = dot(t, q), before = dot(left, left);
+    const double curvature = dot_of(t, q), before = dot_of(left, left);
     if (!(curvature > 0)) return false;
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i] += before / curvature * t[i];
       left[i] -= before / curvature * q[i];
     }
-    const double beta = dot(left, left) / before;
+    const double beta = dot_of(left, left) / before;
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = left[i] + beta * t[i];
   }
   const auto [least, most] = std::minmax_element(found.begin(), found.end());
@@ -93,13 +93,13 @@ std::optional<double> upper_of_two(const Problem& problem, std::int64_t n) {
 bool press_upper(const Problem& problem, double upper, std::span<double> p) {
   Vector found(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) found[i] = problem.compenetration(static_cast<std::int64_t>(i)) == upper ? 1.0 : 0.0;
-  double size = problem.load() / dot(found, found);
+  double size = problem.load() / dot_of(found, found);
   if (!problem.load_control()) {
     Vector product(p.size());
     problem.apply(found, product);
-    const double curvature = dot(found, product);
+    const double curvature = dot_of(found, product);
     if (!(curvature > 0 && upper > 0)) return false;
-    size = upper * dot(found, found) / curvature;
+    size = upper * dot_of(found, found) / curvature;
   }
   if (size > problem.cap()) return false;
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = size * found[i];

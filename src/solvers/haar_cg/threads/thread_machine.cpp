@@ -9,6 +9,7 @@
 
 #include "core/chunks.h"
 #include "core/large_memory.h"
+#include "core/limits.h"
 #include "core/sums.h"
 
 namespace rc {
@@ -16,7 +17,6 @@ namespace rc {
 namespace {
 
 constexpr std::int64_t piece = 1024;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double nearly = 1 - 1e-9;  // of the cap: pressures to start from that are higher are at the cap, but for rounding
 
 constexpr std::size_t line = 64;  // bytes that rows of another rank begin at a multiple of

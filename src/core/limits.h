@@ -1,0 +1,12 @@
+// Limits of double precision by short names.
+#pragma once
+
+#include <limits>
+
+namespace rc {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace rc
