@@ -12,7 +12,8 @@ foreach(target IN ITEMS rc_library_headers rc_program_headers)
   target_precompile_headers(${target} PRIVATE ${headers})
 endforeach()
 
-# rc_share_headers(<folder>): for the targets of this folder, and of those below it, that are compiled from C++ alone.
+# rc_share_headers(<folder>): for the targets of this folder, and of those below it, that are compiled from C++ alone, and as the
+# project is.
 function(rc_share_headers folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
@@ -20,7 +21,8 @@ function(rc_share_headers folder)
     get_target_property(libraries ${target} LINK_LIBRARIES)
     get_target_property(sources ${target} SOURCES)
     get_target_property(headers ${target} PRECOMPILE_HEADERS)
-    if(headers OR NOT "${libraries}" MATCHES "rc_compile" OR NOT "${sources}" MATCHES "\\.cpp" OR "${sources}" MATCHES "\\.c(;|$)")
+    get_target_property(standard ${target} CXX_STANDARD)
+    if(headers OR NOT standard STREQUAL CMAKE_CXX_STANDARD OR NOT "${libraries}" MATCHES "rc_compile" OR NOT "${sources}" MATCHES "\\.cpp" OR "${sources}" MATCHES "\\.c(;|$)")
       continue()
     elseif(NOT type STREQUAL EXECUTABLE)
       set_target_properties(${target} PROPERTIES PRECOMPILE_HEADERS_REUSE_FROM rc_library_headers)

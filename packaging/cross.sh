@@ -29,7 +29,7 @@ configure() (
   export PKG_CONFIG_LIBDIR=$dependencies/$1/lib/pkgconfig LDFLAGS=-L$dependencies/$1/lib
   quietly "$2.log" cmake -S . -B "$2" -DCMAKE_TOOLCHAIN_FILE="$tree/packaging/cross/$1.cmake" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_FIND_ROOT_PATH="$dependencies/$1" -DCMAKE_INSTALL_PREFIX=/roughcontact -DCMAKE_INSTALL_LIBDIR=lib -DRC_WERROR=ON -DRC_BUILD_BENCH=OFF \
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 "${@:3}"
+    -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 "${@:3}"
 )
 
 # answer_here FILE BACKEND...: this machine's answers, once for all systems.

@@ -41,7 +41,7 @@ if [ -n "$other" ]; then
   export PKG_CONFIG_LIBDIR=$dependencies/$other/lib/pkgconfig LDFLAGS=-L$dependencies/$other/lib
   settings+=("--config-settings=cmake.define.CMAKE_TOOLCHAIN_FILE=$toolchain"
     "--config-settings=cmake.define.CMAKE_FIND_ROOT_PATH=$dependencies/$other"
-    --config-settings=cmake.define.CMAKE_UNITY_BUILD=ON --config-settings=cmake.define.CMAKE_UNITY_BUILD_BATCH_SIZE=0 '--config-settings=cmake.define.RC_MODULE_BACKENDS=fft;split')
+    '--config-settings=cmake.define.RC_MODULE_BACKENDS=fft;split')
 fi
 quietly pip wheel --no-deps --no-build-isolation -w "$work/plain" "${settings[@]}" "$work"/sdist/*.tar.gz
 if [ -n "$other" ]; then  # what pip calls a wheel of this machine, whichever system it is for

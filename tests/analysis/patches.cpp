@@ -171,7 +171,7 @@ void random_maps_are_as_flooded() {
   report(std::to_string(maps) + " maps");
 }
 
-void axes_change_places() {
+void axes_of_patches_change_places() {
   std::mt19937_64 random(4);
   const auto sorted = [](const Patches& found) {
     std::vector<std::tuple<std::int64_t, double, double>> list;
@@ -197,7 +197,7 @@ std::vector<Test> patch_tests() {
           {"patches_have_the_numbers_that_are_drawn", patches_have_their_numbers},
           {"room_for_fewer_patches_takes_the_first", room_for_fewer_patches},
           {"random_maps_are_as_a_flood_fill_finds_them", random_maps_are_as_flooded},
-          {"transposition_keeps_the_patches", axes_change_places}};
+          {"transposition_keeps_the_patches", axes_of_patches_change_places}};
 }
 
 }  // namespace analysis

@@ -12,7 +12,7 @@ namespace {
 using namespace pairs;
 
 constexpr const char* names[ROUTINES] = {"greedy", "polonsky_keer", "nnls", "gp", "admm"};
-constexpr double tol = 1e-10, accurate = 1e-6;  // of forces, relative to the largest
+constexpr double tol = 1e-10, matrix_accuracy = 1e-6;  // of forces, relative to the largest
 constexpr std::int64_t enough = 1000000;        // iterations
 
 struct Program {
@@ -92,7 +92,7 @@ void check_answer(const Program& program, const Solved& solved) {
   check_near(r.energy, energy, 1e-10 * std::abs(energy), program.name + ": energy");
   if (solved.status != RC_OK) return;
   check(r.kkt <= tol, program.name + ": kkt");
-  check_near(solved.p, program.p, accurate, program.name + ": p");
+  check_near(solved.p, program.p, matrix_accuracy, program.name + ": p");
   if (depth > 0) check(r.applications > 0, program.name + ": applications");
 }
 
@@ -135,7 +135,7 @@ void starts_from_p(const Language& language, int which) {
   const Solved cold = solve(language, which, program);
   const Solved warm = solve(language, which, program, program.H, program.n, program.p);
   check(warm.status == RC_OK, warm.message);
-  check_near(warm.p, program.p, accurate, "p");
+  check_near(warm.p, program.p, matrix_accuracy, "p");
   check(warm.result.iterations <= cold.result.iterations, std::to_string(warm.result.iterations) +
                                                               " iterations from the solution, " +
                                                               std::to_string(cold.result.iterations) + " from nothing");

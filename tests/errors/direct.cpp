@@ -19,7 +19,7 @@ constexpr std::pair<const char*, Routine> routines[] = {{"rc_greedy: ", rc_greed
                                                         {"rc_nnls: ", rc_nnls}};
 
 // A valid call, to be spoiled in one place.
-struct Call {
+struct DirectCall {
   std::vector<double> H{2, 1, 1, 2}, u{1, 1}, p{0, 0}, w{7, 7};
   std::int64_t n = 2, ld = 2, max_iter = 100;
   double tol = 1e-8;
@@ -31,7 +31,7 @@ template <class Spoil> auto matrix_with(const Spoil& spoil) {
   return [spoil] {
     std::vector<Outcome> outcomes;
     for (const auto& [name, routine] : routines) {
-      Call call;
+      DirectCall call;
       spoil(call);
       const std::vector<double> p = call.p;
       rc_direct result;
@@ -77,31 +77,31 @@ Section direct_routines() {
   return {
       "Direct routines",
       {
-          {"matrix: n = 0", shape, {"rc_nnls: n = 0 must be >= 1"}, matrix_with([](Call& c) { c.n = 0; })},
-          {"matrix: n = -3", shape, {"rc_nnls: n = -3 must be >= 1"}, matrix_with([](Call& c) { c.n = -3; })},
-          {"matrix: ld < n", shape, {"rc_nnls: ld = 1 must be >= n = 2"}, matrix_with([](Call& c) { c.ld = 1; })},
-          {"matrix: H is null", refused, {"rc_nnls: H is null"}, matrix_with([](Call& c) { c.H_given = nullptr; })},
-          {"matrix: u is null", refused, {"rc_nnls: u is null"}, matrix_with([](Call& c) { c.u_given = nullptr; })},
-          {"matrix: p is null", refused, {"rc_nnls: p is null"}, matrix_with([](Call& c) { c.p_given = nullptr; })},
-          {"matrix: H with NaN", refused, {"rc_nnls: dense matrix: entry (1, 0) is nan"}, matrix_with([](Call& c) {
+          {"matrix: n = 0", shape, {"rc_nnls: n = 0 must be >= 1"}, matrix_with([](DirectCall& c) { c.n = 0; })},
+          {"matrix: n = -3", shape, {"rc_nnls: n = -3 must be >= 1"}, matrix_with([](DirectCall& c) { c.n = -3; })},
+          {"matrix: ld < n", shape, {"rc_nnls: ld = 1 must be >= n = 2"}, matrix_with([](DirectCall& c) { c.ld = 1; })},
+          {"matrix: H is null", refused, {"rc_nnls: H is null"}, matrix_with([](DirectCall& c) { c.H_given = nullptr; })},
+          {"matrix: u is null", refused, {"rc_nnls: u is null"}, matrix_with([](DirectCall& c) { c.u_given = nullptr; })},
+          {"matrix: p is null", refused, {"rc_nnls: p is null"}, matrix_with([](DirectCall& c) { c.p_given = nullptr; })},
+          {"matrix: H with NaN", refused, {"rc_nnls: dense matrix: entry (1, 0) is nan"}, matrix_with([](DirectCall& c) {
              c.H[2] = nan;
            })},
-          {"matrix: u with NaN", refused, {"rc_nnls: u[1] = nan is not finite"}, matrix_with([](Call& c) { c.u[1] = nan; })},
-          {"matrix: u with infinity", refused, {"rc_nnls: u[0] = inf is not finite"}, matrix_with([](Call& c) {
+          {"matrix: u with NaN", refused, {"rc_nnls: u[1] = nan is not finite"}, matrix_with([](DirectCall& c) { c.u[1] = nan; })},
+          {"matrix: u with infinity", refused, {"rc_nnls: u[0] = inf is not finite"}, matrix_with([](DirectCall& c) {
              c.u[0] = infinity;
            })},
-          {"matrix: p with NaN", refused, {"rc_nnls: p[1] = nan is not finite"}, matrix_with([](Call& c) { c.p[1] = nan; })},
+          {"matrix: p with NaN", refused, {"rc_nnls: p[1] = nan is not finite"}, matrix_with([](DirectCall& c) { c.p[1] = nan; })},
           {"matrix: H not symmetric",
            refused,
            {"rc_nnls: dense matrix is not symmetric: entry (1, 0) = 1.5 but (0, 1) = 1"},
-           matrix_with([](Call& c) { c.H[2] = 1.5; })},
+           matrix_with([](DirectCall& c) { c.H[2] = 1.5; })},
           {"matrix: H with a negative diagonal",
            RC_ERR_NUMERIC,
            {"rc_nnls: dense matrix is not positive definite: diagonal entry 0 is -2"},
-           matrix_with([](Call& c) { c.H[0] = -2; })},
-          {"matrix: tol = 0", option, {"rc_nnls: option \"tol\" = 0"}, matrix_with([](Call& c) { c.tol = 0; })},
-          {"matrix: tol = NaN", option, {"rc_nnls: option \"tol\" = nan"}, matrix_with([](Call& c) { c.tol = nan; })},
-          {"matrix: max_iter = 0", option, {"rc_nnls: option \"max_iter\" = 0"}, matrix_with([](Call& c) { c.max_iter = 0; })},
+           matrix_with([](DirectCall& c) { c.H[0] = -2; })},
+          {"matrix: tol = 0", option, {"rc_nnls: option \"tol\" = 0"}, matrix_with([](DirectCall& c) { c.tol = 0; })},
+          {"matrix: tol = NaN", option, {"rc_nnls: option \"tol\" = nan"}, matrix_with([](DirectCall& c) { c.tol = nan; })},
+          {"matrix: max_iter = 0", option, {"rc_nnls: option \"max_iter\" = 0"}, matrix_with([](DirectCall& c) { c.max_iter = 0; })},
           {"`rc_cmr`: nx = 0", shape, {"rc_cmr: nx = 0, ny = 4 must both be >= 1"}, cascade_with([](CascadeCall& c) {
              c.nx = 0;
            })},

@@ -18,7 +18,7 @@ class File {
     const int descriptor = mkstemp(path_);
     assert_true(descriptor >= 0);
     assert_int_equal(write(descriptor, text.data(), text.size()), text.size());
-    close(descriptor);
+    ::close(descriptor);
   }
   ~File() { std::remove(path_); }
   File(const File&) = delete;

@@ -118,7 +118,7 @@ void around_the_mean_plane(Figures& figures) {
 }
 
 // The sets of points, and those that a list leaves out.
-void unlisted_points(Figures& figures) {
+void unlisted_capped_points(Figures& figures) {
   for (const double c : {infinite, 0.5, 0.2}) {
     Small small(8, 6);
     small.press(0.35, 1e-4, 4);
@@ -190,7 +190,7 @@ void certificates(Figures& figures) {
 void figures_of_hardness(Figures& figures) {
   all_systems(figures);
   around_the_mean_plane(figures);
-  unlisted_points(figures);
+  unlisted_capped_points(figures);
   all_at_the_hardness(figures);
   certificates(figures);
 }

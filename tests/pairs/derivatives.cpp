@@ -10,7 +10,7 @@ namespace pairs {
 
 namespace {
 
-Problem problem_of(std::int32_t boundary) {
+Problem derivative_problem(std::int32_t boundary) {
   Problem problem = rough_problem(20, 16, boundary, 0.5, 0.75);
   problem.target *= 1.4;
   return problem;
@@ -18,7 +18,7 @@ Problem problem_of(std::int32_t boundary) {
 
 // Between changes of the contact set the load is linear in the approach: the difference quotient is exact up to round-off.
 void stiffness_is_the_slope(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = derivative_problem(boundary);
   Problem below = problem, above = problem;
   const double step = 1e-5 * problem.target;
   below.target -= step;
@@ -33,7 +33,7 @@ void stiffness_is_the_slope(std::int32_t boundary, const Pair& pair) {
 }
 
 void energy_is_the_functional(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = derivative_problem(boundary);
   const Answer answer = solved(problem, pair);
   const Certificate expected = certificate(problem, influence_matrix(problem), answer.p, problem.target);
   check_near(answer.result.energy, expected.energy, 1e-12 * std::abs(expected.energy), "energy");
@@ -45,7 +45,7 @@ void energy_is_the_functional(std::int32_t boundary, const Pair& pair) {
 
 // d(energy)/dd = -W.
 void energy_falls_with_the_load(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = derivative_problem(boundary);
   Problem below = problem, above = problem;
   const double step = 1e-4 * problem.target;
   below.target -= step;
@@ -55,7 +55,7 @@ void energy_falls_with_the_load(std::int32_t boundary, const Pair& pair) {
 }
 
 void load_and_contact_grow_with_approach(std::int32_t boundary, const Pair& pair) {
-  Problem problem = problem_of(boundary);
+  Problem problem = derivative_problem(boundary);
   const double top = problem.target;
   Field loads = {0};
   Field last(problem.points(), 0.0);

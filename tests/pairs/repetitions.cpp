@@ -10,7 +10,7 @@ namespace pairs {
 
 namespace {
 
-Problem problem_of(std::int32_t boundary) {
+Problem repeated_problem(std::int32_t boundary) {
   Problem problem = rough_problem(33, 26, boundary, 0.5, 0.75);
   problem.target *= 1.4;
   return problem;
@@ -25,14 +25,14 @@ void check_identical(const Answer& a, const Answer& b) {
   check_equal(a.result.applications, b.result.applications, "applications");
 }
 
-template <class Check> void in_both_controls(std::int32_t boundary, const Pair& pair, const Check& compare) {
-  const Problem problem = problem_of(boundary);
+template <class Check> void by_load_and_approach(std::int32_t boundary, const Pair& pair, const Check& compare) {
+  const Problem problem = repeated_problem(boundary);
   compare(problem);
   compare(at_load(problem, solved(problem, pair).result.load));
 }
 
 void repeated(std::int32_t boundary, const Pair& pair) {
-  in_both_controls(boundary, pair, [&](const Problem& problem) {
+  by_load_and_approach(boundary, pair, [&](const Problem& problem) {
     const Contact contact(problem, pair);
     const Answer first = contact.solve(problem);
     check_status(first, RC_OK);
@@ -43,7 +43,7 @@ void repeated(std::int32_t boundary, const Pair& pair) {
 }
 
 void threaded(std::int32_t boundary, const Pair& pair) {
-  in_both_controls(boundary, pair, [&](const Problem& problem) {
+  by_load_and_approach(boundary, pair, [&](const Problem& problem) {
     const Answer one = solved(problem, pair, {{"threads", "1"}});
     for (const char* threads : {"2", "3"}) check_identical(solved(problem, pair, {{"threads", threads}}), one);
   });
@@ -51,7 +51,7 @@ void threaded(std::int32_t boundary, const Pair& pair) {
 
 // Whatever the result holds before, it is written as far as struct_size goes, and nothing beyond.
 void result_is_written_in_full(std::int32_t boundary, const Pair& pair) {
-  in_both_controls(boundary, pair, [&](const Problem& problem) {
+  by_load_and_approach(boundary, pair, [&](const Problem& problem) {
     const Contact contact(problem, pair, {{RC_OPT_STIFFNESS, "1"}});
     rc_result results[2];
     Field p[2], gap[2];
@@ -89,7 +89,7 @@ void result_is_written_in_full(std::int32_t boundary, const Pair& pair) {
 }
 
 void failed_call_leaves_arrays_alone(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = at_load(problem_of(boundary), -1);
+  const Problem problem = at_load(repeated_problem(boundary), -1);
   const Answer answer = solve(problem, pair);
   check_status(answer, RC_ERR_INFEASIBLE);
   check_same(answer.p, Field(problem.points(), -7), "p");
@@ -97,7 +97,7 @@ void failed_call_leaves_arrays_alone(std::int32_t boundary, const Pair& pair) {
 }
 
 void result_adds_up(std::int32_t boundary, const Pair& pair) {
-  in_both_controls(boundary, pair, [&](const Problem& problem) {
+  by_load_and_approach(boundary, pair, [&](const Problem& problem) {
     const Answer answer = solved(problem, pair);
     const rc_result& r = answer.result;
     const double n = static_cast<double>(problem.points()), load = sum(answer.p) * problem.cell_area();

@@ -9,7 +9,7 @@ namespace pairs {
 
 namespace {
 
-Problem problem_of(std::int32_t boundary) {
+Problem sequence_problem(std::int32_t boundary) {
   Problem problem = rough_problem(28, 22, boundary, 0.5, 0.75);
   problem.target *= 1.4;
   return problem;
@@ -25,7 +25,7 @@ Field up_and_down(double top) {
 }
 
 void warm_equals_cold(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = sequence_problem(boundary);
   const double load = solved(problem, pair).result.load;
   for (const std::int32_t control : controls) {
     const Contact warm(problem, pair), cold(problem, pair);
@@ -53,7 +53,7 @@ void warm_equals_cold(std::int32_t boundary, const Pair& pair) {
 }
 
 void round_trip(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = sequence_problem(boundary);
   const Answer there = solved(problem, pair);
   const Answer back = solved(at_load(problem, there.result.load), pair);
   check_near(back.result.approach, problem.target, 1e-9 * problem.target, "approach");
@@ -66,7 +66,7 @@ void round_trip(std::int32_t boundary, const Pair& pair) {
 }
 
 void explicit_start(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = sequence_problem(boundary);
   const double load = solved(problem, pair).result.load;
   for (const Problem& each : {problem, at_load(problem, load)}) {
     const Answer cold = solved(each, pair);
@@ -89,7 +89,7 @@ void explicit_start(std::int32_t boundary, const Pair& pair) {
 }
 
 void gap_and_mask_are_kept(std::int32_t boundary, const Pair& pair) {
-  Problem problem = problem_of(boundary);
+  Problem problem = sequence_problem(boundary);
   problem.mask.assign(problem.points(), 1);
   for (std::size_t i = 0; i < problem.points(); i += 7) problem.mask[i] = 0;
   const Contact contact(problem, pair);
@@ -116,7 +116,7 @@ void gap_and_mask_are_kept(std::int32_t boundary, const Pair& pair) {
 }
 
 void nothing_touches(std::int32_t boundary, const Pair& pair) {
-  const Problem problem = problem_of(boundary);
+  const Problem problem = sequence_problem(boundary);
   const Contact contact(problem, pair);
   const Answer loaded = contact.solve(problem);
   check_status(loaded, RC_OK);
@@ -156,7 +156,7 @@ void spike_is_pressed_into_the_plane_below_it(const Pair& pair) {
 
 // The pressures of full contact are far beyond those of a light step, and with periodic boundaries their mean costs nothing.
 void light_step_after_full_contact(const Pair& pair) {
-  const Problem problem = problem_of(RC_BOUNDARY_PERIODIC);
+  const Problem problem = sequence_problem(RC_BOUNDARY_PERIODIC);
   const Answer light = solved(problem, pair);
   const Contact contact(problem, pair);
   rc_step step = problem.step();

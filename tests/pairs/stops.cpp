@@ -14,7 +14,7 @@ namespace pairs {
 namespace {
 
 // Small enough for naive code, hard enough that no solver ends in its first iteration.
-Problem problem_of(std::int32_t control) {
+Problem stopped_problem(std::int32_t control) {
   Problem problem = rough_problem(16, 12);
   problem.target *= 1.6;
   return control == RC_CONTROL_LOAD ? at_load(problem, 12) : problem;
@@ -37,7 +37,7 @@ void check_step_after(const Problem& problem, const Contact& contact, const Pair
 
 void max_iter_stops(const Pair& pair) {
   for (const std::int32_t control : controls) {
-    const Problem problem = problem_of(control);
+    const Problem problem = stopped_problem(control);
     const std::int64_t needed = solved(problem, pair).result.iterations;
     if (needed < 2) continue;
     const Contact contact(problem, pair, {{RC_OPT_MAX_ITER, "1"}});
@@ -53,7 +53,7 @@ void max_iter_stops(const Pair& pair) {
 
 void time_limit_stops(const Pair& pair) {
   for (const std::int32_t control : controls) {
-    const Problem problem = problem_of(control);
+    const Problem problem = stopped_problem(control);
     const Contact contact(problem, pair, {{RC_OPT_TIME_LIMIT, "1e-9"}});
     const Answer answer = contact.solve(problem);
     check_status(answer, RC_STOP_TIME);
@@ -81,7 +81,7 @@ std::int32_t count(const rc_progress* progress, void* user) {
 
 void callback_stops(const Pair& pair, bool by_cancel) {
   for (const std::int32_t control : controls) {
-    const Problem problem = problem_of(control);
+    const Problem problem = stopped_problem(control);
     const Contact contact(problem, pair);
     Stopper stopper;
     stopper.stop_at = 1;
@@ -100,7 +100,7 @@ void callback_stops(const Pair& pair, bool by_cancel) {
 }
 
 void early_cancel_stops_the_next_solve(const Pair& pair) {
-  const Problem problem = problem_of(RC_CONTROL_DISPLACEMENT);
+  const Problem problem = stopped_problem(RC_CONTROL_DISPLACEMENT);
   const Contact contact(problem, pair);
   rc_contact_cancel(contact.handle());
   check_status(contact.solve(problem), RC_STOP_CANCELLED);
@@ -121,7 +121,7 @@ std::int32_t wait(const rc_progress*, void* user) {
 
 void other_thread_stops(const Pair& pair) {
   for (const std::int32_t control : controls) {
-    const Problem problem = problem_of(control);
+    const Problem problem = stopped_problem(control);
     const Contact contact(problem, pair);
     Rendezvous meeting;
     check(rc_contact_on_progress(contact.handle(), wait, &meeting, 1) == RC_OK, rc_last_error());
@@ -143,7 +143,7 @@ void other_thread_stops(const Pair& pair) {
 }
 
 void stop_keeps_the_last_start(const Pair& pair) {
-  const Problem problem = problem_of(RC_CONTROL_DISPLACEMENT);
+  const Problem problem = stopped_problem(RC_CONTROL_DISPLACEMENT);
   const Contact stopped(problem, pair), undisturbed(problem, pair);
   check_same(stopped.solve(problem).p, undisturbed.solve(problem).p, "p of the first step");
   Problem next = problem;

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double loose = 1e-6, certified = 1e-9, perturbation = 1e-3;
+constexpr double loose = 1e-6, certified_tolerance = 1e-9, perturbation = 1e-3;
 constexpr double round_off = 2e-13;
 
 struct Judged {
@@ -34,7 +34,7 @@ Field perturbed(Field p) {
 
 Answer certify(const ReferenceCase& reference, const Field& p) {
   const Problem& problem = reference.problem;
-  return Contact(problem, {"auto", "fft"}, {{RC_OPT_TOL, text(certified)}}).certify(problem.step(), p);
+  return Contact(problem, {"auto", "fft"}, {{RC_OPT_TOL, text(certified_tolerance)}}).certify(problem.step(), p);
 }
 
 std::vector<Judged> answers_of(const ReferenceCases& reference) {
@@ -90,7 +90,7 @@ void judge(std::vector<Judged>& all) {
 void check_status_of(const Judged& judged) {
   const Answer& answer = judged.answer;
   check_status(answer, judged.variant == "perturbed" ? RC_UNCERTIFIED : RC_OK);
-  if (judged.variant == "trusted") check(answer.worst_residual() <= certified, "the residuals of the trusted pressures");
+  if (judged.variant == "trusted") check(answer.worst_residual() <= certified_tolerance, "the residuals of the trusted pressures");
   if (judged.variant == "perturbed")
     check(answer.worst_residual() > 1e-2 * perturbation, "the residuals do not show the perturbation");
 }

@@ -11,7 +11,7 @@ namespace scenes {
 
 namespace {
 
-constexpr std::size_t most_for_sums = 400, most_for_stored = 1500;  // points
+constexpr std::size_t most_for_sums = 400, most_for_dense = 1500;  // points
 constexpr double round_off = 1e-12;                                 // of two ways to multiply by H, relative
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -54,7 +54,7 @@ Verification::Verification(const Scene& scene)
   if (n <= most_for_sums)
     matrix_ = matrix_of(scene.problem);
   else
-    other_.emplace(scene.problem, pairs::Pair{"auto", n <= most_for_stored ? "dense" : "fft"}, settings_);
+    other_.emplace(scene.problem, pairs::Pair{"auto", n <= most_for_dense ? "dense" : "fft"}, settings_);
 }
 
 // H p + h - d

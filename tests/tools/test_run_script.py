@@ -14,7 +14,11 @@ class RunScript(CommandTest):
     def setUp(self):
         super().setUp()
         shutil.copy(SCRIPT, self.folder)
-        for name, text in (("scripts/bootstrap.sh", ""), ("path/cmake", ""), ("path/python3", "exit 1\n"), ("build/bin/roughcontact", 'printf "%s\\n" "$@"\n')):
+        for folder in "backends bindings cmake formats include mpi packaging pkgconfig src surface tools".split():
+            (self.folder / folder).mkdir()
+        for file in ("CMakeLists.txt", "CMakePresets.json"):
+            (self.folder / file).touch()
+        for name, text in (("scripts/bootstrap.sh", ""), ("path/cmake", 'echo "[ 50%] made by $*"; echo "$*" >>built\n'), ("path/python3", "exit 1\n"), ("build-run/bin/roughcontact", 'printf "%s\\n" "$@"\n')):
             path = self.folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("#!/bin/sh\n" + text)
@@ -33,7 +37,33 @@ class RunScript(CommandTest):
         self.assertIn("solve s.x3p --E 210GPa --remove plane", self.asked("s.x3p", "--E", "210GPa"))
         for told in (["--remove", "none"], ["--remove=quadric"]):
             self.assertNotIn("--remove plane", self.asked("s.x3p", "--E", "210GPa", *told))
-        self.assertNotIn("--remove", self.asked())
+
+    def test_without_a_surface_it_answers_a_question(self):
+        (self.folder / "build-run/bin/roughcontact").write_text(
+            '#!/bin/sh\nmkdir -p build-run/demo/out\necho "$@"\n'
+            'printf "step,load [N],mean_pressure [Pa],area_fraction,max_pressure [Pa]\\n1,1,20000,.05,1e6\\n2,2,1e5,.25,1.3e6\\n" >build-run/demo/out/steps.csv\n')
+        said = self.asked()
+        self.assertIn("--boundary periodic", said)
+        self.assertNotIn("--remove", said)
+        self.assertTrue(said.endswith("5 % under 20 kPa, 25 % under 100 kPa; the largest pressure is 1.3 MPa."), said)
+
+    def test_it_builds_once_and_again_after_a_change(self):
+        self.assertIn("compiling: 50 %", self.asked("s.x3p"))
+        builds = (self.folder / "built").read_text()
+        self.assertIn("--target roughcontact_command rcb_fft\n", builds)
+        self.assertNotIn("compiling", self.asked("s.x3p"))
+        self.assertEqual((self.folder / "built").read_text(), builds)
+        self.asked("s.x3p", "--backend", "dense")
+        self.assertIn("rcb_dense", (self.folder / "built").read_text())
+        (self.folder / "src/new.cpp").touch()
+        self.assertIn("compiling", self.asked("s.x3p", "--backend", "dense"))
+
+    def test_a_failed_build_says_why_and_presses_nothing(self):
+        (self.folder / "path/cmake").write_text("#!/bin/sh\necho 'x.cpp:1: error: no'\nexit 1\n")
+        done = subprocess.run(["./run.sh", "s.x3p"], cwd=self.folder, env=self.environment(), capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("x.cpp:1: error: no", done.stdout)
+        self.assertNotIn("solve", done.stdout)
 
     def test_a_page_where_it_can_be_made(self):
         self.assertIn("pip install jinja2 plotly", self.asked("s.x3p", "--E", "210GPa"))
@@ -44,7 +74,7 @@ class RunScript(CommandTest):
         self.assertEqual((self.folder / "page").read_text().split(),
                          "-m roughcontact report s.x3p --E 210GPa --load 1mN,2mN --remove plane --out folder/report.html".split())
         (self.folder / "page").unlink()
-        (self.folder / "build/bin/roughcontact").write_text("#!/bin/sh\nexit 1\n")
+        (self.folder / "build-run/bin/roughcontact").write_text("#!/bin/sh\nexit 1\n")
         self.assertEqual(subprocess.run(["./run.sh", "s.x3p"], cwd=self.folder, env=self.environment(), capture_output=True, timeout=60).returncode, 1)
         self.assertFalse((self.folder / "page").exists())
 
