@@ -32,21 +32,20 @@ struct Folder {
 };
 
 // An object that could be loaded loses its end, so that a segment lies outside of the file; or, without segments, its magic.
-std::string harmless(std::string file) {
+void make_harmless(std::string& file) {
   Elf64_Ehdr header{};
-  if (file.size() < sizeof header) return file;
+  if (file.size() < sizeof header) return;
   std::memcpy(&header, file.data(), sizeof header);
-  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return file;
+  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return;
   for (unsigned i = 0; i < header.e_phnum; ++i) {
     Elf64_Phdr segment{};
     const std::uint64_t at = header.e_phoff + i * sizeof segment;
-    if (at > file.size() || file.size() - at < sizeof segment) return file;
+    if (at > file.size() || file.size() - at < sizeof segment) return;
     std::memcpy(&segment, file.data() + at, sizeof segment);
     if (segment.p_offset > file.size() || (segment.p_type != PT_GNU_STACK && segment.p_filesz > file.size() - segment.p_offset))
-      return file;
+      return;
   }
   file[0] = '\0';
-  return file;
 }
 
 }  // namespace
@@ -54,7 +53,8 @@ std::string harmless(std::string file) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Folder folder;
   const std::string path = folder.path + "/rcb_x.so";
-  const std::string file = harmless({reinterpret_cast<const char*>(data), size});
+  std::string file(reinterpret_cast<const char*>(data), size);
+  make_harmless(file);
   std::ofstream(path, std::ios::binary).write(file.data(), static_cast<std::streamsize>(file.size()));
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read);
 

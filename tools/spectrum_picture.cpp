@@ -37,7 +37,8 @@ std::string mark(int number, double q, const char* text, double height) {
   return format(
              "set arrow %d from first %.9g,graph 0 to first %.9g,graph 1 nohead dashtype 2 linewidth 2 linecolor rgb '#707070'\n",
              number, q, q) +
-         format("set label %d '%s %s' at first %.9g,graph %g offset 0.6,0\n", number, text, wavelength_text(q).c_str(), q, height);
+         format("set label %d '%s %s' at first %.9g,graph %g offset 0.6,0\n", number, text, wavelength_text(q).c_str(), q,
+                height);
 }
 
 std::string peaks(const rc_surface_power_law& law) {

@@ -22,7 +22,9 @@ class Error : public std::exception {
 };
 
 // fail(RC_ERR_SHAPE, "nx = ", nx, " must be >= 1")
-[[noreturn]] inline void fail_with(rc_status code, std::initializer_list<TextPart> message) { throw Error(code, joined(message)); }
+[[noreturn]] inline void fail_with(rc_status code, std::initializer_list<TextPart> message) {
+  throw Error(code, joined(message));
+}
 [[noreturn]] void fail(rc_status code, const auto&... parts) { fail_with(code, {TextPart(parts)...}); }
 
 // The calling thread's message. Fixed storage, so that it works when memory has run out.

@@ -13,7 +13,7 @@ using namespace pairs;
 
 constexpr const char* names[ROUTINES] = {"greedy", "polonsky_keer", "nnls", "gp", "admm"};
 constexpr double tol = 1e-10, matrix_accuracy = 1e-6;  // of forces, relative to the largest
-constexpr std::int64_t enough = 1000000;        // iterations
+constexpr std::int64_t enough = 1000000;               // iterations
 
 struct Program {
   std::string name;

@@ -111,7 +111,8 @@ template <class Spoil> auto conductance(const Spoil& spoil) {
     Conduct c;
     spoil(c);
     const Outcome outcome = rc_conductance(&c.system, &c.result, c.rho1, c.rho2, c.conductance, c.out + 1, c.out + 2);
-    if (outcome.status != RC_OK) assert_true(c.out[0] == derivative_untouched && c.out[1] == derivative_untouched && c.out[2] == derivative_untouched);
+    if (outcome.status != RC_OK)
+      assert_true(c.out[0] == derivative_untouched && c.out[1] == derivative_untouched && c.out[2] == derivative_untouched);
     return outcome;
   };
 }

@@ -86,11 +86,15 @@ Section direct_routines() {
           {"matrix: H with NaN", refused, {"rc_nnls: dense matrix: entry (1, 0) is nan"}, matrix_with([](DirectCall& c) {
              c.H[2] = nan;
            })},
-          {"matrix: u with NaN", refused, {"rc_nnls: u[1] = nan is not finite"}, matrix_with([](DirectCall& c) { c.u[1] = nan; })},
+          {"matrix: u with NaN", refused, {"rc_nnls: u[1] = nan is not finite"}, matrix_with([](DirectCall& c) {
+             c.u[1] = nan;
+           })},
           {"matrix: u with infinity", refused, {"rc_nnls: u[0] = inf is not finite"}, matrix_with([](DirectCall& c) {
              c.u[0] = infinity;
            })},
-          {"matrix: p with NaN", refused, {"rc_nnls: p[1] = nan is not finite"}, matrix_with([](DirectCall& c) { c.p[1] = nan; })},
+          {"matrix: p with NaN", refused, {"rc_nnls: p[1] = nan is not finite"}, matrix_with([](DirectCall& c) {
+             c.p[1] = nan;
+           })},
           {"matrix: H not symmetric",
            refused,
            {"rc_nnls: dense matrix is not symmetric: entry (1, 0) = 1.5 but (0, 1) = 1"},
@@ -101,7 +105,9 @@ Section direct_routines() {
            matrix_with([](DirectCall& c) { c.H[0] = -2; })},
           {"matrix: tol = 0", option, {"rc_nnls: option \"tol\" = 0"}, matrix_with([](DirectCall& c) { c.tol = 0; })},
           {"matrix: tol = NaN", option, {"rc_nnls: option \"tol\" = nan"}, matrix_with([](DirectCall& c) { c.tol = nan; })},
-          {"matrix: max_iter = 0", option, {"rc_nnls: option \"max_iter\" = 0"}, matrix_with([](DirectCall& c) { c.max_iter = 0; })},
+          {"matrix: max_iter = 0", option, {"rc_nnls: option \"max_iter\" = 0"}, matrix_with([](DirectCall& c) {
+             c.max_iter = 0;
+           })},
           {"`rc_cmr`: nx = 0", shape, {"rc_cmr: nx = 0, ny = 4 must both be >= 1"}, cascade_with([](CascadeCall& c) {
              c.nx = 0;
            })},

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-// Gap amplitude (1 - cos(2 half_turn x / length)): its lowest point is 0, its mean the amplitude. Full contact at the mean pressure
-// p* = half_turn E* amplitude / length; below, contact of width 2 a with mean pressure p* sin^2(half_turn a / length).
+// Gap amplitude (1 - cos(2 half_turn x / length)): its lowest point is 0, its mean the amplitude. Full contact at the mean
+// pressure p* = half_turn E* amplitude / length; below, contact of width 2 a with mean pressure p* sin^2(half_turn a / length).
 // Johnson, Contact Mechanics (1985), section 13.2.
 struct Wave {
   double length = 3, amplitude = 0.2, modulus = 5;
@@ -25,7 +25,8 @@ struct Wave {
     const double inside = t - std::pow(std::sin(half_turn * x / length), 2);
     return inside > 0 ? 2 * full_pressure() * std::cos(half_turn * x / length) * std::sqrt(inside) : 0;
   }
-  // From the compliance of a row of flat punches, dd/d(mean pressure) = -(2 length / (half_turn E*)) log sin(half_turn a / length).
+  // From the compliance of a row of flat punches, dd/d(mean pressure) = -(2 length / (half_turn E*)) log sin(half_turn a /
+  // length).
   double approach(double t) const { return amplitude * (t - t * std::log(t)); }
 };
 

@@ -90,7 +90,8 @@ void judge(std::vector<Judged>& all) {
 void check_status_of(const Judged& judged) {
   const Answer& answer = judged.answer;
   check_status(answer, judged.variant == "perturbed" ? RC_UNCERTIFIED : RC_OK);
-  if (judged.variant == "trusted") check(answer.worst_residual() <= certified_tolerance, "the residuals of the trusted pressures");
+  if (judged.variant == "trusted")
+    check(answer.worst_residual() <= certified_tolerance, "the residuals of the trusted pressures");
   if (judged.variant == "perturbed")
     check(answer.worst_residual() > 1e-2 * perturbation, "the residuals do not show the perturbation");
 }

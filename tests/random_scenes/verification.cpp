@@ -12,7 +12,7 @@ namespace scenes {
 namespace {
 
 constexpr std::size_t most_for_sums = 400, most_for_dense = 1500;  // points
-constexpr double round_off = 1e-12;                                 // of two ways to multiply by H, relative
+constexpr double round_off = 1e-12;                                // of two ways to multiply by H, relative
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // What residuals of gaps are relative to.
