@@ -44,7 +44,7 @@ NARROW = {  # files under src, by a pattern: beginnings of all that they may inc
     'solvers/haar_cg/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree_inputs.h'),
     'solvers/haar_cg/tree_shape.*': ('solvers/haar_cg/tree_inputs.h', 'solvers/haar_cg/tree_shape.h'),
     'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
-                        'core/chunks.h', 'core/certificate_terms.h', 'kernel/'),
+                        'core/chunks.h', 'core/certificate_terms.h', 'core/limits.h', 'kernel/'),
     'contact/history/many.*': ('roughcontact/', 'contact/workspace.h', 'contact/proof/certificate.h', 'contact/step/auto_choice.h',
                                'contact/history/', 'core/'),
     'contact/history/[bp]a*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
