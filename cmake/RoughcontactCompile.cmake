@@ -7,8 +7,8 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 endif()
 
-# rc_shared_sources(<variable> <file of src>...): these files, which src and the target of this folder compile, outside of batches:
-# a program may link both statically, and then takes one of the two objects.
+# rc_shared_sources(<variable> <file of src>...): sets the variable to the files' paths. src and the target of this folder both compile
+# them. They stay outside of batches, so that a program which links both libraries statically takes one object of the two.
 function(rc_shared_sources variable)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/src/)
   set_source_files_properties(${ARGN} DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -1,5 +1,5 @@
-# The standard library's headers, parsed once for all targets of this project: once as libraries are compiled, and for tests, which
-# are many small programs, once as programs are. -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON parses them in each file.
+# The standard library's headers are parsed twice for the whole project: with the flags of libraries, and, if there are tests, with
+# those of programs. -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON parses them in each file.
 set(headers algorithm array atomic bit charconv chrono cmath cstdint cstdio cstdlib cstring exception filesystem functional limits map
   memory mutex new numbers numeric optional span sstream string string_view thread type_traits utility variant vector)
 list(TRANSFORM headers REPLACE "(.+)" "$<$<COMPILE_LANGUAGE:CXX>:<\\1$<ANGLE-R>>")
@@ -12,8 +12,8 @@ foreach(target IN ITEMS rc_library_headers rc_program_headers)
   target_precompile_headers(${target} PRIVATE ${headers})
 endforeach()
 
-# rc_share_headers(<folder>): for the targets of this folder, and of those below it, that are compiled from C++ alone, and as the
-# project is.
+# rc_share_headers(<folder>): gives them to each target of this folder, and of the folders below it, whose sources are all C++ of the
+# project's standard.
 function(rc_share_headers folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)

@@ -10,8 +10,6 @@ namespace errors {
 
 namespace {
 
-constexpr double untouched = -7;
-
 // Valid calls, to be spoiled in one place.
 struct Call {
   rc_system system = Scene().system;

@@ -9,6 +9,9 @@
 
 namespace errors {
 
+inline constexpr rc_status refused = RC_ERR_ARGUMENT;
+inline constexpr double untouched = -7;  // what outputs hold before a call
+
 // What a call returned, with the calling thread's message at that moment.
 struct Outcome {
   Outcome(rc_status given) : status(given), message(rc_last_error()) {}

@@ -11,15 +11,12 @@ namespace errors {
 
 namespace {
 
-constexpr rc_status refused = RC_ERR_ARGUMENT;
-constexpr double derivative_untouched = -7;
-
 // Valid requests of a contact that has solved a step, to be spoiled in one place.
 struct Request {
   Scene scene;
   OptionsHandle options = options_with({});
   std::vector<double> by_p = std::vector<double>(points, 1.0), by_gap = by_p, change = by_p;
-  std::vector<double> out = std::vector<double>(points, derivative_untouched), dp = out, dgap = out;
+  std::vector<double> out = std::vector<double>(points, untouched), dp = out, dgap = out;
   rc_gradient gradient = RC_GRADIENT_INIT;
   rc_tangent tangent = RC_TANGENT_INIT;
 
@@ -27,7 +24,7 @@ struct Request {
     gradient.dJ_dp = by_p.data();
     gradient.dJ_dgap = by_gap.data();
     gradient.dJ_dundeformed_gap = out.data();
-    gradient.dJ_dtarget = tangent.dload = derivative_untouched;
+    gradient.dJ_dtarget = tangent.dload = untouched;
     tangent.dundeformed_gap = change.data();
     tangent.dp = dp.data();
     tangent.dgap = dgap.data();
@@ -37,8 +34,8 @@ struct Request {
 
   void check_untouched() const {
     for (const auto* values : {&out, &dp, &dgap})
-      for (const double value : *values) assert_true(value == derivative_untouched);
-    assert_true(gradient.dJ_dtarget == derivative_untouched && tangent.dload == derivative_untouched);
+      for (const double value : *values) assert_true(value == untouched);
+    assert_true(gradient.dJ_dtarget == untouched && tangent.dload == untouched);
   }
 };
 
@@ -102,7 +99,7 @@ void dense(Request& request) {
 struct Conduct {
   rc_system system = Scene().system;
   rc_result result = RC_RESULT_INIT;
-  double rho1 = 1, rho2 = 2, out[3] = {derivative_untouched, derivative_untouched, derivative_untouched};
+  double rho1 = 1, rho2 = 2, out[3] = {untouched, untouched, untouched};
   double* conductance = out;
   Conduct() { result.stiffness = 3; }
 };
@@ -111,8 +108,7 @@ template <class Spoil> auto conductance(const Spoil& spoil) {
     Conduct c;
     spoil(c);
     const Outcome outcome = rc_conductance(&c.system, &c.result, c.rho1, c.rho2, c.conductance, c.out + 1, c.out + 2);
-    if (outcome.status != RC_OK)
-      assert_true(c.out[0] == derivative_untouched && c.out[1] == derivative_untouched && c.out[2] == derivative_untouched);
+    if (outcome.status != RC_OK) assert_true(c.out[0] == untouched && c.out[1] == untouched && c.out[2] == untouched);
     return outcome;
   };
 }

@@ -10,14 +10,13 @@ namespace errors {
 namespace {
 
 constexpr double up[] = {0.2, 0.4, 0.55};
-constexpr double path_untouched = -7;
 
 // A path of three steps over the tilted plane; `wanted` steps must be written and no more.
 struct History {
   Scene scene;
   rc_path path = RC_PATH_INIT;
   std::vector<double> targets{up[0], up[1], up[2]};
-  std::vector<double> load = std::vector<double>(3, path_untouched);
+  std::vector<double> load = std::vector<double>(3, untouched);
 
   History() {
     path.control = RC_CONTROL_DISPLACEMENT;
@@ -30,7 +29,7 @@ struct History {
   Outcome run(rc_contact* contact, std::int64_t wanted) {
     const Outcome outcome = rc_contact_solve_path(contact, &path);
     assert_int_equal(path.completed, wanted);
-    for (std::int64_t i = 0; i < 3; ++i) assert_int_equal(load[static_cast<std::size_t>(i)] != path_untouched, i < wanted);
+    for (std::int64_t i = 0; i < 3; ++i) assert_int_equal(load[static_cast<std::size_t>(i)] != untouched, i < wanted);
     return outcome;
   }
 };

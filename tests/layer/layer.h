@@ -3,6 +3,7 @@
 
 #include <roughcontact/plugin.h>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 extern "C" rc_status rc_builtin_layer(const rc_host* host, const rc_plugin** out);
 
 namespace layer {
+
+inline constexpr double pi = std::numbers::pi;
 
 struct Layer {
   double thickness, modulus, poisson = 0.3, substrate = 0.3;  // modulus: E1/(1-nu1^2)

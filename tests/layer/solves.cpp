@@ -13,7 +13,6 @@ namespace layer {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 using Settings = std::vector<std::pair<const char*, std::string>>;
 
 std::string text(double value) {

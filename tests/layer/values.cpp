@@ -14,8 +14,6 @@ namespace layer {
 
 namespace {
 
-constexpr double half_turn = std::numbers::pi;
-
 // A host that knows this layer's options and nothing else.
 class Kernel : rc_host {
  public:
@@ -54,7 +52,7 @@ class Kernel : rc_host {
   double wave(double q) const {  // of a wave along x
     rc_system system = system_;
     system.nx = 2;
-    system.hx = half_turn / q;
+    system.hx = pi / q;
     system.boundary = RC_BOUNDARY_PERIODIC;
     const rc_kernel_spec asked = spec(system);
     double out[2];
@@ -157,7 +155,7 @@ double punch_stiffness(const Layer& layer) {
     sum += (i == steps ? 1 : i % 2 == 1 ? 4 : 2) * beyond * std::pow(std::sin(x) / x, 2);
   }
   sum += 1 - 1 / layer.modulus;  // at x = 0
-  return 1 / (1 / layer.modulus + 2 / half_turn * sum * step / 3);
+  return 1 / (1 / layer.modulus + 2 / pi * sum * step / 3);
 }
 
 void a_flat_punch_feels_the_published_share_of_the_layer(void**) {
@@ -172,7 +170,7 @@ void a_flat_punch_feels_the_published_share_of_the_layer(void**) {
     }
 }
 
-// What a point load deflects beyond the layer's own half-space: 1/(2 half_turn) integral of 2 (f - 1/E1*) J0(q r) over q.
+// What a point load deflects beyond the layer's own half-space: 1/(2 pi) integral of 2 (f - 1/E1*) J0(q r) over q.
 class Remainder {
  public:
   explicit Remainder(const Layer& layer) {
@@ -190,7 +188,7 @@ class Remainder {
               : i % 2 == 1         ? 4
                                    : 2) *
              value_[static_cast<std::size_t>(i)] * std::cyl_bessel_j(0.0, i * step_ * r);
-    return sum * step_ / 3 / half_turn;
+    return sum * step_ / 3 / pi;
   }
 
  private:
@@ -283,10 +281,10 @@ void what_cannot_be_fitted_is_refused(void**) { assert_int_equal(Kernel({1, 1e-5
 
 double gao_modulus_share(double xi, double poisson) {
   const double square = xi * xi;
-  return 2 / half_turn * std::atan(xi) +
-         ((1 - 2 * poisson) * xi * std::log1p(1 / square) - xi / (1 + square)) / (2 * half_turn * (1 - poisson));
+  return 2 / pi * std::atan(xi) +
+         ((1 - 2 * poisson) * xi * std::log1p(1 / square) - xi / (1 + square)) / (2 * pi * (1 - poisson));
 }
-double gao_poisson_share(double xi) { return 2 / half_turn * std::atan(xi) + xi / half_turn * std::log1p(1 / (xi * xi)); }
+double gao_poisson_share(double xi) { return 2 / pi * std::atan(xi) + xi / pi * std::log1p(1 / (xi * xi)); }
 
 const std::vector<CMUnitTest> value_tests = {
     cmocka_unit_test(the_symbol_solves_the_layered_problem),

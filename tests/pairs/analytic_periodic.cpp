@@ -11,22 +11,19 @@ namespace pairs {
 
 namespace {
 
-constexpr double half_turn = std::numbers::pi;
-
-// Gap amplitude (1 - cos(2 half_turn x / length)): its lowest point is 0, its mean the amplitude. Full contact at the mean
-// pressure p* = half_turn E* amplitude / length; below, contact of width 2 a with mean pressure p* sin^2(half_turn a / length).
+// Gap amplitude (1 - cos(2 pi x / length)): its lowest point is 0, its mean the amplitude. Full contact at the mean pressure
+// p* = pi E* amplitude / length; below, contact of width 2 a with mean pressure p* sin^2(pi a / length).
 // Johnson, Contact Mechanics (1985), section 13.2.
 struct Wave {
   double length = 3, amplitude = 0.2, modulus = 5;
 
-  double full_pressure() const { return half_turn * modulus * amplitude / length; }
-  double half_width(double t) const { return length / half_turn * std::asin(std::sqrt(t)); }
+  double full_pressure() const { return pi * modulus * amplitude / length; }
+  double half_width(double t) const { return length / pi * std::asin(std::sqrt(t)); }
   double pressure(double t, double x) const {
-    const double inside = t - std::pow(std::sin(half_turn * x / length), 2);
-    return inside > 0 ? 2 * full_pressure() * std::cos(half_turn * x / length) * std::sqrt(inside) : 0;
+    const double inside = t - std::pow(std::sin(pi * x / length), 2);
+    return inside > 0 ? 2 * full_pressure() * std::cos(pi * x / length) * std::sqrt(inside) : 0;
   }
-  // From the compliance of a row of flat punches, dd/d(mean pressure) = -(2 length / (half_turn E*)) log sin(half_turn a /
-  // length).
+  // From the compliance of a row of flat punches, dd/d(mean pressure) = -(2 length / (pi E*)) log sin(pi a / length).
   double approach(double t) const { return amplitude * (t - t * std::log(t)); }
 };
 
@@ -41,7 +38,7 @@ Problem wave_problem(const Wave& wave, std::int64_t nx, std::int64_t ny, double 
   s.modulus = wave.modulus;
   for (std::int64_t iy = 0; iy < ny; ++iy)
     for (std::int64_t ix = 0; ix < nx; ++ix)
-      problem.gap.push_back(wave.amplitude * (1 - std::cos(2 * half_turn * static_cast<double>(ix) / static_cast<double>(nx))));
+      problem.gap.push_back(wave.amplitude * (1 - std::cos(2 * pi * static_cast<double>(ix) / static_cast<double>(nx))));
   return at_load(problem, t * wave.full_pressure() * static_cast<double>(problem.points()) * problem.cell_area());
 }
 
@@ -114,10 +111,10 @@ Superposition full_contact(std::int64_t nx, std::int64_t ny) {
   made.p.assign(made.problem.points(), 0.0);
   const double waves[][4] = {{1, 0, 0.2, 0.3}, {0, 2, 0.1, 1.1}, {2, 1, 0.15, 2.5}, {3, -2, 0.05, 4.2}, {-1, 3, 0.08, 5.9}};
   for (const auto& [kx, ky, amplitude, phase] : waves) {
-    const double q = 2 * half_turn * std::hypot(kx / (static_cast<double>(nx) * s.hx), ky / (static_cast<double>(ny) * s.hy));
+    const double q = 2 * pi * std::hypot(kx / (static_cast<double>(nx) * s.hx), ky / (static_cast<double>(ny) * s.hy));
     for (std::size_t i = 0; i < made.p.size(); ++i) {
       const auto ix = static_cast<std::int64_t>(i) % nx, iy = static_cast<std::int64_t>(i) / nx;
-      const double height = amplitude * std::cos(2 * half_turn *
+      const double height = amplitude * std::cos(2 * pi *
                                                      (kx * static_cast<double>(ix) / static_cast<double>(nx) +
                                                       ky * static_cast<double>(iy) / static_cast<double>(ny)) +
                                                  phase);

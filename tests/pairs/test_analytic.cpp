@@ -11,8 +11,6 @@ namespace pairs {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // Sphere of radius 10, E* = 1, approach 0.1: contact radius 1, load (4/3) E* a^3 / R.
 constexpr double sphere = 10, hertz_load = 4.0 / 3 / sphere;
 
