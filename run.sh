@@ -8,13 +8,13 @@ set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 build=$root/build-run
 
-# Only what the command needs. The other backends are built if OPTIONS may name one.
+# Only what the command needs; all backends and libraries, as the Python package has them, if OPTIONS name one.
 targets=(roughcontact_command rcb_fft)
-case " $* " in *--backend* | *--solver* | *--set*) targets+=(rcb_dense rcb_split rcb_cholmod) ;; esac
+case "$*" in *--backend* | *--solver* | *certify_backend*) targets+=(roughcontact_python) ;; esac
 page=no
-! python3 -c 'import jinja2, numpy, plotly' 2>/dev/null || { page=yes; targets+=(roughcontact roughcontact_surface roughcontact_formats); }
+! python3 -c 'import jinja2, numpy, plotly' 2>/dev/null || { page=yes; targets+=(roughcontact_formats roughcontact_surface); }
 
-# progress: the percentages in a build's output, as one line of a terminal, or else a line each ten percent.
+# progress: shows the percentages of a build's output: on a terminal in one line, elsewhere in a line for each ten percent.
 progress() {
   local line percent last=-10
   while IFS= read -r line; do
@@ -30,7 +30,7 @@ progress() {
   [ ! -t 1 ] || echo
 }
 
-# up_to_date: the last build had these targets, and no file that it may have read has changed since.
+# up_to_date: whether the last build had these targets, and no file that it may have read has changed since it began.
 up_to_date() {
   [ -e "$build/built" ] && [ "$(cat "$build/built")" = "${targets[*]}" ] &&
     [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,formats,include,mpi,packaging,pkgconfig,src,surface,tools} -newer "$build/built" -print -quit)" ]

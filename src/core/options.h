@@ -68,7 +68,7 @@ class OptionSet {
   const OptionValue& get(const OptionSpec& spec) const;
   std::int64_t integer(const OptionSpec& spec) const { return std::get<std::int64_t>(get(spec)); }
   double real(const OptionSpec& spec) const { return std::get<double>(get(spec)); }
-  std::string text_of(const OptionSpec& spec) const;  // of any type, exact
+  std::string text_of(const OptionSpec& spec) const;  // the value of an option of any type; numbers are exact
   const std::string& text(const OptionSpec& spec) const { return std::get<std::string>(get(spec)); }
 
  private:

@@ -11,11 +11,11 @@
 
 namespace rc {
 
-// A part of a text: characters, a number or an address. It refers to characters of others.
+// A part of a text: characters, a number or an address. Characters are referred to, not copied.
 class TextPart {
  public:
   TextPart(std::string_view text) : kind_(Kind::text), text_(text) {}
-  TextPart(const char* text) : TextPart(std::string_view(text)) {}
+  TextPart(const char* text) : TextPart(std::string_view(text ? text : "(null)")) {}
   TextPart(const std::string& text) : TextPart(std::string_view(text)) {}
   TextPart(const void* address) : kind_(Kind::address), address_(address) {}
   TextPart(char letter) : kind_(Kind::letter), letter_(letter) {}
@@ -37,13 +37,13 @@ class TextPart {
   };
 };
 
-// The same text in every locale; "inf" and "nan" as well.
+// The value in at most so many significant digits; "inf", "nan". It does not depend on the locale.
 std::string in_digits(double value, int significant);
-// In digits that tell any two numbers apart.
+// The value in 17 digits, which tell any two numbers apart.
 inline std::string exact(double value) { return in_digits(value, 17); }
 
 std::string joined(std::initializer_list<TextPart> parts);
-// Reals have up to 12 digits.
+// join("nx = ", nx, " must be >= 1"); real numbers in at most 12 digits.
 std::string join(const auto&... parts) { return joined({TextPart(parts)...}); }
 
 std::vector<std::string> split(std::string_view text, char separator);

@@ -54,7 +54,7 @@ class RunScript(CommandTest):
         self.assertNotIn("compiling", self.asked("s.x3p"))
         self.assertEqual((self.folder / "built").read_text(), builds)
         self.asked("s.x3p", "--backend", "dense")
-        self.assertIn("rcb_dense", (self.folder / "built").read_text())
+        self.assertIn("roughcontact_python", (self.folder / "built").read_text())
         (self.folder / "src/new.cpp").touch()
         self.assertIn("compiling", self.asked("s.x3p", "--backend", "dense"))
 
