@@ -9,7 +9,6 @@
 
 namespace errors {
 
-inline constexpr rc_status refused = RC_ERR_ARGUMENT;
 inline constexpr double untouched = -7;  // what outputs hold before a call
 
 // What a call returned, with the calling thread's message at that moment.

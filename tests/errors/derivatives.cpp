@@ -116,6 +116,7 @@ template <class Spoil> auto conductance(const Spoil& spoil) {
 }  // namespace
 
 Section derivatives() {
+  const rc_status refused = RC_ERR_ARGUMENT;
   const char* const not_certified =
       "rc_contact_gradient: the last step on the given grid did not return RC_OK, or there was none since the contact was made, "
       "reset or restored";

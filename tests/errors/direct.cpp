@@ -73,7 +73,7 @@ template <class Spoil> auto cascade_with(const Spoil& spoil) {
 }  // namespace
 
 Section direct_routines() {
-  const rc_status shape = RC_ERR_SHAPE, option = RC_ERR_OPTION;
+  const rc_status refused = RC_ERR_ARGUMENT, shape = RC_ERR_SHAPE, option = RC_ERR_OPTION;
   return {
       "Direct routines",
       {

@@ -44,6 +44,7 @@ template <class Call> Outcome with_contact(const Call& call) {
 }  // namespace
 
 Section null_pointers() {
+  const rc_status refused = RC_ERR_ARGUMENT;
   return {
       "Null pointers",
       {

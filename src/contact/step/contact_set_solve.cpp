@@ -28,13 +28,13 @@ constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, 
 constexpr std::size_t small_grid = 1 << 13;  // cells; trees over all of them take no longer to set up and apply
 constexpr float sharp = 2;       // differences in the finest blocks, over those of haar-cg: no other level counts them
 constexpr double heavy = 4;      // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
-constexpr double turned = 0.36;  // of the grid's sides, by which the second pair of trees begins elsewhere
+constexpr double turned_by = 0.36;  // of the grid's sides, by which the second pair of trees begins elsewhere
 
 rc_status product_of(Operator& op, const double* x, double* y) { return op.apply(x, y); }
 rc_status product_of(Operator& op, const float* x, float* y) { return op.apply_float(x, y); }
 
 // An odd number of cells, so that blocks are cut on every level.
-std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned * static_cast<double>(n)) | 1; }
+std::int64_t turn_of(std::int64_t n) { return static_cast<std::int64_t>(turned_by * static_cast<double>(n)) | 1; }
 
 }  // namespace
 
