@@ -26,8 +26,8 @@ constexpr double fallback_residual = 1e-10;  // where a form is not found as exa
 
 constexpr std::size_t sparse = 8;  // cells of the grid for a point of the set, from which on the trees have the points alone
 constexpr std::size_t small_grid = 1 << 13;  // cells; trees over all of them take no longer to set up and apply
-constexpr float sharp = 2;       // differences in the finest blocks, over those of haar-cg: no other level counts them
-constexpr double heavy = 4;      // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
+constexpr float sharp = 2;          // differences in the finest blocks, over those of haar-cg: no other level counts them
+constexpr double heavy = 4;         // the mean, over that of haar-cg: what the trees tell of the longest waves is then less off
 constexpr double turned_by = 0.36;  // of the grid's sides, by which the second pair of trees begins elsewhere
 
 rc_status product_of(Operator& op, const double* x, double* y) { return op.apply(x, y); }
