@@ -38,9 +38,17 @@ def passes_table(passes):
                    for row in passes['passes']]
 
 
+def row_of(line):
+    """What a line says; one that was cut off or has a number that is none becomes a row of what failed."""
+    try:
+        return json.loads(line)
+    except ValueError:
+        return {'failed': line}
+
+
 def main():
     lines, passes, output, commit, device, *document = sys.argv[1:]
-    rows = [json.loads(line) for line in pathlib.Path(lines).read_text().splitlines()]
+    rows = [row_of(line) for line in pathlib.Path(lines).read_text().splitlines()]
     try:
         measured = json.loads(pathlib.Path(passes).read_text())
     except ValueError:  # it failed half-way, which a line says

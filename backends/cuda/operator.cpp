@@ -10,8 +10,7 @@ Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
     : host_(host),
       spec_(spec),
       settings_(host, spec.options),
-      grid_{0, 0, spec.system->nx, spec.system->ny},
-      engines_(engines_of(host, settings_)) {
+      grid_{0, 0, spec.system->nx, spec.system->ny} {
   if (spec.system->op != RC_OPERATOR_HALFSPACE)
     fail(RC_ERR_INCOMPATIBLE, "only half-space grids can be transformed; use another backend");
 }
@@ -51,7 +50,7 @@ template <class R> void Operator::multiply(const R* x, R* y, bool whole) {
   const auto cells = static_cast<std::size_t>(from.nx * from.ny), results = static_cast<std::size_t>(to.nx * to.ny),
              places = place_.size(), n = static_cast<std::size_t>(n_);
   try {
-    Borrowed engine(host_, settings_);
+    Borrowed engine(host_, settings_, spec_.team);
     const Spectrum& eigenvalues = spectrum(*engine, whole);
     engine->plan<R>(eigenvalues.torus(), from, to);
     // In the vectors' room: places, x in the box, x of the domain, which is y of the domain later, and y in the box.

@@ -38,7 +38,6 @@ class Operator {
   std::vector<Index> place_;  // of each point of the domain in the box; empty: in order
   double zero_mode_ = 0;
   std::shared_ptr<const Spectrum> of_box_, of_grid_;
-  const std::shared_ptr<Engines> engines_;  // kept from one step to the next
 };
 
 }  // namespace rc_cuda

@@ -37,12 +37,16 @@ template <class Pass> double time_of(Device& device, const Pass& pass) {
   return best;
 }
 
+}  // namespace
+
 rc_host no_host() {
   rc_host host{};
   host.struct_size = sizeof host;
   host.lock = host.unlock = [](const rc_host*, const char*) {};
   return host;
 }
+
+namespace {
 
 rc::CouplingTable table_of(Index n) {
   rc::CouplingTable table{std::min<Index>(n, 64), std::min<Index>(n, 64), {}, 1, 1};
@@ -51,9 +55,9 @@ rc::CouplingTable table_of(Index n) {
   return table;
 }
 
-void measure(Index n) {
-  const rc_host host = no_host();
-  Engine engine(&host, 0);
+}  // namespace
+
+void measure(Engine& engine, Index n) {
   Device& device = engine.device();
   const Current current(device);
   const Index cells = n * n;
@@ -110,8 +114,6 @@ void measure(Index n) {
   std::printf("\n]}\n");
 }
 
-}  // namespace
-
 }  // namespace rc_cuda
 
 int main(int argc, char** argv) {
@@ -119,11 +121,15 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s N\n", argv[0]);
     return 2;
   }
+  int status = 77;  // no device
   try {
-    rc_cuda::measure(std::atoll(argv[1]));
+    const rc_host host = rc_cuda::no_host();
+    rc_cuda::Engine engine(&host, 0);
+    status = 1;
+    rc_cuda::measure(engine, std::atoll(argv[1]));
     return 0;
   } catch (const roughcontact::Failure& failure) {
     std::fprintf(stderr, "%s\n", failure.message.c_str());
-    return 77;
+    return status;
   }
 }

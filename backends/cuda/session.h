@@ -21,12 +21,14 @@ struct Settings {
 
 using Engines = rc_common::Pool<std::unique_ptr<Engine>>;
 
+// Those of all contacts on this device, whatever their grids: a solve and the coarse grids on which it begins take the same one.
 std::shared_ptr<Engines> engines_of(const rc_host* host, const Settings& settings);
 
 // An engine that is taken. It is given back where nothing failed; else the device may be lost, and it goes.
 class Borrowed {
  public:
-  Borrowed(const rc_host* host, const Settings& settings);
+  // team: null, or that of the contact, which copies for it.
+  Borrowed(const rc_host* host, const Settings& settings, const rc_team* team = nullptr);
   Borrowed(const Borrowed&) = delete;
   Borrowed& operator=(const Borrowed&) = delete;
 
@@ -49,10 +51,14 @@ std::shared_ptr<const Spectrum> spectrum_for(const rc_host* host, const Settings
                      torus.periodic ? ny : std::min(ny, (torus.height + 1) / 2)};
   const std::string key = std::string(component.name) + " " + std::to_string(settings.index) + " " + std::to_string(torus.width) +
                           " " + std::to_string(torus.height);
-  return roughcontact::shared<const Spectrum>(host, component, key, [&] {
+  const auto made = [&] {
     return std::make_unique<Spectrum>(engine, torus, table, true, settings.limit,
                                       [&](double* out) { coefficients(table.nx, table.ny, out); });
-  });
+  };
+  // That of boxes changes from step to step, and goes with the last who uses it.
+  const bool whole = torus == (torus.periodic ? periodic_torus(nx, ny) : free_torus(nx, ny));
+  return whole ? roughcontact::kept<const Spectrum>(host, component, true, key, made)
+               : roughcontact::shared<const Spectrum>(host, component, key, made);
 }
 
 }  // namespace rc_cuda

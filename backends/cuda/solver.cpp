@@ -41,7 +41,8 @@ class Cells {
   Index count() const { return box_.points(); }
 
   void upload_state(Device& device, std::uint8_t* to) const {
-    std::vector<std::uint8_t> state(static_cast<std::size_t>(count()), place_.empty() ? is_unknown : 0);
+    if (place_.empty()) return device.each(count(), Fill<std::uint8_t>{to, is_unknown});
+    std::vector<std::uint8_t> state(static_cast<std::size_t>(count()), 0);
     for (const Index at : place_) state[static_cast<std::size_t>(at)] = is_unknown;
     device.upload(to, state.data(), state.size());
   }
@@ -126,7 +127,7 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
   const Window box = cells.window();
   Trees trees(inputs.cells.mx, inputs.cells.my, inputs.table);
 
-  Borrowed engine(host, settings);
+  Borrowed engine(host, settings, given.team);
   Device& device = engine->device();
   const Torus torus = grid.boundary == RC_BOUNDARY_PERIODIC ? periodic_torus(grid.nx, grid.ny) : free_torus(box.nx, box.ny);
   const std::shared_ptr<const Spectrum> spectrum = spectrum_for(host, settings, *engine, torus, grid.nx, grid.ny, coefficients);
@@ -187,7 +188,7 @@ rc_status solve(const rc_host* host, const rc_problem* given, const rc_options* 
     const std::span<double> pressures(p, static_cast<std::size_t>(given->n));
     const char* const coarse_solver = problem.option_int("haar-cg.nested") != 0 ? names::solver : nullptr;
     const bool warm = rc::serves(problem, coarse_solver, pressures);
-    if (!warm) rc::start_haar_cg(problem, coarse_solver, pressures, *d);
+    if (!warm) rc::start_haar_cg(problem, {coarse_solver, true}, pressures, *d);
     const bool mixed = problem.option_text("haar-cg.products") == "mixed";
     const auto iterate_in = mixed ? iterate<float> : iterate<double>;
     rc_status status = iterate_in(host, *given, options, problem, warm, p, *d);

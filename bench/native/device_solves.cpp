@@ -2,6 +2,7 @@
 // contact. device_solves batch COUNT SOLVER BACKEND THREADS: that many contacts of 64 x 64 points by one rc_batch_solve. One line
 // of JSON. bench/device.sh runs it.
 #include <roughcontact/history.h>
+#include <roughcontact/registry.h>
 #include <roughcontact/roughcontact.h>
 
 #include <algorithm>
@@ -22,14 +23,13 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+std::string quoted(std::string text) {
+  std::replace(text.begin(), text.end(), '"', '\'');
+  return '"' + text + '"';
+}
+
 [[noreturn]] void refuse(const char* what) {
-  std::printf("{\"failed\": \"%s: ", what);
-  for (const char* c = rc_last_error(); *c; ++c)
-    if (*c == '"')
-      std::printf("'");
-    else
-      std::putchar(*c);
-  std::printf("\"}\n");
+  std::printf("{\"failed\": %s}\n", quoted(std::string(what) + ": " + rc_last_error()).c_str());
   std::exit(0);
 }
 
@@ -102,12 +102,20 @@ rc_system square(std::int64_t n) {
   return system;
 }
 
-rc_options* options_of(const char* solver, const char* backend, int threads, double tol) {
+// The last warning goes to `warning`, as that contacts of a batch were not taken together.
+rc_options* options_of(const char* solver, const char* backend, int threads, double tol, std::string& warning) {
+  rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+  config.log = [](std::int32_t level, const char* text, void* user) {
+    if (level == RC_LOG_WARNING) *static_cast<std::string*>(user) = text;
+  };
+  config.log_user = &warning;
+  rc_context* context = nullptr;
   rc_options* options = nullptr;
-  if (rc_options_create(nullptr, &options) != RC_OK || rc_options_set_text(options, RC_OPT_SOLVER, solver) != RC_OK ||
+  if (rc_context_create(&config, &context) != RC_OK || rc_options_create(context, &options) != RC_OK || rc_options_set_text(options, RC_OPT_SOLVER, solver) != RC_OK ||
       rc_options_set_text(options, RC_OPT_BACKEND, backend) != RC_OK ||
       rc_options_set_int(options, RC_OPT_THREADS, threads) != RC_OK || rc_options_set_real(options, RC_OPT_TOL, tol) != RC_OK)
     refuse("options");
+  rc_context_destroy(context);  // the options keep what they need
   return options;
 }
 
@@ -123,7 +131,8 @@ int solve(char** argv) {
   const std::vector<Wave> all = waves(n, 1);
   std::vector<double> gap(static_cast<std::size_t>(n * n));
   fill_gap(n, all, gap.data());
-  rc_options* const options = options_of(argv[4], argv[5], std::atoi(argv[6]), tol);
+  std::string warning;
+  rc_options* const options = options_of(argv[4], argv[5], std::atoi(argv[6]), tol, warning);
   rc_contact* contact = nullptr;
   if (rc_contact_create(&system, options, &contact) != RC_OK) refuse("rc_contact_create");
   rc_step step = RC_STEP_INIT;
@@ -151,10 +160,10 @@ int solve(char** argv) {
   std::printf(
       "{\"n\": %lld, \"control\": \"%s\", \"tol\": %g, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"status\": "
       "\"%s\", \"first_seconds\": %.6f, \"seconds\": %.6f, \"products\": %lld, \"iterations\": %lld, \"area\": %.5f, "
-      "\"residual\": %.2e}\n",
+      "\"residual\": %.2e, \"warning\": %s}\n",
       static_cast<long long>(n), argv[2], tol, result.solver, result.backend, argv[6], rc_status_name(result.status), first, best,
       static_cast<long long>(result.applications), static_cast<long long>(result.iterations),
-      static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual));
+      static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual), quoted(warning).c_str());
   rc_contact_destroy(contact);
   rc_options_destroy(options);
   return 0;
@@ -173,7 +182,8 @@ int solve_batch(char** argv) {
       std::copy_n(gaps.data() + i % surfaces * n * n, n * n, gap);
     targets.push_back(load_of_a_tenth(slope_of(waves(n, 1))));
   }
-  rc_options* const options = options_of(argv[3], argv[4], std::atoi(argv[5]), 1e-8);
+  std::string warning;
+  rc_options* const options = options_of(argv[3], argv[4], std::atoi(argv[5]), 1e-8, warning);
   rc_batch batch = RC_BATCH_INIT;
   batch.control = RC_CONTROL_LOAD;
   batch.n = count;
@@ -189,9 +199,9 @@ int solve_batch(char** argv) {
   }
   std::printf(
       "{\"batch\": %lld, \"n\": %lld, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"certified\": %lld, "
-      "\"first_seconds\": %.6f, \"seconds\": %.6f, \"solves_per_second\": %.1f}\n",
+      "\"first_seconds\": %.6f, \"seconds\": %.6f, \"solves_per_second\": %.1f, \"warning\": %s}\n",
       static_cast<long long>(count), static_cast<long long>(n), argv[3], argv[4], argv[5],
-      static_cast<long long>(batch.certified), first, best, static_cast<double>(count) / best);
+      static_cast<long long>(batch.certified), first, best, static_cast<double>(count) / best, quoted(warning).c_str());
   rc_options_destroy(options);
   return 0;
 }

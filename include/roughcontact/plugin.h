@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 12u /* grows when a vtable gets a new member at its end                           */
+#define RC_PLUGIN_ABI_MINOR 13u /* grows when a vtable gets a new member at its end                           */
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,6 +50,10 @@ struct rc_host {
   rc_status (*share)(const rc_host *, const char *key, rc_status (*make)(void *argument, void **object),
                      void (*destroy)(void *object), void *argument, void **object);
   void (*release)(const rc_host *, void *object); /* once for each share()                                     */
+  /** As share(), but the contact or batch holds the object until it ends: no release(). of_system = 0: all contacts of the context
+   *  share it, whatever their systems. Since plugin ABI minor 13. */
+  rc_status (*keep)(const rc_host *, int32_t of_system, const char *key, rc_status (*make)(void *argument, void **object),
+                    void (*destroy)(void *object), void *argument, void **object);
 };
 
 /** The threads of one contact (option threads). Used by one thread at a time, not from inside a task. */
@@ -247,7 +251,7 @@ typedef struct rc_coarse {
   const char *solver;  /* by name                                                                              */
   double *p;           /* [nx*ny] pressures out [force/length^2]                                               */
   int32_t control;     /* RC_CONTROL_*                                                                         */
-  int32_t keep;        /* 1: the core keeps a copy of p for the caller, and what it set up for the next step   */
+  int32_t keep;        /* 1: the core keeps what it set up for the next step, and a copy of p for the caller; 2: no copy */
   double load;         /* LOAD: prescribed [force]                                                             */
   double tol;          /* 0: that of the step                                                                  */
 } rc_coarse;

@@ -93,24 +93,42 @@ template <class Action> rc_status guard(const rc_host* host, const Component& co
   }
 }
 
+// What share() and keep() call.
+template <class Object, class Make> struct SharedRequest {
+  const rc_host* host;
+  const Component& component;
+  const Make& make;
+
+  static rc_status make_object(void* argument, void** object) {
+    const SharedRequest& asked = *static_cast<const SharedRequest*>(argument);
+    return guard(asked.host, asked.component, [&] { *object = asked.make().release(); });
+  }
+  static void destroy_object(void* old) { delete static_cast<Object*>(old); }
+};
+
 // rc_host.share: the object under this key, made by make(), a function that returns a std::unique_ptr, where no contact of the
 // context with the same system holds one. A host that is older makes one for each caller.
 template <class T, class Make>
 std::shared_ptr<T> shared(const rc_host* host, const Component& component, const std::string& key, const Make& make) {
   if (host->struct_size < offsetof(rc_host, release) + sizeof host->release || !host->share) return make();
-  struct Request {
-    const rc_host* host;
-    const Component& component;
-    const Make& make;
-  } request{host, component, make};
-  const auto made = [](void* argument, void** object) -> rc_status {
-    const Request& asked = *static_cast<const Request*>(argument);
-    return guard(asked.host, asked.component, [&] { *object = asked.make().release(); });
-  };
-  void* object = nullptr;
   using Object = std::remove_const_t<T>;
-  check(host->share(host, key.c_str(), made, [](void* old) { delete static_cast<Object*>(old); }, &request, &object));
+  SharedRequest<Object, Make> request{host, component, make};
+  void* object = nullptr;
+  check(host->share(host, key.c_str(), request.make_object, request.destroy_object, &request, &object));
   return {static_cast<Object*>(object), [host](T* held) { host->release(host, const_cast<Object*>(held)); }};
+}
+
+// rc_host.keep: the same, and the contact holds it until it ends. of_system: whether only contacts with the same system share it.
+template <class T, class Make>
+std::shared_ptr<T> kept(const rc_host* host, const Component& component, bool of_system, const std::string& key,
+                        const Make& make) {
+  if (host->struct_size < offsetof(rc_host, keep) + sizeof host->keep || !host->keep)
+    return shared<T>(host, component, key, make);
+  using Object = std::remove_const_t<T>;
+  SharedRequest<Object, Make> request{host, component, make};
+  void* object = nullptr;
+  check(host->keep(host, of_system ? 1 : 0, key.c_str(), request.make_object, request.destroy_object, &request, &object));
+  return {static_cast<Object*>(object), [](T*) {}};
 }
 
 // Options by key; throw if the host does not know the key.

@@ -151,7 +151,7 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
 void GridContact::remember(Finished&& finished, const rc_result& result) {
   Pressures kept;
   try {
-    kept = finished.pressures.positive();  // points without pressure would take most of the memory
+    kept = finished.pressures.positive(work_.team());  // points without pressure would take most of the memory
   } catch (const std::bad_alloc&) {
     kept = {};  // the answer is written: all of them are kept
   }

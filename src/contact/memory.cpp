@@ -58,7 +58,7 @@ double Memory::ahead(const rc_step& step) const {
 }
 
 std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
-                                  const Pressures* nearer) const {
+                                  const Pressures* nearer, const rc_team& team) const {
   std::vector<double> p;
   if (nearer) {
     p = nearer->at(trial);
@@ -72,7 +72,7 @@ std::vector<double> Memory::start(const rc_step& step, const TrialSet& trial, do
       for (std::size_t i = 0; i < p.size(); ++i) p[i] += part * (p[i] - older[i]);
     }
   } else {
-    return large_vector<double>(static_cast<std::size_t>(trial.n));
+    return large_vector<double>(static_cast<std::size_t>(trial.n), team);
   }
   for (double& value : p) value = std::min(std::max(0.0, value / pressure_unit), cap);
   return p;

@@ -18,10 +18,12 @@ struct Pressures {
   bool empty() const { return p.empty(); }
   // The pressures at the points of another set.
   std::vector<double> at(const TrialSet& other) const;
-  void write(const OutputArray& everywhere, std::int64_t points) const;
-  void write(double* everywhere, std::int64_t points) const { write(OutputArray{everywhere, nullptr}, points); }
+  void write(const OutputArray& everywhere, std::int64_t points, const rc_team& team) const;
+  void write(double* everywhere, std::int64_t points, const rc_team& team) const {
+    write(OutputArray{everywhere, nullptr}, points, team);
+  }
   // The positive pressures, on their points alone.
-  Pressures positive() const;
+  Pressures positive(const rc_team& team) const;
 };
 
 // H p at the points listed. Every other point has a deformed gap above `beyond`, or an undeformed gap that is no smaller than the

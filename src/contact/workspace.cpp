@@ -1,6 +1,7 @@
 #include "contact/workspace.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "contact/step/monitor.h"
@@ -97,10 +98,22 @@ std::int64_t Workspace::applications() const {
   return total;
 }
 
+bool Workspace::coefficients_by_team(std::int64_t mx, std::int64_t my, double* out) const {
+  constexpr std::int64_t values_at_once = 1 << 15;
+  if (system.unit.boundary == RC_BOUNDARY_PERIODIC || team().threads == 1) return false;
+  const std::int64_t rows = std::max<std::int64_t>(1, values_at_once / mx);
+  std::atomic<bool> all = true;
+  roughcontact::for_each(team(), (my + rows - 1) / rows, true, [&](std::int64_t item, std::int64_t) {
+    const std::int64_t first = item * rows, count = std::min(rows, my - first);
+    if (host.window(&host, &system.unit, system.kernel.c_str(), 0, first, mx, count, out + first * mx) != RC_OK) all = false;
+  });
+  return all;
+}
+
 rc_status Workspace::coefficients(std::int64_t mx, std::int64_t my, double* out) {
   constexpr std::int64_t most = 1 << 14;  // values that are kept
   const auto computed = [&](double* to) { return host.coefficients(&host, &system.unit, system.kernel.c_str(), mx, my, to); };
-  if (mx > most / my) return computed(out);
+  if (mx > most / my) return coefficients_by_team(mx, my, out) ? RC_OK : computed(out);
   if (mx != table_.mx || my != table_.my) {
     rc_status status = RC_OK;
     const auto make = [&] {

@@ -107,6 +107,9 @@ class Workspace {
   SolverGrids solver_grids;
 
  private:
+  // Free systems: by all threads. False where that is not possible, or some value is refused: out is then to be filled anew.
+  bool coefficients_by_team(std::int64_t mx, std::int64_t my, double* out) const;
+
   struct Table {
     std::int64_t mx = 0, my = 0;
     std::shared_ptr<const std::vector<double>> values;  // shared by contacts of one context with the same system

@@ -2,8 +2,9 @@
 // checks many contacts at once, takes them from here as well; so they are constexpr.
 #pragma once
 
-#include <algorithm>
 #include <limits>
+
+#include "core/by_value.h"
 
 namespace rc {
 
@@ -16,24 +17,24 @@ constexpr double relative_violation(double violation, double scale) {
 // max(0, -min p) / max|p|, and max(0, max p - c) / c
 constexpr double primal_violation(double least_p, double largest_p, double hardness) {
   const double negative = relative_violation(-least_p, largest_p), beyond = largest_p / hardness - 1;
-  return std::max(0.0, std::max(negative, beyond));
+  return larger_of(0.0, larger_of(negative, beyond));
 }
 
 // Where the gap is negative, pressures may still grow by this share of the hardness.
 constexpr double room_below(double hardness, double p, double gap) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  return gap < 0 && hardness < infinite ? std::max(0.0, 1 - p / hardness) : infinite;
+  return gap < 0 && hardness < infinite ? larger_of(0.0, 1 - p / hardness) : infinite;
 }
 
 // For g < 0: min(1 - p / c, |g| / s)
 constexpr double dual_violation(double gap, double p, double hardness, double scale) {
-  return gap < 0 ? std::min(room_below(hardness, p, gap), relative_violation(-gap, scale)) : 0.0;
+  return gap < 0 ? smaller_of(room_below(hardness, p, gap), relative_violation(-gap, scale)) : 0.0;
 }
 
 // For p > 0: min(p / max p, |g| / s), and no more than 1 - p / c where g < 0
 constexpr double complementarity_violation(double gap, double p, double largest_p, double hardness, double scale) {
   if (!(p > 0)) return 0;
-  return std::min(std::min(p / largest_p, room_below(hardness, p, gap)), relative_violation(gap < 0 ? -gap : gap, scale));
+  return smaller_of(smaller_of(p / largest_p, room_below(hardness, p, gap)), relative_violation(gap < 0 ? -gap : gap, scale));
 }
 
 // |load - wanted| / wanted; 0 if both are 0.
@@ -43,9 +44,9 @@ constexpr double load_imbalance(double load, double wanted) {
 
 // The scale s [length] of gaps, periodic boundaries; contact/step/target.h says why. deflected: what a cell is deflected by at
 // least under the mean pressure; mean_gap: of the surfaces without pressure.
-constexpr double periodic_scale_by_load(double compression, double deflected) { return std::max(compression, deflected); }
+constexpr double periodic_scale_by_load(double compression, double deflected) { return larger_of(compression, deflected); }
 constexpr double periodic_scale_by_approach(double compression, double mean_gap, double tol) {
-  return mean_gap == 0 ? compression : std::min(compression, mean_gap / (2 * tol));
+  return mean_gap == 0 ? compression : smaller_of(compression, mean_gap / (2 * tol));
 }
 
 // Periodic, elastic, every point may carry pressure: the load is not determined by an approach beyond the mean plane.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <roughcontact/plugin.hpp>
 #include <vector>
 
 #include "platform/memory.h"
@@ -23,6 +25,21 @@ template <class Value> void reserve_large(std::vector<Value>& values, std::size_
 template <class Value> std::vector<Value> large_vector(std::size_t n) {
   std::vector<Value> values;
   reserve_large(values, n);
+  values.resize(n);
+  return values;
+}
+
+// The same, with all threads waiting for the system's pages at a time.
+template <class Value> std::vector<Value> large_vector(std::size_t n, const rc_team& team) {
+  constexpr std::size_t page = 4096, at_once = large_bytes;
+  std::vector<Value> values;
+  reserve_large(values, n);
+  volatile char* const memory = reinterpret_cast<char*>(values.data());
+  const std::size_t bytes = n * sizeof(Value);
+  roughcontact::for_each(team, static_cast<std::int64_t>(bytes / at_once), true, [&](std::int64_t item, std::int64_t) {
+    const std::size_t begin = static_cast<std::size_t>(item) * at_once;
+    for (std::size_t at = begin; at < begin + at_once; at += page) memory[at] = 0;
+  });
   values.resize(n);
   return values;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,7 @@ struct Host : rc_host {
   struct Holdings {
     std::mutex mutex;
     std::multimap<void*, std::shared_ptr<void>> objects;
+    std::set<std::shared_ptr<void>> kept;  // until the host ends
   };
   const std::unique_ptr<Holdings> holdings = std::make_unique<Holdings>();
 };

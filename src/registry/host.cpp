@@ -63,6 +63,27 @@ void divide(double* values, std::int64_t n, double modulus) {
   for (std::int64_t i = 0; i < n; ++i) values[i] /= modulus;
 }
 
+using Make = rc_status (*)(void* argument, void** object);
+using Destroy = void (*)(void* object);
+
+struct Maker {
+  Make make;
+  Destroy destroy;
+  void* argument;
+
+  std::shared_ptr<void> operator()() const {
+    void* fresh = nullptr;
+    clear_message();
+    raise_if_failed(make(argument, &fresh), "making a shared object");
+    return {fresh, destroy};
+  }
+};
+
+// Components cannot have the keys of the core, which has no space in its own.
+std::shared_ptr<void> found_or_made(const Host& host, std::string_view whose, const char* key, const Maker& maker) {
+  return host.context->shared().get<void>(join("component ", key, " ", whose), maker);
+}
+
 }  // namespace
 
 Host::Host(const Context& owner, const SystemKernel* of_system, std::string of_key)
@@ -108,20 +129,21 @@ Host::Host(const Context& owner, const SystemKernel* of_system, std::string of_k
       divide(out, mx * my, system->modulus);
     });
   };
-  share = [](const rc_host* host, const char* key, rc_status (*make)(void*, void**), void (*destroy)(void*), void* argument,
-             void** object) {
+  share = [](const rc_host* host, const char* key, Make make, Destroy destroy, void* argument, void** object) {
     return shielded([&] {
       const Host& own = *static_cast<const Host*>(host);
-      const auto made = [&]() -> std::shared_ptr<void> {
-        void* fresh = nullptr;
-        clear_message();
-        raise_if_failed(make(argument, &fresh), "making a shared object");
-        return {fresh, destroy};
-      };
-      // Components cannot have the keys of the core, which has no space in its own.
-      std::shared_ptr<void> found = own.context->shared().get<void>(join("component ", key, " ", own.identity), made);
+      std::shared_ptr<void> found = found_or_made(own, own.identity, key, {make, destroy, argument});
       const std::lock_guard guarded(own.holdings->mutex);
       *object = own.holdings->objects.emplace(found.get(), found)->first;
+    });
+  };
+  keep = [](const rc_host* host, std::int32_t of_system, const char* key, Make make, Destroy destroy, void* argument,
+            void** object) {
+    return shielded([&] {
+      const Host& own = *static_cast<const Host*>(host);
+      std::shared_ptr<void> found = found_or_made(own, of_system != 0 ? own.identity : "of all", key, {make, destroy, argument});
+      const std::lock_guard guarded(own.holdings->mutex);
+      *object = own.holdings->kept.insert(std::move(found)).first->get();
     });
   };
   release = [](const rc_host* host, void* object) {

@@ -4,7 +4,7 @@
 #include "golden.h"
 
 VALUE(RC_PLUGIN_ABI_MAJOR, 1);
-VALUE(RC_PLUGIN_ABI_MINOR, 12);
+VALUE(RC_PLUGIN_ABI_MINOR, 13);
 
 VALUE(RC_CAP_FREE, 1);
 VALUE(RC_CAP_PERIODIC, 2);
@@ -42,7 +42,7 @@ AT(rc_rows, transpose, 32);
 AT(rc_rows, agree, 40);
 AT(rc_rows, gather, 48);
 
-SIZE(rc_host, 112);
+SIZE(rc_host, 120);
 AT(rc_host, struct_size, 0);
 AT(rc_host, abi_major, 8);
 AT(rc_host, abi_minor, 12);
@@ -58,6 +58,7 @@ AT(rc_host, symbol, 80);
 AT(rc_host, window, 88);
 AT(rc_host, share, 96);
 AT(rc_host, release, 104);
+AT(rc_host, keep, 112);
 
 SIZE(rc_team, 24);
 AT(rc_team, struct_size, 0);

@@ -10,10 +10,14 @@ cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DRC_CUDA=ON -DRC_CUDA
   -DRC_BUILD_TESTS=OFF -DRC_BUILD_EXAMPLES=OFF -DRC_BUILD_TOOLS=OFF -DRC_BUILD_FORMATS=OFF -DRC_BUILD_BENCH=OFF -DRC_BUILD_SURFACE=OFF \
   -DRC_BUILD_MPI=OFF -DRC_BUILD_DEVICE_BENCH=ON -DRC_BUILTIN_BACKENDS= -DRC_MODULE_BACKENDS= >"$build/build.log" 2>&1 ||
   { tail -20 "$build/build.log"; exit 1; }
-cmake --build "$build" --parallel 2 --target roughcontact rcb_cuda device_solves >>"$build/build.log" 2>&1 ||
+cmake --build "$build" --parallel 2 --target roughcontact rcb_cuda device_solves device_passes >>"$build/build.log" 2>&1 ||
   { tail -20 "$build/build.log"; exit 1; }
 ! grep -i warning "$build/build.log" || exit 1
 plugin=$(echo "$build"/lib/roughcontact/*/rcb_cuda.so)
+# A constant of the host in code for the device becomes a trap there.
+"$(command -v nvcc)" -x cu -std=c++20 -O3 -fmad=false --expt-relaxed-constexpr -arch=sm_80 -ptx -I"$source/include" -I"$source/src" \
+  -I"$source/backends" -I"$source/backends/cuda" -o "$build/many.ptx" "$source/backends/cuda/small/many.cpp"
+! grep -n 'trap;' "$build/many.ptx" || exit 1
 symbols=$(nm -D --defined-only "$plugin" | awk '$2 == "T" || $3 ~ /rc_|2rc|roughcontact/ { print $3 }')  # the others are the standard library's
 [ "$symbols" = rc_plugin_query ] || { echo "others can see: $symbols"; exit 1; }
 "$source/.ci/globals.sh" "$build"

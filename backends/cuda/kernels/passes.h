@@ -25,6 +25,11 @@ struct Begin {
   }
 };
 
+template <class T> struct Fill {
+  T *to, value;
+  RC_ANYWHERE void operator()(Index i) const { to[i] = value; }
+};
+
 struct Multiply {
   double *p, by, cap;
   bool free;  // only pressures below the cap, and up to it

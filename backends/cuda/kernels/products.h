@@ -6,7 +6,8 @@
 
 namespace rc_cuda {
 
-template <class R> struct Complex { R re, im; };
+// Loaded and stored as one.
+template <class R> struct alignas(2 * sizeof(R)) Complex { R re, im; };
 
 // A box of nx columns into rows of reals, zeros behind it. The first row is the box's.
 template <class R> struct Pad {

@@ -1,5 +1,6 @@
 #include "runtime/cuda_device.h"
 
+#include <cstring>
 #include <string>
 
 namespace rc_cuda {
@@ -31,6 +32,16 @@ void checked(cufftResult result, const char* call) {
                   result == CUFFT_ALLOC_FAILED);
 }
 
+constexpr std::size_t least_staged = std::size_t{1} << 20, stage_bytes = std::size_t{1} << 23, of_item = std::size_t{1} << 19;
+
+void copy_by(const rc_team& team, unsigned char* to, const unsigned char* from, std::size_t bytes) {
+  roughcontact::for_each(team, static_cast<std::int64_t>((bytes + of_item - 1) / of_item), true,
+                         [&](std::int64_t item, std::int64_t) {
+                           const std::size_t begin = static_cast<std::size_t>(item) * of_item;
+                           std::memcpy(to + begin, from + begin, std::min(of_item, bytes - begin));
+                         });
+}
+
 }  // namespace
 
 Device::Device(const rc_host* host, Index index) : host_(host), index_(index) {
@@ -41,12 +52,11 @@ Device::Device(const rc_host* host, Index index) : host_(host), index_(index) {
   const Current device(index);
   try {
     checked(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "cudaStreamCreateWithFlags");
-    checked(cudaMalloc(&result_, most_part), "cudaMalloc");
     void* arrived = nullptr;
     checked(cudaMalloc(&arrived, sizeof *arrived_), "cudaMalloc");
     arrived_ = static_cast<unsigned*>(arrived);
     clear(arrived_, sizeof *arrived_);
-    checked(cudaMallocHost(&seen_, most_part), "cudaMallocHost");
+    checked(cudaHostAlloc(&seen_, most_part, cudaHostAllocMapped), "cudaHostAlloc");
   } catch (...) {
     give_back();
     throw;
@@ -65,9 +75,12 @@ Device::~Device() {
 // What fails here is lost already.
 void Device::give_back() noexcept {
   cudaFree(parts_);
-  cudaFree(result_);
   cudaFree(arrived_);
   cudaFreeHost(seen_);
+  for (const Stage& stage : stages_) {
+    cudaFreeHost(stage.bytes);
+    if (stage.free) cudaEventDestroy(stage.free);
+  }
   if (stream_) cudaStreamDestroy(stream_);
   cudaGetLastError();  // the next call begins anew
 }
@@ -100,6 +113,47 @@ void Device::make_parts(std::size_t bytes) {
   parts_bytes_ = 0;
   parts_ = allocate(bytes);
   parts_bytes_ = bytes;
+}
+
+bool Device::staged(std::size_t bytes) {
+  if (!team_ || bytes < least_staged) return false;
+  for (Stage& stage : stages_) {
+    if (!stage.free) checked(cudaEventCreateWithFlags(&stage.free, cudaEventDisableTiming), "cudaEventCreateWithFlags");
+    void* memory = stage.bytes;
+    if (!memory) checked(cudaHostAlloc(&memory, stage_bytes, cudaHostAllocDefault), "cudaHostAlloc");
+    stage.bytes = static_cast<unsigned char*>(memory);
+  }
+  return true;
+}
+
+void Device::upload(void* to, const void* from, std::size_t bytes) {
+  if (!staged(bytes)) return copy(to, from, bytes, cudaMemcpyHostToDevice);
+  for (std::size_t done = 0, k = 0; done < bytes; done += stage_bytes, ++k) {
+    const Stage& stage = stages_[k % 2];
+    const std::size_t count = std::min(stage_bytes, bytes - done);
+    checked(cudaEventSynchronize(stage.free), "cudaEventSynchronize");
+    copy_by(*team_, stage.bytes, static_cast<const unsigned char*>(from) + done, count);
+    checked(cudaMemcpyAsync(static_cast<unsigned char*>(to) + done, stage.bytes, count, cudaMemcpyHostToDevice, stream_),
+            "cudaMemcpyAsync");
+    checked(cudaEventRecord(stage.free, stream_), "cudaEventRecord");
+  }
+}
+
+void Device::download(void* to, const void* from, std::size_t bytes) {
+  if (!staged(bytes)) return copy(to, from, bytes, cudaMemcpyDeviceToHost);
+  const auto fetch = [&](std::size_t done, const Stage& stage) {
+    checked(cudaMemcpyAsync(stage.bytes, static_cast<const unsigned char*>(from) + done, std::min(stage_bytes, bytes - done),
+                            cudaMemcpyDeviceToHost, stream_),
+            "cudaMemcpyAsync");
+    checked(cudaEventRecord(stage.free, stream_), "cudaEventRecord");
+  };
+  fetch(0, stages_[0]);
+  for (std::size_t done = 0, k = 0; done < bytes; done += stage_bytes, ++k) {
+    const Stage& stage = stages_[k % 2];
+    if (done + stage_bytes < bytes) fetch(done + stage_bytes, stages_[(k + 1) % 2]);
+    checked(cudaEventSynchronize(stage.free), "cudaEventSynchronize");
+    copy_by(*team_, static_cast<unsigned char*>(to) + done, stage.bytes, std::min(stage_bytes, bytes - done));
+  }
 }
 
 void Device::copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {

@@ -82,7 +82,8 @@ class Block {
  public:
   template <class F> RC_CALLED RC_ANYWHERE void each(Index n, const F& f) {
 #ifdef __CUDA_ARCH__
-    for (Index i = threadIdx.x; i < n; i += lanes) f(i);
+    const F own = f;  // in registers: what it stores cannot change it
+    for (Index i = threadIdx.x; i < n; i += lanes) own(i);
     __syncthreads();
 #else
     unused(n, f);
@@ -93,7 +94,8 @@ class Block {
     Part sum;
 #ifdef __CUDA_ARCH__
     Part* const lane = reinterpret_cast<Part*>(room());
-    for (Index i = threadIdx.x; i < n; i += lanes) sum.add(f(i));
+    const F own = f;
+    for (Index i = threadIdx.x; i < n; i += lanes) sum.add(own(i));
     lane[threadIdx.x] = sum;
     add_halves(lane);
     sum = lane[0];
@@ -105,7 +107,7 @@ class Block {
   }
   template <class Work> RC_ANYWHERE void together(const Work& work) {
     const int phases = work.phases();
-    for (int phase = 0; phase < phases; ++phase) each(work.count(phase), [&](Index i) { work(phase, i); });
+    for (int phase = 0; phase < phases; ++phase) each(work.count(phase), [work, phase](Index i) { work(phase, i); });
   }
   // The number that the counter shows, which it then raises: blocks share work by it.
   RC_ANYWHERE unsigned take(unsigned* counter) {
@@ -156,16 +158,20 @@ class Device;
 // Until its end the calling thread's device is that of this number; then the one before is again.
 class Current {
  public:
-  explicit Current(Index index) {
+  explicit Current(Index index) : own_(static_cast<int>(index)) {
     checked(cudaGetDevice(&before_), "cudaGetDevice");
-    checked(cudaSetDevice(static_cast<int>(index)), "cudaSetDevice");
+    checked(cudaSetDevice(own_), "cudaSetDevice");
   }
   explicit Current(const Device& device);
-  ~Current() { cudaSetDevice(before_); }
+  // Setting a device makes a context on it, so that of one which was not in use is not touched.
+  ~Current() {
+    if (before_ != own_) cudaSetDevice(before_);
+  }
   Current(const Current&) = delete;
   Current& operator=(const Current&) = delete;
 
  private:
+  const int own_;
   int before_ = 0;
 };
 
@@ -177,14 +183,21 @@ class Device {
   ~Device();
 
   const rc_host* host() const { return host_; }
-  void serve(const rc_host* host) { host_ = host; }  // the one before may be gone
+  // The host and, where it is not null, the team that copies for it. Those before may be gone.
+  void serve(const rc_host* host, const rc_team* team) {
+    host_ = host;
+    team_ = team;
+  }
   Index index() const { return index_; }
   cudaStream_t stream() const { return stream_; }
   std::size_t free_bytes() { return free_bytes_of(index_); }
   void* allocate(std::size_t bytes);
-  static void release(void* memory) noexcept { cudaFree(memory); }
-  void upload(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyHostToDevice); }
-  void download(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes, cudaMemcpyDeviceToHost); }
+  static void release(void* memory) noexcept {
+    cudaFree(memory);
+    cudaGetLastError();  // of a device that is lost: the program's next look at it finds none of ours
+  }
+  void upload(void* to, const void* from, std::size_t bytes);
+  void download(void* to, const void* from, std::size_t bytes);
   void clear(void* memory, std::size_t bytes) { checked(cudaMemsetAsync(memory, 0, bytes, stream_), "cudaMemsetAsync"); }
   void wait() { checked(cudaStreamSynchronize(stream_), "cudaStreamSynchronize"); }
   // For all that anybody told the device to do.
@@ -197,8 +210,7 @@ class Device {
     static_assert(sizeof(Part) <= most_part);
     const Index pieces = (n + piece - 1) / piece;
     make_parts(static_cast<std::size_t>(pieces) * sizeof(Part));
-    launch(reduce_kernel<Part, F>, pieces, lanes, f, n, static_cast<Part*>(parts_), arrived_, static_cast<Part*>(result_));
-    checked(cudaMemcpyAsync(seen_, result_, sizeof(Part), cudaMemcpyDeviceToHost, stream_), "cudaMemcpyAsync");
+    launch(reduce_kernel<Part, F>, pieces, lanes, f, n, static_cast<Part*>(parts_), arrived_, static_cast<Part*>(seen_));
     wait();
     return *static_cast<const Part*>(seen_);
   }
@@ -206,7 +218,8 @@ class Device {
   // How many blocks run at a time, each with so many bytes of the fastest memory; and how many bytes a block may have.
   template <class Work> Index blocks_at_a_time(std::size_t shared) {
     int beside = 0;
-    checked(cudaFuncSetAttribute(blocks_kernel<Work>, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(shared)),
+    // That of the kernel, for all threads and grids: so it is never less than any of them needs.
+    checked(cudaFuncSetAttribute(blocks_kernel<Work>, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(most_shared())),
             "cudaFuncSetAttribute");
     checked(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&beside, blocks_kernel<Work>, lanes, shared),
             "cudaOccupancyMaxActiveBlocksPerMultiprocessor");
@@ -214,6 +227,13 @@ class Device {
   }
   std::size_t most_shared() {
     return static_cast<std::size_t>(attribute(cudaDevAttrMaxSharedMemoryPerBlockOptin)) - lanes * most_part - 1024;
+  }
+  // Bytes that the device takes for the stacks of all threads that can run at a time, at the first launch of this work.
+  template <class Work> std::size_t bytes_of_stacks() const {
+    cudaFuncAttributes kernel{};
+    checked(cudaFuncGetAttributes(&kernel, blocks_kernel<Work>), "cudaFuncGetAttributes");
+    return kernel.localSizeBytes * static_cast<std::size_t>(attribute(cudaDevAttrMaxThreadsPerMultiProcessor)) *
+           static_cast<std::size_t>(attribute(cudaDevAttrMultiProcessorCount));
   }
   // work(block, its number, its fastest memory), after blocks_at_a_time() of the same work.
   template <class Work> void blocks(Index count, std::size_t shared, const Work& work) {
@@ -223,6 +243,7 @@ class Device {
  private:
   void make_parts(std::size_t bytes);
   void copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind);
+  bool staged(std::size_t bytes);  // whether a copy of so many goes through the stages, which it makes
   void give_back() noexcept;
   Index attribute(cudaDeviceAttr wanted) const {
     int value = 0;
@@ -247,9 +268,17 @@ class Device {
   Index index_;
   cudaStream_t stream_ = nullptr;
   unsigned* arrived_ = nullptr;
-  void *parts_ = nullptr, *result_ = nullptr;
-  void* seen_ = nullptr;  // on the host, where copies need no staging
+  void* parts_ = nullptr;
+  void* seen_ = nullptr;  // on the host, where kernels write sums
   std::size_t parts_bytes_ = 0;
+
+  // On the host, in memory that stays where it is: the driver copies to one of them while the team copies to the other.
+  struct Stage {
+    unsigned char* bytes = nullptr;
+    cudaEvent_t free = nullptr;
+  };
+  const rc_team* team_ = nullptr;
+  Stage stages_[2];
 };
 
 inline Current::Current(const Device& device) : Current(device.index()) {}

@@ -45,7 +45,7 @@ class Device {
   Device(const rc_host* host, Index index);
 
   const rc_host* host() const { return host_; }
-  void serve(const rc_host* host) { host_ = host; }  // the one before may be gone
+  void serve(const rc_host* host, const rc_team*) { host_ = host; }  // the one before may be gone
   Index index() const { return index_; }
   std::size_t free_bytes();
   void* allocate(std::size_t bytes);
@@ -85,6 +85,7 @@ class Device {
   }
   // How many blocks a device runs at a time, each with so many bytes of its fastest memory; and how many bytes a block may have.
   template <class Work> Index blocks_at_a_time(std::size_t) { return 2; }
+  template <class Work> std::size_t bytes_of_stacks() const { return 0; }  // of all threads that run at a time
   std::size_t most_shared() { return std::size_t{1} << 16; }
   // work(block, its number, its fastest memory). The last block comes first here.
   template <class Work> void blocks(Index count, std::size_t shared, const Work& work) {

@@ -72,7 +72,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
   Borrowed engine(host, settings);
   Device& device = engine->device();
   const std::string key = std::string(component.name) + " small " + std::to_string(settings.index);
-  const std::shared_ptr<const SmallSpectrum> spectrum = roughcontact::shared<const SmallSpectrum>(host, component, key, [&] {
+  const std::shared_ptr<const SmallSpectrum> spectrum = roughcontact::kept<const SmallSpectrum>(host, component, true, key, [&] {
     std::vector<double> table;
     coefficients(grid.nx, grid.ny, table);
     return std::make_unique<SmallSpectrum>(device, grid.nx, grid.ny, periodic, table);
@@ -110,7 +110,7 @@ template <class R> void solve(const rc_host* host, rc_many& many, const rc_optio
     return Arrays(many, contacts, nullptr).bytes() + rounded(trees.bytes()) +
            static_cast<std::size_t>(std::min(at_a_time, contacts)) * common.bytes;
   };
-  const std::size_t there = engine->most_for_vectors(spectrum->bytes(), settings.limit);
+  const std::size_t there = engine->most_for_vectors(spectrum->bytes() + device.bytes_of_stacks<Work>(), settings.limit);
   Index fits = many.n;
   while (fits > 1 && needed(fits) > there) fits = fits / 2;
   common.contacts = fits;

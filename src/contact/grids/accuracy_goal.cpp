@@ -187,7 +187,7 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   set_message(join(rc_status_text(found.status), ": the answer is that of ", coarse.nx, "x", coarse.ny, " of ", fine.nx, "x",
                    fine.ny, " points")
                   .c_str());
-  p.write(to_p, given.system.points());
+  p.write(to_p, given.system.points(), given.team());
   for (std::int64_t i = 0; i < given.system.points() && to_gap.wanted(); ++i)
     to_gap.put(static_cast<std::size_t>(i), grid.gap[static_cast<std::size_t>(blocks.of(i))]);
 }

@@ -122,7 +122,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
     }
   }
   if (!(error <= work.goal.error)) {
-    found.estimate = Estimate{corrected.pressures.positive(), surface.lowest() + depth};
+    found.estimate = Estimate{corrected.pressures.positive(work.team()), surface.lowest() + depth};
     return false;
   }
   name_components(work, answer, result);

@@ -40,7 +40,7 @@ std::int64_t contacts_of(const CertifiedStep& last, const Workspace& work) {
 // The last step of all ranks, whose pressures are few.
 CertifiedStep gathered(const CertifiedStep& last, const Workspace& work) {
   const std::int64_t before = work.surface.first_row() * work.system.given.nx;
-  const Pressures positive = last.pressures.positive();
+  const Pressures positive = last.pressures.positive(work.team());
   std::vector<std::int64_t> mine(positive.p.size());
   for (std::size_t k = 0; k < mine.size(); ++k) mine[k] = positive.on.point(static_cast<std::int64_t>(k)) + before;
   CertifiedStep all{{}, last.approach, last.load, last.same_gap};
@@ -65,7 +65,7 @@ void write_gap(Workspace& work, const Pressures& own, double compression, const 
   Deflected found;
   on_all(work.ranks(), [&] {
     answer.p.resize(static_cast<std::size_t>(work.own_points()));
-    own.write(answer.p.data(), work.own_points());
+    own.write(answer.p.data(), work.own_points(), work.team());
     found.product.resize(answer.p.size());
   });
   answer.op->field(answer.p, found.product);
@@ -137,7 +137,7 @@ std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& mem
   if (gap_of(result).wanted())
     write_gap(work, mine.pressures, result.approach - work.surface.lowest(), result);
   else
-    mine.pressures.write(pressures_of(result), work.own_points());
+    mine.pressures.write(pressures_of(result), work.own_points(), work.team());
   return mine;
 }
 

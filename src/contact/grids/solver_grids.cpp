@@ -14,6 +14,12 @@ namespace rc {
 SolverGrids::SolverGrids() = default;
 SolverGrids::~SolverGrids() = default;
 
+namespace {
+
+constexpr std::int32_t keep_answer = 1;  // rc_coarse.keep; 2: what was set up alone
+
+}  // namespace
+
 rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Monitor& monitor) {
   const rc_system system = coarser_system(work.system.given, request.nx, request.ny, request.factor);
   rc_options options = coarse_options(work.options, monitor);
@@ -43,10 +49,11 @@ rc_status SolverGrids::solve(rc_coarse& request, const Workspace& work, const Mo
   const rc_status status = level.contact->solve(step, result);
   if (const rc_status stop = work.alike() ? RC_OK : monitor.ask(); stop != RC_OK) return stop;
   request.approach = result.approach;
-  if (!request.keep) {
+  if (request.keep == 0) {
     levels_.erase(system.nx * system.ny);
     return status;
   }
+  if (request.keep != keep_answer) return status;
   level.summary = {sizeof(rc_level), nullptr,   status,          0,           system.nx,         system.ny,
                    system.hx,        system.hy, result.approach, result.load, result.candidates, result.contacts};
   level.p.assign(request.p, request.p + system.nx * system.ny);

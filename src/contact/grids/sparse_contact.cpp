@@ -141,7 +141,7 @@ std::optional<Answer> solve_few(Workspace& work, const Memory& memory, const rc_
     answer.pressure_unit = depth / system.length_per_pressure;
     answer.hardness = system.hardness;
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), &estimate.pressures);
+    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), &estimate.pressures, work.team());
     if (surface.tiles() && count_positive(answer.p) == 0) return std::nullopt;  // a cold start would read the whole gap
     const double datum = by_load ? lowest : step.target;
     const std::vector<double> u = compenetrations(answer, datum, work);
@@ -185,10 +185,10 @@ std::optional<Estimate> last_estimate(const Workspace& work, const Memory& memor
   const double now = by_load ? step.target : step.target - work.surface.lowest();
   const double part = sparse(older.pressures) ? memory.ahead(step) : 0;
   if (!(std::abs(now - before) <= (part != 0 ? near_line : near_target) * before) || !sparse(last.pressures)) return std::nullopt;
-  Pressures found = last.pressures.positive();
+  Pressures found = last.pressures.positive(work.team());
   if (part != 0) {
-    found.p = memory.start(step, found.on, 1, std::numeric_limits<double>::infinity(), nullptr);
-    found = found.positive();
+    found.p = memory.start(step, found.on, 1, std::numeric_limits<double>::infinity(), nullptr, work.team());
+    found = found.positive(work.team());
     if (found.empty()) return std::nullopt;
   }
   return Estimate{std::move(found), by_load ? last.approach + part * (last.approach - older.approach) : step.target};

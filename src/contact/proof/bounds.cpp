@@ -168,15 +168,13 @@ class Proof {
   // are proven to have it. Outside this set x is 0.
   Extent undecided_pressures() {
     const double reach = open_beyond();
-    Extent support;
-    if (!(reach < (all_listed() ? infinity : answer_.beyond))) {  // any candidate
-      for (const std::size_t i : found_.touching)
+    if (!(reach < (all_listed() ? infinity : answer_.beyond)))  // any candidate
+      return candidates_ + surface_.largest_over<Extent>(found_.touching, [&](Extent& support, std::size_t i) {
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
-      return candidates_ + surface_.united(support);
-    }
-    for (const std::size_t i : near(reach))
+      });
+    return surface_.largest_over<Extent>(near(reach), [&](Extent& support, std::size_t i) {
       if (undecided(i, reach)) add(support, i);
-    return surface_.united(support);
+    });
   }
   // At least the points that were given a pressure, and those that may carry one and are no farther than `reach`. That never
   // grows, so the list made first serves later calls, too.
@@ -186,9 +184,11 @@ class Proof {
     Marks marks(size);
     each_chunk(size, surface_.team(), [&](std::int64_t begin, std::int64_t count) {
       mark_near(surface_, answer_.on(), product_, compression_, reach, begin, count, marks);
+      const std::vector<std::size_t>& touching = found_.touching;
+      auto at = std::lower_bound(touching.begin(), touching.end(), static_cast<std::size_t>(begin));
+      for (; at != touching.end() && *at < static_cast<std::size_t>(begin + count); ++at)
+        if (given_[*at] > 0) marks.add(*at);
     });
-    for (const std::size_t i : found_.touching)
-      if (given_[i] > 0) marks.add(i);
     near_ = marks.list();
     return *near_;
   }
@@ -283,18 +283,18 @@ class Proof {
     const double mean = system_.periodic() ? distance_.sum / n() : 0;
     const double margin = distance_.norm / std::sqrt(spectrum_.lowest) + mean;
     const double reach = open_beyond();
-    Counts mine;
-    auto& [contacts, capped, undecided] = mine;
-    for (const std::size_t i : near(reach)) {
-      if (!may_carry(i) || distance_to_surface(i) > reach) continue;
-      const bool at_cap = distance_to_surface(i) < -reach;
-      capped += at_cap;
-      ++(p(i) > margin || at_cap ? contacts : undecided);
-      if (!sets || at_cap) continue;
+    const auto not_open = [&](std::size_t i) { return may_carry(i) && !(distance_to_surface(i) > reach); };
+    const auto at_cap = [&](std::size_t i) { return distance_to_surface(i) < -reach; };
+    auto [contacts, capped, undecided] = surface_.largest_over<Counts>(near(reach), [&](Counts& part, std::size_t i) {
+      if (!not_open(i)) return;
+      part.capped += at_cap(i);
+      ++(p(i) > margin || at_cap(i) ? part.contacts : part.undecided);
+    });
+    for (const std::size_t i : sets ? std::span<const std::size_t>(near(reach)) : std::span<const std::size_t>()) {
+      if (!not_open(i) || at_cap(i)) continue;
       sets->possible.push_back(static_cast<std::int64_t>(answer_.point(i)));
       if (p(i) > margin && cap() - p(i) > margin) sets->contacts.push_back(sets->possible.back());
     }
-    mine = surface_.united(mine);
     if (!all_listed() && !(reach < answer_.beyond)) {
       undecided += candidates_.n;
       for (std::size_t i = 0; i < given_.size(); ++i) undecided -= may_carry(i);

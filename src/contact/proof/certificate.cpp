@@ -31,22 +31,19 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness) {
   const std::span<const double> p = answer.p();
-  Ends ends;
-  for (const std::size_t k : found.touching) {
-    ends.largest = std::max(ends.largest, std::abs(p[k]));
-    ends.least = std::min(ends.least, p[k]);
-  }
-  const auto [largest_p, least_p] = surface.united(ends);
-  Violations mine;
-  for (const std::size_t k : found.touching) {
+  const Ends ends = surface.largest_over<Ends>(found.touching, [&](Ends& part, std::size_t k) {
+    part.largest = std::max(part.largest, std::abs(p[k]));
+    part.least = std::min(part.least, p[k]);
+  });
+  const double largest_p = ends.largest, least_p = ends.least;
+  const auto [overlap, worst, finite] = surface.largest_over<Violations>(found.touching, [&](Violations& part, std::size_t k) {
     const std::size_t i = answer.point(k);
-    if (!surface.included(i)) continue;
+    if (!surface.included(i)) return;
     const double gap = answer.product[k] - (compression - surface.height(i));
-    mine.finite = mine.finite && std::isfinite(p[k]) && std::isfinite(gap);
-    mine.overlap = std::max(mine.overlap, dual_violation(gap, p[k], hardness, scale));
-    mine.worst = std::max(mine.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));
-  }
-  const auto [overlap, worst, finite] = surface.united(mine);
+    part.finite = part.finite && std::isfinite(p[k]) && std::isfinite(gap);
+    part.overlap = std::max(part.overlap, dual_violation(gap, p[k], hardness, scale));
+    part.worst = std::max(part.worst, complementarity_violation(gap, p[k], largest_p, hardness, scale));
+  });
   if (!finite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan, 0};

@@ -204,7 +204,7 @@ void count_work(const Workspace& work, const Monitor& monitor, rc_result& result
 }
 
 void write_arrays(const Workspace& work, const Deflected& answer, double compression, const rc_result& result) {
-  answer.pressures.write(pressures_of(result), work.own_points());
+  answer.pressures.write(pressures_of(result), work.own_points(), work.team());
   const OutputArray gap = gap_of(result);
   if (!gap.wanted()) return;
   each_chunk(static_cast<std::int64_t>(answer.size()), work.team(), [&](std::int64_t begin, std::int64_t count) {
@@ -241,13 +241,13 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
   Operator& op = certifier.empty() ? *answer.op
                                    : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
   if (!everywhere && !work.ranks() && only_unknowns_matter(work, answer)) {
-    result.product = large_vector<double>(answer.p.size());
+    result.product = large_vector<double>(answer.p.size(), work.team());
     raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
     take_units(answer, work, result.product);
     result.pressures = answer.take_pressures(work.team());
     return result;
   }
-  on_all(work.ranks(), [&] { result.product = large_vector<double>(static_cast<std::size_t>(work.own_points())); });
+  on_all(work.ranks(), [&] { result.product = large_vector<double>(static_cast<std::size_t>(work.own_points()), work.team()); });
   op.field(answer.p, result.product);
   take_units(answer, work, result.product);
   result.pressures.on.n = work.own_points();
@@ -255,8 +255,8 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
   if (own.on.index.empty()) {
     result.pressures.p = std::move(own.p);
   } else {
-    result.pressures.p = large_vector<double>(result.product.size());
-    own.write(result.pressures.p.data(), work.own_points());
+    result.pressures.p = large_vector<double>(result.product.size(), work.team());
+    own.write(result.pressures.p.data(), work.own_points(), work.team());
   }
   return result;
 }

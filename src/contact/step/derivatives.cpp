@@ -41,7 +41,7 @@ void check_finite(double value, const char* name) {
 class Linearised {
  public:
   Linearised(Workspace& work, const Memory& memory, const Monitor& monitor)
-      : work_(work), monitor_(monitor), before_(work.applications()), loaded_(memory.last.pressures.positive()) {
+      : work_(work), monitor_(monitor), before_(work.applications()), loaded_(memory.last.pressures.positive(work.team())) {
     if (work.record.certified == 0)
       fail(RC_ERR_ARGUMENT,
            "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",

@@ -16,7 +16,7 @@ Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& ste
   trial = widened(std::move(trial), answer.choice, work);
   answer.op = &work.bound_operator(*answer.choice.backend, trial);
   on_all(work.ranks(), [&] {
-    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr);
+    answer.p = memory.start(step, trial, answer.pressure_unit, answer.cap(), nearer ? &nearer->pressures : nullptr, work.team());
   });
   if (!nearer) answer.history = memory.history(step);
   nearer.reset();

@@ -105,7 +105,7 @@ rc_status haar_cg(const Problem& problem, std::span<double> p, double& d) {
   NearSteps near(problem);
   if (near.solve(p, d)) return near.keep(p), RC_OK;
   if (!serves(problem, coarse_solver, p) && (problem.ranks() || !start_regular(problem, p)))
-    start_haar_cg(problem, coarse_solver, p, d);
+    start_haar_cg(problem, {coarse_solver}, p, d);
   const rc_status status = iterate(problem, p, d);
   if (status == RC_OK) near.keep(p);
   if (status != RC_STOP_STALLED || problem.load_control() || !problem.has_subset()) return status;

@@ -3,11 +3,11 @@
 // devices take it as code of theirs as well.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "core/by_value.h"
 #include "solvers/haar_cg/interval.h"
 #include "solvers/haar_cg/known_loads.h"
 #include "solvers/haar_cg/machine.h"
@@ -59,13 +59,13 @@ template <Machine M, class Poll> class HaarIteration {
   // Whether Newton's method moves the datum: by load, or with an added mean.
   constexpr bool follows() const { return !keeps_load_ && (task_.by_load || mean_ > 0); }
   constexpr double scale() const {
-    return task_.by_load ? std::max({datum_ - mean_ * task_.load + highest_, task_.least_scale, 1e-300}) : 1.0;
+    return task_.by_load ? larger_of(larger_of(datum_ - mean_ * task_.load + highest_, task_.least_scale), 1e-300) : 1.0;
   }
   constexpr bool capped() const { return now_.free_load < now_.load; }  // some point is at the cap
   constexpr double imbalance() const {
     return task_.by_load ? std::abs(now_.load / task_.load - 1) : std::abs(mean_ * now_.load - datum_);
   }
-  constexpr double worst() const { return std::max(now_.largest / scale(), imbalance()); }
+  constexpr double worst() const { return larger_of(now_.largest / scale(), imbalance()); }
 
   // to = (H + mean 11') from. The mean makes the energy of a periodic contact depend on the mean pressure, also in full contact.
   template <class Handle> constexpr void product(Handle from, Handle to) {
@@ -87,7 +87,7 @@ template <Machine M, class Poll> class HaarIteration {
       // Measured from the datum at which the mean of w, weighted by p, vanishes. That of the trees swings about it, and sets with
       // it.
       const double limit = pace_.admission(false) * now_.largest;
-      return limit - std::clamp(now_.moment / now_.load, -(task_.elongated ? 1 : most_swing) * limit, limit);
+      return limit - within(now_.moment / now_.load, -(task_.elongated ? 1 : most_swing) * limit, limit);
     }
     return follows() ? 0 : pace_.admission(false) * last_ * scale();
   }
@@ -140,7 +140,7 @@ template <Machine M, class Poll> class HaarIteration {
   constexpr void reduce() {
     const double work = now_.moment - 2 * now_.merit + datum_ * now_.load, curved = now_.moment + work;
     if (0.5 * curved > work) {
-      m_.multiply(curved > 0 ? std::max(0.0, work / curved) : 0, false);
+      m_.multiply(curved > 0 ? larger_of(0.0, work / curved) : 0, false);
       refresh();
     }
   }
@@ -148,7 +148,7 @@ template <Machine M, class Poll> class HaarIteration {
   // Along a conjugate direction; pressures may become negative until the next bound. False where the product is not finite.
   constexpr bool step() {
     const double zq = precondition(m_.w(), conjugate_ ? m_.q() : Vector(nullptr));
-    const double beta = conjugate_ && curvature_ > 0 ? std::max(0.0, -zq / curvature_) : 0;
+    const double beta = conjugate_ && curvature_ > 0 ? larger_of(0.0, -zq / curvature_) : 0;
     const double slope = m_.turn(beta);
     const bool needless = interval_.needless(slope);
     if (!needless) product(m_.t(), m_.q());
@@ -244,7 +244,7 @@ template <Machine M, class Poll> class HaarIteration {
     const double wanted = missing / (excess_.factor() * sum);
     const bool far = imbalance() > overloaded;
     const double change = loads_.between(
-        datum_, std::clamp(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, std::max(depth, mean_ * task_.load)));
+        datum_, within(wanted, (far ? -most_fall_overloaded : -most_fall) * depth, larger_of(depth, mean_ * task_.load)));
     excess_.expect(change == wanted ? missing : far || task_.elongated ? unknown : 0);
     raise(change);
   }
@@ -253,8 +253,8 @@ template <Machine M, class Poll> class HaarIteration {
   constexpr void deflect(double pending, double sum) {
     const double excess = excess_.factor(), missing = mean_ * (now_.load - excess * pending) - datum_, depth = 1 + datum_;
     stiffening_.correct(missing, true, last_ < settled);
-    const double wanted = missing / (stiffening_.factor() * std::max(1 - mean_ * excess * sum, least_slope));
-    const double change = std::clamp(wanted, -0.5 * depth, depth);
+    const double wanted = missing / (stiffening_.factor() * larger_of(1 - mean_ * excess * sum, least_slope));
+    const double change = within(wanted, -0.5 * depth, depth);
     stiffening_.expect(change == wanted ? missing : unknown);
     raise(change);
   }
@@ -286,7 +286,7 @@ template <Machine M, class Poll> class HaarIteration {
   // The pressures' factor to exactly the prescribed load.
   constexpr double to_load() const {
     const double at_cap = now_.load - now_.free_load;
-    return task_.by_load && now_.free_load > 0 ? std::max(0.0, task_.load - at_cap) / now_.free_load : 1;
+    return task_.by_load && now_.free_load > 0 ? larger_of(0.0, task_.load - at_cap) / now_.free_load : 1;
   }
 
   // Whether a product in double precision would tell no more than w does.

@@ -2,9 +2,10 @@
 // should be there.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/by_value.h"
 
 namespace rc {
 
@@ -16,15 +17,15 @@ class KnownLoads {
     const bool up = missing > 0;
     (up ? below_ : above_) = State{up ? datum - error : datum + error, load};
     const double share = std::abs(missing) / (above_.load - below_.load), apart = above_.datum - below_.datum;
-    const double far = apart < infinite ? std::clamp(share, 1 - most_release, most_release) * apart : 2 * last_;
-    last_ = small ? nearest : std::max(far, nearest);
+    const double far = apart < infinite ? within(share, 1 - most_release, most_release) * apart : 2 * last_;
+    last_ = small ? nearest : larger_of(far, nearest);
     return up ? last_ : -last_;
   }
 
   // A change of the datum that stays between the nearest states.
   constexpr double between(double datum, double change) const {
-    if (datum + change >= above_.datum) change = std::max(0.5 * (above_.datum - datum), -std::abs(change));
-    if (datum + change <= below_.datum) change = std::min(0.5 * (below_.datum - datum), std::abs(change));
+    if (datum + change >= above_.datum) change = larger_of(0.5 * (above_.datum - datum), -std::abs(change));
+    if (datum + change <= below_.datum) change = smaller_of(0.5 * (below_.datum - datum), std::abs(change));
     return change;
   }
 

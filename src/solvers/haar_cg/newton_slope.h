@@ -2,7 +2,7 @@
 // factor.
 #pragma once
 
-#include <algorithm>
+#include "core/by_value.h"
 
 namespace rc {
 
@@ -12,14 +12,14 @@ class NewtonSlope {
 
   constexpr bool known() const { return factor_ > 0; }
   constexpr double factor() const { return factor_; }
-  constexpr void set(double factor) { factor_ = std::clamp(factor, least_, most_); }
+  constexpr void set(double factor) { factor_ = within(factor, least_, most_); }
 
   // missing: what is to be made up now. Steps that fell short are lengthened where `by_short`, steps that were too long are
   // shortened in full where `by_long`; where they diverge, they are shortened in any case.
   constexpr void correct(double missing, bool by_short, bool by_long) {
     const double left = missing / missing_;
     if (left < 0 ? by_long : by_short && left < 1)
-      set(factor_ * (1 - (left < 0 ? std::max(left, -1.0) : caution * left)));
+      set(factor_ * (1 - (left < 0 ? larger_of(left, -1.0) : caution * left)));
     else if (left < -1)
       set(factor_ * damping);
   }

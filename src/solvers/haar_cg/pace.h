@@ -2,7 +2,7 @@
 // back once they do not.
 #pragma once
 
-#include <algorithm>
+#include "core/by_value.h"
 
 namespace rc {
 
@@ -15,27 +15,27 @@ class HaarPace {
   constexpr int interval() const { return interval_; }  // steps between two bounds
   // A point at an end of its pressures enters the free set where it violates its condition by more than this share of the
   // residual.
-  constexpr double admission(bool capped) const { return capped ? std::max(admission_, capped_admission) : admission_; }
+  constexpr double admission(bool capped) const { return capped ? larger_of(admission_, capped_admission) : admission_; }
 
   constexpr void begin_at_cap() { admission_ = strictest_admission; }
   constexpr void admit_fewer() {
     calm_ = 0;
-    admission_ = std::min(strictest_admission, admission_ + admission_step);
+    admission_ = smaller_of(strictest_admission, admission_ + admission_step);
   }
-  constexpr void make_more_steps() { interval_ = std::min(longest_interval, 2 * interval_); }
+  constexpr void make_more_steps() { interval_ = smaller_of(longest_interval, 2 * interval_); }
   // After a bound without trouble. rose: the violation is larger than at the last one. Strict admission lets few points in at a
   // time, which is slow once sets no longer cycle.
   constexpr void relieve(bool rose) {
     calm_ = rose ? 0 : calm_ + 1;
     if (calm_ < relief) return;
     calm_ = 0;
-    interval_ = std::max(first_interval, interval_ / 2);
-    admission_ = std::max(first_admission, admission_ - admission_step);
+    interval_ = larger_of(first_interval, interval_ / 2);
+    admission_ = larger_of(first_admission, admission_ - admission_step);
   }
   // After a bound where points are at the cap. A point that leaves one end drives its neighbours to the other, so fewer may leave
   // their ends at once where that makes things worse.
   constexpr void adapt(bool rose) {
-    admission_ = std::clamp(admission_ + (rose ? capped_rise : -capped_relief), first_admission, strictest_admission);
+    admission_ = within(admission_ + (rose ? capped_rise : -capped_relief), first_admission, strictest_admission);
   }
 
  private:

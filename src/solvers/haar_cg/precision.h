@@ -1,7 +1,7 @@
 // What a residual is worth in the machine's precision, and when a product in double precision computes it anew.
 #pragma once
 
-#include <algorithm>
+#include "core/by_value.h"
 
 namespace rc {
 
@@ -17,7 +17,7 @@ template <class Real> class HaarPrecision {
   constexpr bool blurred(double residual) const { return single && residual <= drop * exact_; }
   // Whether another product in double precision would tell no more than a residual that meets the tolerance.
   constexpr bool known(double residual, double tol) const {
-    return tol >= std::max(sure * exact_, rounding) && residual <= surely * tol;
+    return tol >= larger_of(sure * exact_, rounding) && residual <= surely * tol;
   }
 
  private:

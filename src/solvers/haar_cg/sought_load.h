@@ -2,8 +2,9 @@
 // grows with it and must vanish.
 #pragma once
 
-#include <algorithm>
 #include <limits>
+
+#include "core/by_value.h"
 
 namespace rc {
 
@@ -22,10 +23,10 @@ class SoughtLoad {
     const double slope = (load - last_load_) / (datum - last_datum_);
     last_load_ = load;
     last_datum_ = datum;
-    const double depth = std::max(1 + datum, 1 / most_ratio);
+    const double depth = larger_of(1 + datum, 1 / most_ratio);
     double wanted = slope > 0 && slope < infinite ? load - slope * datum : load / (depth * depth);
     if (!(wanted > below_ && wanted < above_)) wanted = above_ < infinite ? 0.5 * (below_ + above_) : infinite;
-    return std::clamp(wanted, load / most_ratio, load * most_ratio);
+    return within(wanted, load / most_ratio, load * most_ratio);
   }
 
  private:

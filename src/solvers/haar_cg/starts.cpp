@@ -17,7 +17,7 @@ constexpr double coarse_tol = 1e-2;    // spreading the pressures to the finer g
 constexpr double farthest = 1.25;      // ratio of two loads: beyond, coarser grids tell more than the other load's pressures
 constexpr double many = 0.25;          // of the points: within the length unit where a load starts everywhere
 constexpr std::size_t few_loaded = 4;  // points that carry a load each by itself: then the others start without pressure
-constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid whose operator is kept for later steps
+constexpr std::int64_t remembered = 256 * 256;  // most points of a coarse grid that is kept for later steps as it is
 
 // Whether any chunk's most(begin, count) is positive; of all ranks, where the problem is shared.
 template <class Most> bool some_positive(const Problem& problem, const Most& most) {
@@ -53,14 +53,18 @@ bool nests(const rc_grid& grid) { return std::min(grid.nx, grid.ny) >= 2 * coars
 
 // A start from the solution on a grid of half the resolution, which starts from a still coarser grid. p and d stay as they are
 // where the grid is too small, or its coarse problem cannot be solved. Returns whether some pressure is positive.
-bool start_nested(const Problem& problem, const char* solver, std::span<double> p, double& d) {
+bool start_nested(const Problem& problem, const CoarseSolver& solver, std::span<double> p, double& d) {
   const rc_grid& grid = *problem.grid();
   if (!nests(grid)) return false;
   const Ranks* const ranks = problem.ranks();
   CoarseGrid coarse;
   Vector pressure;
   on_all(ranks, [&] {
-    coarse = downsample(grid.nx, ranks ? ranks->rows() : grid.ny, problem.gap(), problem.mask(), Filter::mean);
+    coarse = downsample(grid.nx, ranks ? ranks->rows() : grid.ny, problem.gap(), problem.mask(), Filter::mean,
+                        [&](std::int64_t rows, const auto& act) {
+                          roughcontact::for_each(problem.team(), rows, rows * grid.nx >= least_shared_values,
+                                                 [&](std::int64_t row, std::int64_t) { act(row); });
+                        });
     coarse.gap.reserve(1);  // a rank without rows gives arrays, too
     pressure.reserve(1);
     pressure.resize(static_cast<std::size_t>(coarse.nx * coarse.ny));
@@ -77,9 +81,10 @@ bool start_nested(const Problem& problem, const char* solver, std::span<double> 
   request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
   request.approach = grid.approach;
   request.load = problem.load() * problem.pressure_unit() * grid.hx * grid.hy;
-  request.solver = solver;
+  request.solver = solver.name;
   request.p = pressure.data();
-  request.keep = !ranks && coarse.nx * coarse.ny <= remembered;
+  const bool small = coarse.nx * coarse.ny <= remembered;
+  request.keep = ranks ? 0 : small ? 1 : solver.set_up_is_kept ? 2 : 0;
   request.tol = std::max(coarse_tol, problem.tol());
   if (problem.coarse(request) < 0) return false;
 
@@ -163,8 +168,8 @@ bool serves(const Problem& problem, const char* solver, std::span<const double> 
   return load * farthest > problem.load() && load < problem.load() * farthest;
 }
 
-void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d) {
-  if (solver && start_nested(problem, solver, p, d)) return;
+void start_haar_cg(const Problem& problem, const CoarseSolver& solver, std::span<double> p, double& d) {
+  if (solver.name && start_nested(problem, solver, p, d)) return;
   std::ranges::fill(p, 0.0);
   if (problem.load_control()) start_cold(problem, p);
 }

@@ -11,8 +11,13 @@ namespace rc {
 // not), their load is near the one wanted. Of all ranks, where the problem is shared.
 bool serves(const Problem& problem, const char* solver, std::span<const double> p);
 
-// For pressures that do not serve: p and, by load, d from the solution on half the grid by this solver; null: not from
-// there. Where that is impossible too, pressures that carry the load in load control; else none.
-void start_haar_cg(const Problem& problem, const char* solver, std::span<double> p, double& d);
+// Who solves the coarse grids.
+struct CoarseSolver {
+  const char* name;             // null: nobody
+  bool set_up_is_kept = false;  // for later steps, also of large grids: where setting up takes longer than steps
+};
+
+// For pressures that do not serve: p and, by load, d from the solution on half the grid, where there is somebody to solve it. Where that is impossible too, pressures that carry the load in load control; else none.
+void start_haar_cg(const Problem& problem, const CoarseSolver& solver, std::span<double> p, double& d);
 
 }  // namespace rc
