@@ -11,13 +11,14 @@ namespace rc_cuda {
 
 namespace {
 
-// [s] Of a device that copies 2e12 bytes a second behind a bus of 1e10 bytes a second. A launch takes 4e-6.
-constexpr double of_byte = 0.5e-12, of_transfer = 1e-10, of_launch = 4e-6;
-constexpr double bytes_of_product = 160, bytes_of_step = 300, launches_of_product = 9, launches_of_step = 40;  // for each point
-constexpr double products = 40;                                                                                // of a usual step
+// [s] As measured on an H100 (docs/device.md): a point of a product, of the rest of a step, of what the host does before and after,
+// transfers included; a byte that travels; a launch, with those on coarser grids.
+constexpr double of_product = 1.3e-10, of_step = 6e-11, of_host = 1e-8, of_transfer = 1e-10, of_launch = 1.1e-5;
+constexpr double launches_of_product = 9, launches_of_step = 40;
+constexpr double products = 40;  // of a usual step
 constexpr double least_points = 512 * 512;
 // Of a step and a product over 4096 points by one block of threads, of which so many run at a time; what a batch costs besides.
-constexpr double of_block = 2.5e-5, blocks = 264, of_batch = 2e-3;
+constexpr double of_block = 1.9e-4, blocks = 264, of_batch = 2e-3;
 
 // Whether a block takes each of the contacts, of which there are many.
 bool many(const rc_facts& facts) {
@@ -37,7 +38,7 @@ void require_device(const rc_facts& facts) {
     fail(RC_ERR_INCOMPATIBLE, "needs about ", needed, " bytes on device ", settings.index, ", which has ", there);
 }
 
-double product_of(double points) { return launches_of_product * of_launch + bytes_of_product * of_byte * points; }
+double product_of(double points) { return launches_of_product * of_launch + of_product * points; }
 
 }  // namespace
 
@@ -61,8 +62,8 @@ rc_status score(const rc_facts* facts, rc_estimate* estimate) noexcept {
       estimate->seconds = alone / std::min(n, blocks) + of_batch / n + 16 * of_transfer * box + facts->backend->field;
       return;
     }
-    const double step = product_of(box) + launches_of_step * of_launch + bytes_of_step * of_byte * box;
-    estimate->seconds = facts->backend->seconds + products * step + 16 * of_transfer * box + facts->backend->field;
+    const double step = product_of(box) + launches_of_step * of_launch + of_step * box;
+    estimate->seconds = facts->backend->seconds + products * step + of_host * box + facts->backend->field;
   });
 }
 

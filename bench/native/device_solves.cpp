@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -106,6 +107,8 @@ rc_system square(std::int64_t n) {
 rc_options* options_of(const char* solver, const char* backend, int threads, double tol, std::string& warning) {
   rc_context_config config = RC_CONTEXT_CONFIG_INIT;
   config.log = [](std::int32_t level, const char* text, void* user) {
+    static std::mutex mutex;  // the threads of a batch log, too
+    const std::lock_guard guarded(mutex);
     if (level == RC_LOG_WARNING) *static_cast<std::string*>(user) = text;
   };
   config.log_user = &warning;

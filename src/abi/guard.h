@@ -1,14 +1,16 @@
-// Every exported function runs inside guard(): exceptions become a status and a message.
+// Every exported function runs inside guard(): exceptions become a status and a message, and arithmetic is the default one.
 #pragma once
 
 #include <new>
 
 #include "core/cancelled.h"
+#include "core/default_arithmetic.h"
 #include "core/error.h"
 
 namespace rc {
 
 template <class Body> rc_status guard(const char* where, const Body& body) {
+  const DefaultArithmetic arithmetic;
   clear_message();
   // Allocates nothing, because an allocation may be what failed.
   const auto failed = [&](rc_status code, const char* what) {

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/cancelled.h"
+#include "core/default_arithmetic.h"
 #include "core/error.h"
 
 namespace rc {
@@ -18,6 +19,7 @@ template <class Library, class Body> rc_status own_guard(const char* where, cons
     std::snprintf(own_message<Library>, sizeof own_message<Library>, "%s: %s", place, what);
     return code;
   };
+  const DefaultArithmetic arithmetic;
   own_message<Library>[0] = '\0';
   try {
     body();

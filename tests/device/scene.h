@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -59,7 +60,8 @@ class Contact {
   explicit Contact(double memory_limit = 1048576, std::int64_t n = side, const rc_plugin* plugin = device::plugin())
       : Contact(memory_limit, grid_of(n), plugin) {}
   Contact(double memory_limit, const rc_system& system, const rc_plugin* plugin) {
-    const rc_context_config config = {sizeof config, RC_CONTEXT_NO_PLUGINS, 0, nullptr, nullptr, nullptr};
+    const auto hear = [](std::int32_t, const char* message, void* user) { static_cast<Contact*>(user)->hear(message); };
+    const rc_context_config config = {sizeof config, RC_CONTEXT_NO_PLUGINS, 0, nullptr, hear, this};
     assert_int_equal(rc_context_create(&config, &context_), RC_OK);
     assert_int_equal(rc_context_register(context_, plugin), RC_OK);
     assert_int_equal(rc_options_create(context_, &options_), RC_OK);
@@ -97,12 +99,24 @@ class Contact {
   rc_contact* get() const { return contact_; }
   const rc_options* options() const { return options_; }
   const std::string& words() const { return words_; }
+  // What the context logged last, by whichever thread.
+  std::string logged() const {
+    const std::lock_guard guarded(hearing_);
+    return logged_;
+  }
 
  private:
+  void hear(const char* message) {
+    const std::lock_guard guarded(hearing_);
+    logged_ = message;
+  }
+
   rc_context* context_ = nullptr;
   rc_options* options_ = nullptr;
   rc_contact* contact_ = nullptr;
   std::string words_;
+  mutable std::mutex hearing_;
+  std::string logged_;
 };
 
 inline void expect_untouched(const std::vector<double>& p) {

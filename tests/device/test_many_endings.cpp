@@ -65,6 +65,10 @@ void any_call_may_fail_in_the_middle_of_a_batch(void**) {
     const Found once = solved(s, context);  // its contacts are solved one at a time
     if (once.status != RC_OK) fail_msg("call %d: %s", static_cast<int>(k), once.words.c_str());
     expect_near(once.p, wanted.p, 1e-4 * most_of(wanted.p), "p");
+    const std::string logged = context.logged();
+    if (logged.find("contacts 0 .. 4 are solved one at a time: ") == std::string::npos ||
+        logged.find("the kernel failed") == std::string::npos)
+      fail_msg("call %d: the log has \"%s\"", static_cast<int>(k), logged.c_str());
     host_faults() = {.fault = Fault::lost, .at = k};
     const Found lost = solved(s, context);
     assert_int_equal(lost.status, RC_ERR_EXTERNAL);
