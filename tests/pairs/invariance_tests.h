@@ -14,5 +14,6 @@ std::vector<Test> sequence_tests();
 std::vector<Test> derivative_tests();
 std::vector<Test> stop_tests();
 std::vector<Test> single_array_tests();
+std::vector<Test> arithmetic_tests();
 
 }  // namespace pairs

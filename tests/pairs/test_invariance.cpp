@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
                {"sequences", sequence_tests},
                {"derivatives", derivative_tests},
                {"stops", stop_tests},
-               {"single_arrays", single_array_tests}};
+               {"single_arrays", single_array_tests},
+               {"arithmetic", arithmetic_tests}};
   const char* wanted = nullptr;
   if (argc > 2 && std::strcmp(argv[1], "--part") == 0) {
     wanted = argv[2];
