@@ -1,64 +1,14 @@
 // The host program's floating-point mode changes no answer and stays as it was: traps, rounding, flush to zero.
-#include <cfenv>
-#ifdef __x86_64__
-#include <xmmintrin.h>
-#endif
-
 #include "invariance_tests.h"
 #include "registry.h"
+#include "support/host_modes.h"
 #include "surfaces.h"
 
 namespace pairs {
 
 namespace {
 
-// A mode that a host may have. Sets it for the calling thread.
-struct Mode {
-  const char* name;
-  void (*set)();
-};
-
-const Mode modes[] = {
-#ifdef __GLIBC__
-    {"traps", [] { feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW); }},
-#endif
-    {"upward", [] { std::fesetround(FE_UPWARD); }},
-#ifdef __x86_64__
-    {"flush to zero", [] { _mm_setcsr(_mm_getcsr() | 0x8040); }},
-#endif
-};
-
-// All that a thread's mode consists of.
-struct Found {
-  int rounding = std::fegetround(), raised = std::fetestexcept(FE_ALL_EXCEPT), trapped = 0;
-  unsigned vectors = 0;
-
-  Found() {
-#ifdef __GLIBC__
-    trapped = fegetexcept();
-#endif
-#ifdef __x86_64__
-    vectors = _mm_getcsr();
-#endif
-  }
-  bool operator==(const Found&) const = default;
-};
-
-// Until its end the thread has the mode.
-class InMode {
- public:
-  explicit InMode(const Mode& mode) {
-    std::fegetenv(&before_);
-    std::feclearexcept(FE_ALL_EXCEPT);
-    mode.set();
-  }
-  ~InMode() { std::fesetenv(&before_); }
-  InMode(const InMode&) = delete;
-  InMode& operator=(const InMode&) = delete;
-
- private:
-  std::fenv_t before_;
-};
+using support::Found, support::InMode, support::Mode;
 
 void check_same_in(const Mode& mode, const Problem& problem, const Pair& pair, const Settings& settings, const Answer& wanted) {
   Answer found;
@@ -86,7 +36,7 @@ void host_modes_change_nothing(std::int32_t boundary, const Pair& pair) {
     for (const Problem& problem : problems) {
       const Settings settings = {{RC_OPT_THREADS, threads}, {RC_OPT_STIFFNESS, "1"}};
       const Answer wanted = solved(problem, pair, settings);
-      for (const Mode& mode : modes) check_same_in(mode, problem, pair, settings, wanted);
+      for (const Mode& mode : support::modes) check_same_in(mode, problem, pair, settings, wanted);
     }
 }
 

@@ -1,0 +1,59 @@
+// Floating-point modes that a host program may have.
+#pragma once
+
+#include <cfenv>
+#ifdef __x86_64__
+#include <xmmintrin.h>
+#endif
+
+namespace support {
+
+// set(): for the calling thread.
+struct Mode {
+  const char* name;
+  void (*set)();
+};
+
+inline const Mode modes[] = {
+#ifdef __GLIBC__
+    {"traps", [] { feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW); }},
+#endif
+    {"upward", [] { std::fesetround(FE_UPWARD); }},
+#ifdef __x86_64__
+    {"flush to zero", [] { _mm_setcsr(_mm_getcsr() | 0x8040); }},
+#endif
+};
+
+// All that a thread's mode consists of.
+struct Found {
+  int rounding = std::fegetround(), raised = std::fetestexcept(FE_ALL_EXCEPT), trapped = 0;
+  unsigned vectors = 0;
+
+  Found() {
+#ifdef __GLIBC__
+    trapped = fegetexcept();
+#endif
+#ifdef __x86_64__
+    vectors = _mm_getcsr();
+#endif
+  }
+  bool operator==(const Found&) const = default;
+};
+
+// Until its end the thread has the mode.
+class InMode {
+ public:
+  explicit InMode(const Mode& mode) {
+    std::fegetenv(&before_);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    mode.set();
+  }
+  ~InMode() { std::fesetenv(&before_); }
+  InMode(const InMode&) = delete;
+  InMode& operator=(const InMode&) = delete;
+
+ private:
+  std::fenv_t before_;
+};
+
+}  // namespace support
