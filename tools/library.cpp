@@ -14,13 +14,14 @@ Context::Context() {
   handle_.reset(context);
 }
 
-void Context::report_warnings() {
-  for (const auto& warning : warnings_) report(warning);
-  warnings_.clear();
+void Context::report_log(int32_t least) {
+  for (const auto& [level, message] : log_)
+    if (level >= least) report(message);
+  log_.clear();
 }
 
 void Context::log(int32_t level, const char* message, void* user) {
-  if (level >= RC_LOG_WARNING) static_cast<Context*>(user)->warnings_.emplace_back(message);
+  static_cast<Context*>(user)->log_.emplace_back(level, message);
 }
 
 void check(rc_status status, std::string_view subject) {

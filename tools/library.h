@@ -17,19 +17,19 @@ template <auto destroy> struct Destroy {
 using Options = std::unique_ptr<rc_options, Destroy<rc_options_destroy>>;
 using Contact = std::unique_ptr<rc_contact, Destroy<rc_contact_destroy>>;
 
-// A registry whose warnings (a plugin that was refused, say) are kept until they are asked for.
+// A registry whose log (a plugin that was refused, say) is kept until it is asked for.
 class Context {
  public:
   Context();
   rc_context* get() const { return handle_.get(); }
 
-  // Reports the warnings so far to standard error and forgets them.
-  void report_warnings();
+  // Reports what was logged so far, of this level at least, to standard error and forgets the log.
+  void report_log(int32_t least = RC_LOG_WARNING);
 
  private:
   static void log(int32_t level, const char* message, void* user);
 
-  std::vector<std::string> warnings_;
+  std::vector<std::pair<int32_t, std::string>> log_;
   std::unique_ptr<rc_context, Destroy<rc_context_destroy>> handle_;
 };
 

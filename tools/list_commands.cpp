@@ -43,7 +43,7 @@ void list_components(Count count, Describe describe) {
     check(describe(context.get(), i, &component), "");
     rows.push_back({component.name, component.summary, component.license, component.origin});
   }
-  context.report_warnings();
+  context.report_log();
   print_rows(rows);
   if (!rc_platform::loads_plugins()) report("this command is linked statically and loads no plugins; these are all it has");
 }
@@ -72,7 +72,7 @@ void list_options() {
     check(rc_options_describe(context.get(), i, &option), "");
     rows.push_back({option.key, type_name(option.type), option.default_value, allowed_values(option), option.help});
   }
-  context.report_warnings();
+  context.report_log();
   print_rows(rows);
 }
 

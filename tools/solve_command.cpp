@@ -141,7 +141,7 @@ ExitCode run_solve(const SolveArguments& arguments) {
     const StepRecord step = solve_step(contact.get(), problem, number, first, gap, fields);
     bar.clear();
 
-    context.report_warnings();
+    context.report_log(arguments.explain ? RC_LOG_INFO : RC_LOG_WARNING);
     for (const std::string& note : problem.input.notes) {
       if (first) report(note);
     }

@@ -172,7 +172,8 @@ void Context::open_plugins(std::int64_t points) {
       if (!knows(name)) load(name);
     } catch (const Error& error) {
       refused_[name] = error.what();
-      log(RC_LOG_WARNING, error.what());
+      // What cannot serve here is no fault.
+      log(dynamic_cast<const Refusal*>(&error) ? RC_LOG_INFO : RC_LOG_WARNING, error.what());
     } catch (...) {
       closed_.insert(closed_.begin(), std::move(name));  // there is room for it
       throw;

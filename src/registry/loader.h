@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
+
 namespace rc {
 
 class Context;
@@ -24,7 +26,12 @@ std::string find_plugin(const std::vector<std::string>& directories, std::string
 // Names of all plugins in these directories, sorted, each once.
 std::vector<std::string> plugin_names(const std::vector<std::string>& directories);
 
-// Loads and queries. The code stays in the process for good. Throws Error(RC_ERR_PLUGIN).
+// A plugin's own refusal to be used here, as one for a device says where there is none.
+class Refusal : public Error {
+  using Error::Error;
+};
+
+// Loads and queries. The code stays in the process for good. Throws Error(RC_ERR_PLUGIN) and Refusal.
 const rc_plugin* load_plugin(const std::string& path, const std::string& name, const rc_host& host);
 
 }  // namespace rc

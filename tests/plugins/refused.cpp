@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void assert_refused(const Scratch& scratch, const std::string& name, const std::string& reason) {
+void assert_refused(const Scratch& scratch, const std::string& name, const std::string& reason, const char* level = "warning: ") {
   const Registry by_name(scratch.path());
   assert_int_equal(by_name.names(name), RC_ERR_PLUGIN);
   assert_message_has("rc_contact_create: ");
   assert_message_has(reason);
   const Registry listed(scratch.path());
   assert_false(listed.lists(name));
-  assert_has(listed.log(), "warning: ");
+  assert_has(listed.log(), level);
   assert_has(listed.log(), reason);
   assert_true(listed.lists("dense"));
   assert_true(listed.load("auto", "auto") > 0);
@@ -29,13 +29,13 @@ void assert_refused(const Scratch& scratch, const std::string& name, const std::
 template <const auto& fixture> void is_refused(void**) {
   const Scratch scratch;
   scratch.put({fixture.name});
-  assert_refused(scratch, fixture.name, fixture.reason);
+  assert_refused(scratch, fixture.name, fixture.reason, fixture.level);
   const Registry registry(scratch.path());
   assert_false(registry.lists(std::string("second-of-") + fixture.name));  // all or nothing
 }
 
 struct Spoilt {
-  const char *name, *reason;
+  const char *name, *reason, *level = "warning: ";
 };
 constexpr Spoilt bad_abi{"bad_abi", "has plugin ABI 99, this library has 1; rebuild it against the installed headers"};
 constexpr Spoilt no_symbol{"no_symbol", "rcb_no_symbol" RC_PLUGIN_SUFFIX " does not export rc_plugin_query"};
@@ -46,7 +46,8 @@ constexpr Spoilt no_backends{"no_backends", "a list of components is null"};
 constexpr Spoilt null_apply{"null_apply", "backend \"null_apply\" lacks one of create, destroy, bind, apply, field, modelled"};
 constexpr Spoilt cap_lies{"cap_lies", "backend \"cap_lies\" has no subset() but its caps say otherwise"};
 constexpr Spoilt no_license{"no_license", "component \"no_license\" lacks a summary or a licence"};
-constexpr Spoilt refuses{"refuses", "rcb_refuses" RC_PLUGIN_SUFFIX " refuses to be used: no accelerator here"};
+constexpr Spoilt refuses{"refuses", "rcb_refuses" RC_PLUGIN_SUFFIX " refuses to be used: no accelerator here",
+                           "info: "};  // it says itself that it cannot serve here
 constexpr Spoilt describes_nothing{"describes_nothing", "rcb_describes_nothing" RC_PLUGIN_SUFFIX " describes nothing"};
 constexpr Spoilt option_key_wrong{"option_key_wrong",
                                   "declares the option \"tol\"; its keys must start with \"option_key_wrong.\""};

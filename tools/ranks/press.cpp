@@ -93,7 +93,7 @@ class Run {
     rc_mpi_contact* handle = nullptr;
     check(rc_mpi_contact_create(ranks_.get(), &row_.problem.system, options.get(), &handle), "");
     contact_.reset(handle);
-    if (ranks_.first()) context_.report_warnings();
+    if (ranks_.first()) context_.report_log();
   }
 
   void open_folder() {

@@ -99,12 +99,12 @@ def surface_in(
         return _read_by_surface_topography(source, name, pitch, unit, format, otherwise, error)
     try:
         heights = np.ctypeslib.as_array(out.heights, (out.ny, out.nx)).copy()
-        assumed, sides = out.assumed.decode(errors="replace"), (out.hx, out.hy)
+        assumed, sides, periodic = out.assumed.decode(errors="replace"), (out.hx, out.hy), bool(out.periodic)
     finally:
         library.rc_surface_file_free(out)
     if not min(sides) > 0:
         sides = _pitch_or_error(otherwise, name)
-    return Surface(heights, sides, bool(out.periodic), None, "m", assumed)
+    return Surface(heights, sides, periodic, None, "m", assumed)
 
 
 def _pitch_or_error(pitch: Optional[Pitch], name: str) -> Tuple[float, float]:

@@ -1,6 +1,8 @@
 """Surfaces from files: paths, open files, bytes; what is assumed, what is missing; the help of another package."""
 
+import importlib.util
 import io
+import pathlib
 import struct
 import sys
 import types
@@ -155,3 +157,19 @@ def test_other_formats_are_left_to_surface_topography(tmp_path, monkeypatch):
     other.open_topography = fails
     refused(rc.ArgumentError, "nor does SurfaceTopography: RuntimeError: no reader", rc.read, path)
     refused(rc.ArgumentError, "a.opd", rc.read, path, format="sur")
+
+
+def test_a_file_that_says_that_its_surface_repeats(tmp_path):
+    writers_file = pathlib.Path(__file__).resolve().parents[3] / "tests/formats/writers.py"
+    if not writers_file.is_file():
+        pytest.skip("the writers of surface files are not beside these tests")
+    spec = importlib.util.spec_from_file_location("writers", writers_file)
+    writers = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(writers)
+    heights = np.arange(12.0).reshape(3, 4)
+    for periodic in (0, 1):
+        path = tmp_path / f"{periodic}.nc"
+        path.write_bytes(writers.contact_engineering(heights, 1e-6, 1e-6, periodic=periodic))
+        for _ in range(8):
+            assert rc.read(path).periodic is bool(periodic)
+            assert rc.read(path.read_bytes()).periodic is bool(periodic)
