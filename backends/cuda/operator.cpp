@@ -7,10 +7,7 @@
 namespace rc_cuda {
 
 Operator::Operator(const rc_host* host, const rc_operator_spec& spec)
-    : host_(host),
-      spec_(spec),
-      settings_(host, spec.options),
-      grid_{0, 0, spec.system->nx, spec.system->ny} {
+    : host_(host), spec_(spec), settings_(host, spec.options), grid_{0, 0, spec.system->nx, spec.system->ny} {
   if (spec.system->op != RC_OPERATOR_HALFSPACE)
     fail(RC_ERR_INCOMPATIBLE, "only half-space grids can be transformed; use another backend");
 }

@@ -114,7 +114,8 @@ rc_options* options_of(const char* solver, const char* backend, int threads, dou
   config.log_user = &warning;
   rc_context* context = nullptr;
   rc_options* options = nullptr;
-  if (rc_context_create(&config, &context) != RC_OK || rc_options_create(context, &options) != RC_OK || rc_options_set_text(options, RC_OPT_SOLVER, solver) != RC_OK ||
+  if (rc_context_create(&config, &context) != RC_OK || rc_options_create(context, &options) != RC_OK ||
+      rc_options_set_text(options, RC_OPT_SOLVER, solver) != RC_OK ||
       rc_options_set_text(options, RC_OPT_BACKEND, backend) != RC_OK ||
       rc_options_set_int(options, RC_OPT_THREADS, threads) != RC_OK || rc_options_set_real(options, RC_OPT_TOL, tol) != RC_OK)
     refuse("options");
@@ -166,7 +167,8 @@ int solve(char** argv) {
       "\"residual\": %.2e, \"warning\": %s}\n",
       static_cast<long long>(n), argv[2], tol, result.solver, result.backend, argv[6], rc_status_name(result.status), first, best,
       static_cast<long long>(result.applications), static_cast<long long>(result.iterations),
-      static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual), quoted(warning).c_str());
+      static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual),
+      quoted(warning).c_str());
   rc_contact_destroy(contact);
   rc_options_destroy(options);
   return 0;

@@ -32,8 +32,8 @@ struct Memory {
   double ahead(const rc_step& step) const;
   // Dimensionless pressures of at most `cap` to start from. nearer: null, or pressures to prefer to the step's own and the last
   // step's.
-  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap,
-                            const Pressures* nearer, const rc_team& team) const;
+  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap, const Pressures* nearer,
+                            const rc_team& team) const;
   // What start() without `nearer` made its pressures of.
   KeptHistory history(const rc_step& step) const;
   // Pressures there at the approach that a warm step comes from; empty where it comes from none.

@@ -83,8 +83,9 @@ const rc_plugin* load_plugin(const std::string& path, const std::string& name, c
   const rc_plugin* plugin = nullptr;
   clear_message();
   if (const rc_status status = query(&host, &plugin); status < 0)
-    throw Refusal(RC_ERR_PLUGIN, join("plugin ", path, " refuses to be used: ",
-                                      last_message()[0] != '\0' ? last_message() : rc_status_text(status)));
+    throw Refusal(
+        RC_ERR_PLUGIN,
+        join("plugin ", path, " refuses to be used: ", last_message()[0] != '\0' ? last_message() : rc_status_text(status)));
   if (!plugin) fail(RC_ERR_PLUGIN, "plugin refused: ", path, " describes nothing");
   if (!plugin->name || name != plugin->name)
     fail(RC_ERR_PLUGIN, "plugin refused: ", path, " calls itself \"", plugin->name ? plugin->name : "", "\", not \"", name, "\"");

@@ -47,7 +47,7 @@ constexpr Spoilt null_apply{"null_apply", "backend \"null_apply\" lacks one of c
 constexpr Spoilt cap_lies{"cap_lies", "backend \"cap_lies\" has no subset() but its caps say otherwise"};
 constexpr Spoilt no_license{"no_license", "component \"no_license\" lacks a summary or a licence"};
 constexpr Spoilt refuses{"refuses", "rcb_refuses" RC_PLUGIN_SUFFIX " refuses to be used: no accelerator here",
-                           "info: "};  // it says itself that it cannot serve here
+                         "info: "};  // it says itself that it cannot serve here
 constexpr Spoilt describes_nothing{"describes_nothing", "rcb_describes_nothing" RC_PLUGIN_SUFFIX " describes nothing"};
 constexpr Spoilt option_key_wrong{"option_key_wrong",
                                   "declares the option \"tol\"; its keys must start with \"option_key_wrong.\""};

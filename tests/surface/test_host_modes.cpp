@@ -1,12 +1,11 @@
 // The host program's floating-point mode changes no surface, statistics or file that is read, and stays as it was.
-#include "support/host_modes.h"
-
 #include <roughcontact/formats.h>
 
 #include <string>
 
 #include "library.h"
 #include "support/cmocka.hpp"
+#include "support/host_modes.h"
 
 using namespace surface_tests;
 

@@ -219,8 +219,9 @@ class Device {
   template <class Work> Index blocks_at_a_time(std::size_t shared) {
     int beside = 0;
     // That of the kernel, for all threads and grids: so it is never less than any of them needs.
-    checked(cudaFuncSetAttribute(blocks_kernel<Work>, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(most_shared())),
-            "cudaFuncSetAttribute");
+    checked(
+        cudaFuncSetAttribute(blocks_kernel<Work>, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(most_shared())),
+        "cudaFuncSetAttribute");
     checked(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&beside, blocks_kernel<Work>, lanes, shared),
             "cudaOccupancyMaxActiveBlocksPerMultiprocessor");
     return std::max(1, beside) * attribute(cudaDevAttrMultiProcessorCount);

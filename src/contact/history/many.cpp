@@ -93,9 +93,10 @@ ManyAnswers ManySolve::solved(std::int64_t first, std::int64_t last) const {
   asked.answers = answers.all.data();
   const rc_status status = solver_->solve_many(&work_.host, &asked, &work_.options);
   if (status != RC_OK)
-    work_.host.log(&work_.host, RC_LOG_WARNING,
-                   join("solver \"", solver_->name, "\": contacts ", first, " .. ", last - 1, " are solved one at a time: ", last_message())
-                       .c_str());
+    work_.host.log(
+        &work_.host, RC_LOG_WARNING,
+        join("solver \"", solver_->name, "\": contacts ", first, " .. ", last - 1, " are solved one at a time: ", last_message())
+            .c_str());
   clear_message();
   if (status == RC_OK) answers.contacts = std::clamp<std::int64_t>(asked.done, 0, last - first);
   return answers;

@@ -135,8 +135,9 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
       trial.zero_mode = system.lambda_most;
     }
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
-    on_all(work.ranks(),
-           [&] { answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr, work.team()); });
+    on_all(work.ranks(), [&] {
+      answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr, work.team());
+    });
     if (!nearer) answer.history = memory.history(from);
     nearer.reset();
     if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);

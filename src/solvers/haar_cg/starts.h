@@ -17,7 +17,8 @@ struct CoarseSolver {
   bool set_up_is_kept = false;  // for later steps, also of large grids: where setting up takes longer than steps
 };
 
-// For pressures that do not serve: p and, by load, d from the solution on half the grid, where there is somebody to solve it. Where that is impossible too, pressures that carry the load in load control; else none.
+// For pressures that do not serve: p and, by load, d from the solution on half the grid, where there is somebody to solve it.
+// Where that is impossible too, pressures that carry the load in load control; else none.
 void start_haar_cg(const Problem& problem, const CoarseSolver& solver, std::span<double> p, double& d);
 
 }  // namespace rc
