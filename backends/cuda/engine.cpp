@@ -94,8 +94,8 @@ void Engine::multiply(const Spectrum& spectrum, const Window& from, const R* x, 
   auto* const complex = torus_.as<Complex<R>>();
   R* const reals = torus_.as<R>();
   R* const rows = reals + 2 * pitch * from.y;
-  if (from.y > 0) device_.each(from.y * pitch, Clear<R>{complex});
-  if (below < torus.height) device_.each((torus.height - below) * pitch, Clear<R>{complex + below * pitch});
+  if (from.y > 0) device_.each(from.y * pitch, Fill<Complex<R>>{complex, {}});
+  if (below < torus.height) device_.each((torus.height - below) * pitch, Fill<Complex<R>>{complex + below * pitch, {}});
   device_.each(from.ny * 2 * pitch, Pad<R>{x, rows, from.nx, from.x, pitch});
   run<R>({torus.width, from.ny, 0, false}, rows);
   run<R>({torus.height, pitch, pitch, false}, reals);

@@ -131,7 +131,7 @@ constexpr auto DeviceMachine<R, Place>::place(unsigned char* memory, Index cells
   m.t = m.w + n;
   m.q = m.t + n;
   const std::size_t used = static_cast<std::size_t>(reinterpret_cast<unsigned char*>(m.q + n) - memory);
-  m.trees = memory + (used + 255) / 256 * 256;
+  m.trees = memory + rounded(used);
   m.state = m.trees + of_trees;
   return m;
 }

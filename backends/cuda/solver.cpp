@@ -149,14 +149,7 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
   WholeDevice whole(*engine, *spectrum, box, given.zero_mode);
   M machine(whole, cells.count(), problem.cap(), memory, trees.passes());
   Count count(given, machine);
-  const rc::HaarTask task{.by_load = problem.load_control(),
-                          .load = problem.load(),
-                          .cap = problem.cap(),
-                          .tol = problem.tol(),
-                          .least_scale = problem.least_scale(),
-                          .periodic_mean = inputs.table.mean,
-                          .elongated = inputs.elongated,
-                          .patience = static_cast<int>(problem.option_int("haar-cg.patience"))};
+  const rc::HaarTask task = rc::task_of(problem, inputs);
   const auto poll = [&](std::int64_t steps, double residual) {
     count.tell();
     problem.poll(steps, residual);
@@ -173,7 +166,7 @@ rc_status iterate(const rc_host* host, const rc_problem& given, const rc_options
     status = stop.code;
   }
   // A stop may come between a step and its cut.
-  device.each(cells.count(), Clamp{memory.p, problem.cap()});
+  device.each(cells.count(), Convert{memory.p, 1, problem.cap()});
   if (status == RC_OK) history.keep(device, start, engine->bytes() + spectrum->bytes(), settings.limit);
   cells.download_pressures(device, memory.p, p);
   engine.give_back();

@@ -7,7 +7,6 @@ namespace rc_cuda {
 namespace {
 
 constexpr Index largest_summit = 64 * 64;  // blocks of its lowest level
-constexpr std::size_t tree_alignment = 256;
 
 // Lays out one array after the other; without memory it counts their bytes.
 class Layout {
@@ -15,7 +14,7 @@ class Layout {
   explicit Layout(unsigned char* memory) : memory_(memory) {}
   template <class T> T* next(std::size_t count) {
     T* const at = memory_ ? reinterpret_cast<T*>(memory_ + used_) : nullptr;
-    used_ += (count * sizeof(T) + tree_alignment - 1) / tree_alignment * tree_alignment;
+    used_ += rounded(count * sizeof(T));
     return at;
   }
   std::size_t used() const { return used_; }

@@ -25,11 +25,6 @@ struct Begin {
   }
 };
 
-template <class T> struct Fill {
-  T *to, value;
-  RC_ANYWHERE void operator()(Index i) const { to[i] = value; }
-};
-
 struct Multiply {
   double *p, by, cap;
   bool free;  // only pressures below the cap, and up to it
@@ -39,9 +34,13 @@ struct Multiply {
   }
 };
 
-struct Clamp {
-  double *p, cap;
-  RC_ANYWHERE void operator()(Index i) const { p[i] = p[i] > 0 ? (p[i] < cap ? p[i] : cap) : 0; }
+// Pressures in another unit, from 0 to the cap.
+struct Convert {
+  double *p, by, cap;
+  RC_ANYWHERE void operator()(Index i) const {
+    const double value = p[i] * by;
+    p[i] = value > 0 ? (value < cap ? value : cap) : 0;
+  }
 };
 
 // Pressures [force/length^2] over a box of a grid, 0 beyond it; null: none.
@@ -73,7 +72,7 @@ struct Restart {
 struct Store {
   const double* p;
   double unit, cap, hardness;
-  double* to;
+  double* to;  // may be p
   RC_ANYWHERE void operator()(Index i) const { to[i] = p[i] < cap ? p[i] * unit : hardness; }
 };
 

@@ -21,11 +21,6 @@ template <class R> struct Pad {
   }
 };
 
-template <class R> struct Clear {
-  Complex<R>* to;
-  RC_ANYWHERE void operator()(Index i) const { to[i] = {R{0}, R{0}}; }
-};
-
 // By the eigenvalues; the mean's has one more part.
 template <class R> struct Times {
   Complex<R>* data;

@@ -1,6 +1,7 @@
 // What code for the device and for the host has in common.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 // RC_CALLED: large code that others call, so that it takes no registers from theirs.
@@ -19,6 +20,14 @@ using Index = std::int64_t;
 // Sums are made of pieces of this many values, each by so many lanes, which are added in halves; then the pieces likewise. So
 // they do not depend on the order in which pieces come.
 constexpr int lanes = 256, per_lane = 16, piece = lanes * per_lane;
+
+// Arrays in one memory begin at such multiples.
+RC_ANYWHERE constexpr std::size_t rounded(std::size_t bytes) { return (bytes + 255) / 256 * 256; }
+
+template <class T> struct Fill {
+  T *to, value;
+  RC_ANYWHERE void operator()(Index i) const { to[i] = value; }
+};
 
 // n / by and the rest, for n < 2^32: a device divides such numbers much faster.
 struct Place {

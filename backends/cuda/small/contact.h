@@ -80,7 +80,6 @@ template <class R> class SmallContact {
   };
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
-  static constexpr std::size_t rounded(std::size_t bytes) { return (bytes + 255) / 256 * 256; }
 
   // An answer that is not solved ends the history.
   RC_CALLED constexpr void follow(Index i) {
@@ -100,7 +99,7 @@ template <class R> class SmallContact {
       block_.each(1, Write{c_.answers + i * c_.steps + k, answer});
       if (!solved) continue;
       pressed = c_.warm && answer.contacts > 0;
-      if (k + 1 == c_.steps && pressures) block_.each(n_, Deliver{m_.p, pressures, cap_, unit_, c_.hardness});
+      if (k + 1 == c_.steps && pressures) block_.each(n_, Store{m_.p, unit_, cap_, c_.hardness, pressures});
     }
   }
 
@@ -119,7 +118,7 @@ template <class R> class SmallContact {
     const double length = c_.by_load ? height_of(load) : depth, unit = length / c_.length_per_pressure;
     if (!(length > 0) || !std::isfinite(length)) return;
     const double cap = c_.hardness / unit;
-    block_.each(n_, Press{gap_, m_.u, c_.by_load ? heights_.lowest : target, length});
+    block_.each(n_, Compenetration<double>{gap_, m_.u, c_.by_load ? heights_.lowest : target, length, c_.nx, c_.nx});
     if (!pressed)
       begin(load / unit, cap);
     else
@@ -140,7 +139,7 @@ template <class R> class SmallContact {
     block_.keep_in_memory(iteration);
     const rc::HaarOutcome outcome = iteration.run(0);
     if (outcome.ending != rc::HaarEnding::solved) return;
-    block_.each(n_, Clamp{m_.p, cap});
+    block_.each(n_, Convert{m_.p, 1, cap});
     place_.multiply(static_cast<const double*>(m_.p), m_.spare);
     answer.products = machine.products() + 1;
     const double compression = c_.by_load ? outcome.approach * length : depth;
@@ -151,7 +150,7 @@ template <class R> class SmallContact {
 
   // Nothing touches.
   constexpr void rest(double compression, rc_many_answer& answer) {
-    block_.each(n_, Even{m_.p, 0, m_.state});
+    block_.each(n_, Fill<double>{m_.p, 0});
     unit_ = 1;
     cap_ = infinite;
     answer.solved = 1;
@@ -187,7 +186,7 @@ template <class R> class SmallContact {
   // Without pressures; by load with some that carry it, as solvers/haar_cg/starts.cpp has them.
   RC_CALLED constexpr void begin(double load, double cap) {
     constexpr double many = 0.25;
-    if (!c_.by_load) return block_.each(n_, Even{m_.p, 0, m_.state});
+    if (!c_.by_load) return block_.each(n_, Fill<double>{m_.p, 0});
     const Grown all = block_.template reduce<Grown>(n_, Grow{m_.u, m_.p, m_.state});
     const double n = static_cast<double>(heights_.included);
     if (all.within > many * n || all.most * load >= cap * all.sum)
@@ -200,7 +199,7 @@ template <class R> class SmallContact {
   RC_CALLED constexpr void certify(double target, double load, double compression, double length, double scale,
                                    rc_many_answer& answer) {
     double* const p = m_.u;  // in the caller's unit; u is not needed any more
-    block_.each(n_, Deliver{m_.p, p, cap_, unit_, c_.hardness});
+    block_.each(n_, Store{m_.p, unit_, cap_, c_.hardness, p});
     const Ends ends = block_.template reduce<Ends>(n_, FindEnds{p, m_.state});
     const Violations found = block_.template reduce<Violations>(
         n_, Violate{p, m_.spare, gap_, m_.state, length, compression, heights_.lowest, ends.largest, c_.hardness, scale});

@@ -16,10 +16,6 @@ namespace rc_cuda {
 
 namespace {
 
-constexpr std::size_t alignment = 256;
-
-std::size_t rounded(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
-
 // The arrays of a call on the device, one after the other; without memory it counts their bytes.
 class Arrays {
  public:

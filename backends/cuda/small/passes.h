@@ -64,12 +64,6 @@ struct LookBelow {
   }
 };
 
-struct Press {
-  const double* gap;
-  double *u, datum, length;
-  RC_ANYWHERE void operator()(Index i) const { u[i] = (datum - gap[i]) / length; }
-};
-
 // Pressures that grow with the overlap at u + 1 > 0.
 struct Grown {
   double sum = 0, most = 0, within = 0;
@@ -93,7 +87,7 @@ struct Even {
   const std::uint8_t* state;
   RC_ANYWHERE void operator()(Index i) const { p[i] = state[i] != 0 ? value : 0; }
 };
-// Pressures to start from, and in another unit.
+// Pressures to start from.
 struct Given {
   bool positive = false, finite = true;
   RC_ANYWHERE void add(const Given& other) {
@@ -108,20 +102,6 @@ struct TakeStart {
     p[i] = from[i];
     return {p[i] > 0, std::isfinite(p[i])};
   }
-};
-struct Convert {
-  double *p, by, cap;
-  RC_ANYWHERE void operator()(Index i) const {
-    const double value = p[i] * by;
-    p[i] = value > 0 ? (value < cap ? value : cap) : 0;
-  }
-};
-// Back to the caller's unit. A point at the cap has the hardness itself.
-struct Deliver {
-  double* p;
-  double* to;  // may be p
-  double cap, unit, hardness;
-  RC_ANYWHERE void operator()(Index i) const { to[i] = p[i] < cap ? p[i] * unit : hardness; }
 };
 
 // Of pressures in the caller's unit; contact/proof/certificate.cpp has the same sums.

@@ -20,16 +20,11 @@ class InBlock {
   template <class F> constexpr void each(Index n, const F& f) { block_.each(n, f); }
   template <class Part, class F> constexpr Part reduce(Index n, const F& f) { return block_.template reduce<Part>(n, f); }
   template <class Work> constexpr void together(const Work& work) { block_.together(work); }
-  template <class T> constexpr void clear(T* x, Index n) { block_.each(n, Zero<T>{x}); }
+  template <class T> constexpr void clear(T* x, Index n) { block_.each(n, Fill<T>{x, 0}); }
   constexpr void multiply(const float* x, float* y) { rc_cuda::multiply(block_, product_.single, product_.single_data, x, y); }
   constexpr void multiply(const double* x, double* y) { rc_cuda::multiply(block_, product_.wide, product_.wide_data, x, y); }
 
  private:
-  template <class T> struct Zero {
-    T* x;
-    RC_ANYWHERE void operator()(Index i) const { x[i] = 0; }
-  };
-
   Block& block_;
   const Product& product_;
 };

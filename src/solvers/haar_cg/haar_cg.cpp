@@ -59,14 +59,7 @@ bool single_suffices(const Problem& problem) {
 template <class Real, class Pressure> rc_status iterate(const Problem& problem, Pressure* p, double& d, Real* q = nullptr) {
   TreeInputs inputs = tree_inputs(*problem.grid(), problem.size(),
                                   [&](std::int64_t mx, std::int64_t my, Vector& out) { problem.coefficients(mx, my, out); });
-  const HaarTask task{.by_load = problem.load_control(),
-                      .load = problem.load(),
-                      .cap = problem.cap(),
-                      .tol = problem.tol(),
-                      .least_scale = problem.least_scale(),
-                      .periodic_mean = inputs.table.mean,
-                      .elongated = inputs.elongated,
-                      .patience = static_cast<int>(problem.option_int("haar-cg.patience"))};
+  const HaarTask task = task_of(problem, inputs);
   const auto poll = [&](std::int64_t steps, double residual) {
     problem.poll(steps, residual);
     return true;

@@ -154,6 +154,17 @@ void start_cold(const Problem& problem, std::span<double> p) {
 
 }  // namespace
 
+HaarTask task_of(const Problem& problem, const TreeInputs& inputs) {
+  return {.by_load = problem.load_control(),
+          .load = problem.load(),
+          .cap = problem.cap(),
+          .tol = problem.tol(),
+          .least_scale = problem.least_scale(),
+          .periodic_mean = inputs.table.mean,
+          .elongated = inputs.elongated,
+          .patience = static_cast<int>(problem.option_int("haar-cg.patience"))};
+}
+
 bool serves(const Problem& problem, const char* solver, std::span<const double> p) {
   const auto sum = [&](std::int64_t begin, std::int64_t count) {
     return sum_of(static_cast<std::size_t>(count),

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "solvers/haar_cg/task.h"
+#include "solvers/haar_cg/tree_inputs.h"
 #include "solvers/problem.h"
 
 namespace rc {
@@ -10,6 +12,9 @@ namespace rc {
 // Whether the given pressures are a start: some are positive and, where this solver could begin on half the grid (null: it could
 // not), their load is near the one wanted. Of all ranks, where the problem is shared.
 bool serves(const Problem& problem, const char* solver, std::span<const double> p);
+
+// What the iteration is to do.
+HaarTask task_of(const Problem& problem, const TreeInputs& inputs);
 
 // Who solves the coarse grids.
 struct CoarseSolver {
