@@ -15,7 +15,7 @@ struct Mode {
 };
 
 inline const Mode modes[] = {
-#ifdef __GLIBC__
+#ifdef FE_NOMASK_ENV  // where traps can be set
     {"traps", [] { feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW); }},
 #endif
     {"upward", [] { std::fesetround(FE_UPWARD); }},
@@ -30,7 +30,7 @@ struct Found {
   unsigned vectors = 0;
 
   Found() {
-#ifdef __GLIBC__
+#ifdef FE_NOMASK_ENV  // where traps can be set
     trapped = fegetexcept();
 #endif
 #ifdef __x86_64__
