@@ -103,13 +103,18 @@ rc_system square(std::int64_t n) {
   return system;
 }
 
-// The last warning goes to `warning`, as that contacts of a batch were not taken together.
-rc_options* options_of(const char* solver, const char* backend, int threads, double tol, std::string& warning) {
+// The last one, as that contacts of a batch were not taken together. The threads of a batch warn, too.
+struct Warning {
+  std::mutex mutex;
+  std::string text;
+};
+
+rc_options* options_of(const char* solver, const char* backend, int threads, double tol, Warning& warning) {
   rc_context_config config = RC_CONTEXT_CONFIG_INIT;
   config.log = [](std::int32_t level, const char* text, void* user) {
-    static std::mutex mutex;  // the threads of a batch log, too
-    const std::lock_guard guarded(mutex);
-    if (level == RC_LOG_WARNING) *static_cast<std::string*>(user) = text;
+    Warning& last = *static_cast<Warning*>(user);
+    const std::lock_guard guarded(last.mutex);
+    if (level == RC_LOG_WARNING) last.text = text;
   };
   config.log_user = &warning;
   rc_context* context = nullptr;
@@ -135,7 +140,7 @@ int solve(char** argv) {
   const std::vector<Wave> all = waves(n, 1);
   std::vector<double> gap(static_cast<std::size_t>(n * n));
   fill_gap(n, all, gap.data());
-  std::string warning;
+  Warning warning;
   rc_options* const options = options_of(argv[4], argv[5], std::atoi(argv[6]), tol, warning);
   rc_contact* contact = nullptr;
   if (rc_contact_create(&system, options, &contact) != RC_OK) refuse("rc_contact_create");
@@ -168,7 +173,7 @@ int solve(char** argv) {
       static_cast<long long>(n), argv[2], tol, result.solver, result.backend, argv[6], rc_status_name(result.status), first, best,
       static_cast<long long>(result.applications), static_cast<long long>(result.iterations),
       static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual),
-      quoted(warning).c_str());
+      quoted(warning.text).c_str());
   rc_contact_destroy(contact);
   rc_options_destroy(options);
   return 0;
@@ -187,7 +192,7 @@ int solve_batch(char** argv) {
       std::copy_n(gaps.data() + i % surfaces * n * n, n * n, gap);
     targets.push_back(load_of_a_tenth(slope_of(waves(n, 1))));
   }
-  std::string warning;
+  Warning warning;
   rc_options* const options = options_of(argv[3], argv[4], std::atoi(argv[5]), 1e-8, warning);
   rc_batch batch = RC_BATCH_INIT;
   batch.control = RC_CONTROL_LOAD;
@@ -206,7 +211,7 @@ int solve_batch(char** argv) {
       "{\"batch\": %lld, \"n\": %lld, \"solver\": \"%s\", \"backend\": \"%s\", \"threads\": %s, \"certified\": %lld, "
       "\"first_seconds\": %.6f, \"seconds\": %.6f, \"solves_per_second\": %.1f, \"warning\": %s}\n",
       static_cast<long long>(count), static_cast<long long>(n), argv[3], argv[4], argv[5],
-      static_cast<long long>(batch.certified), first, best, static_cast<double>(count) / best, quoted(warning).c_str());
+      static_cast<long long>(batch.certified), first, best, static_cast<double>(count) / best, quoted(warning.text).c_str());
   rc_options_destroy(options);
   return 0;
 }
