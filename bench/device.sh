@@ -2,7 +2,8 @@
 # bench/device.sh [BUILD]: on a machine with a CUDA device, in less than ten minutes: builds, measures solves, batches and passes, and
 # writes bench/results/device.json and the tables of docs/device.md. Exit status 77 where there is no device: nothing is written then.
 # Needs nvcc, cuFFT, cmake; FFTW for the times on two threads of the host, which are left out without it.
-# RC_DEVICE_SECONDS: time in all, 540. RC_DEVICE_READY=1: BUILD has all that is run. RC_DEVICE_COMMIT, where git does not know it.
+# RC_DEVICE_SECONDS: time limit of the whole run (540). RC_DEVICE_READY=1: does not build; BUILD has the programs. RC_DEVICE_COMMIT: the
+# commit, if this folder is no git repository.
 # RC_DEVICE_PAIR="haar-cuda-host cuda-host" RC_DEVICE_PASSES=device_passes_host RC_DEVICE_SHORT=1: the same steps on the host, on small
 # grids, for tests; nothing is written but to RC_DEVICE_OUTPUT.
 set -euo pipefail

@@ -39,7 +39,7 @@ def passes_table(passes):
 
 
 def row_of(line):
-    """What a line says; one that was cut off or has a number that is none becomes a row of what failed."""
+    """A line of JSON; a line that is cut off or has nan becomes a row of failures."""
     try:
         return json.loads(line)
     except ValueError:

@@ -9,7 +9,7 @@ namespace rc_cuda {
 
 namespace {
 
-constexpr std::size_t most_plans = 64;  // those of a grid and its coarse ones
+constexpr std::size_t most_plans = 64;  // enough for a grid and its coarse grids
 
 // A room that grows is given back first.
 std::size_t more(const Memory& room, std::size_t wanted) { return wanted > room.bytes() ? wanted : 0; }

@@ -63,7 +63,7 @@ class Engine {
   Device device_;
   Plans<float> single_;
   Plans<double> double_;
-  std::size_t work_bytes_ = 256;  // that the plans need; some address, where they need none
+  std::size_t work_bytes_ = 256;  // that the plans need; never 0: cuFFT then always gets an address
   Memory torus_, vectors_, work_;
 };
 

@@ -37,8 +37,6 @@ template <class Pass> double time_of(Device& device, const Pass& pass) {
   return best;
 }
 
-}  // namespace
-
 rc_host no_host() {
   rc_host host{};
   host.struct_size = sizeof host;
@@ -46,16 +44,12 @@ rc_host no_host() {
   return host;
 }
 
-namespace {
-
 rc::CouplingTable table_of(Index n) {
   rc::CouplingTable table{std::min<Index>(n, 64), std::min<Index>(n, 64), {}, 1, 1};
   for (Index i = 0; i < table.mx * table.my; ++i)
     table.k.push_back(1 / (1 + std::hypot(static_cast<double>(i % table.mx), static_cast<double>(i / table.mx))));
   return table;
 }
-
-}  // namespace
 
 void measure(Engine& engine, Index n) {
   Device& device = engine.device();
@@ -114,6 +108,23 @@ void measure(Engine& engine, Index n) {
   std::printf("\n]}\n");
 }
 
+}  // namespace
+
+// The exit status: 77 if there is no device.
+int time_passes(Index n) {
+  int status = 77;
+  try {
+    const rc_host host = no_host();
+    Engine engine(&host, 0);
+    status = 1;
+    measure(engine, n);
+    return 0;
+  } catch (const roughcontact::Failure& failure) {
+    std::fprintf(stderr, "%s\n", failure.message.c_str());
+    return status;
+  }
+}
+
 }  // namespace rc_cuda
 
 int main(int argc, char** argv) {
@@ -121,15 +132,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s N\n", argv[0]);
     return 2;
   }
-  int status = 77;  // no device
-  try {
-    const rc_host host = rc_cuda::no_host();
-    rc_cuda::Engine engine(&host, 0);
-    status = 1;
-    rc_cuda::measure(engine, std::atoll(argv[1]));
-    return 0;
-  } catch (const roughcontact::Failure& failure) {
-    std::fprintf(stderr, "%s\n", failure.message.c_str());
-    return status;
-  }
+  return rc_cuda::time_passes(std::atoll(argv[1]));
 }

@@ -21,13 +21,14 @@ struct Settings {
 
 using Engines = rc_common::Pool<std::unique_ptr<Engine>>;
 
-// Those of all contacts on this device, whatever their grids: a solve and the coarse grids on which it begins take the same one.
+// The engines of all contacts of the context on this device. A solve and its coarse grids use the same engine, one after the
+// other.
 std::shared_ptr<Engines> engines_of(const rc_host* host, const Settings& settings);
 
 // An engine that is taken. It is given back where nothing failed; else the device may be lost, and it goes.
 class Borrowed {
  public:
-  // team: null, or that of the contact, which copies for it.
+  // team: the threads that copy; null: one thread copies.
   Borrowed(const rc_host* host, const Settings& settings, const rc_team* team = nullptr);
   Borrowed(const Borrowed&) = delete;
   Borrowed& operator=(const Borrowed&) = delete;
@@ -55,7 +56,7 @@ std::shared_ptr<const Spectrum> spectrum_for(const rc_host* host, const Settings
     return std::make_unique<Spectrum>(engine, torus, table, true, settings.limit,
                                       [&](double* out) { coefficients(table.nx, table.ny, out); });
   };
-  // That of boxes changes from step to step, and goes with the last who uses it.
+  // The eigenvalues of a smaller box are not kept: the box changes from step to step.
   const bool whole = torus == (torus.periodic ? periodic_torus(nx, ny) : free_torus(nx, ny));
   return whole ? roughcontact::kept<const Spectrum>(host, component, true, key, made)
                : roughcontact::shared<const Spectrum>(host, component, key, made);

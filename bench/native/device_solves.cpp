@@ -103,7 +103,7 @@ rc_system square(std::int64_t n) {
   return system;
 }
 
-// The last one, as that contacts of a batch were not taken together. The threads of a batch warn, too.
+// The context's last warning, for example that contacts of a batch were solved one at a time. Several threads may log at once.
 struct Warning {
   std::mutex mutex;
   std::string text;

@@ -50,8 +50,8 @@ struct rc_host {
   rc_status (*share)(const rc_host *, const char *key, rc_status (*make)(void *argument, void **object),
                      void (*destroy)(void *object), void *argument, void **object);
   void (*release)(const rc_host *, void *object); /* once for each share()                                     */
-  /** As share(), but the contact or batch holds the object until it ends: no release(). of_system = 0: all contacts of the context
-   *  share it, whatever their systems. Since plugin ABI minor 13. */
+  /** As share(), but the contact or batch holds the object until it is destroyed: no release(). of_system: 1: only contacts with
+   *  the same system share the object; 0: all contacts of the context do. Since plugin ABI minor 13. */
   rc_status (*keep)(const rc_host *, int32_t of_system, const char *key, rc_status (*make)(void *argument, void **object),
                     void (*destroy)(void *object), void *argument, void **object);
 };

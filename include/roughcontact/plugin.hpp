@@ -93,7 +93,7 @@ template <class Action> rc_status guard(const rc_host* host, const Component& co
   }
 }
 
-// What share() and keep() call.
+// The functions that rc_host.share and rc_host.keep call to make and destroy an object.
 template <class Object, class Make> struct SharedRequest {
   const rc_host* host;
   const Component& component;

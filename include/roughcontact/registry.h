@@ -60,8 +60,8 @@ RC_API rc_status rc_context_create(const rc_context_config *config, rc_context *
  *  destroyed. */
 RC_API void rc_context_destroy(rc_context *context);
 /** Components by number 0 .. count-1, sorted by name. A NULL context is the default one. The first call loads
- *  every plugin of the search path; files that are refused are reported to the context's log as warnings, those that refuse to
- *  be used here (for a device where none is) as information. */
+ *  every plugin of the search path; files that are refused are reported to the context's log as warnings. A plugin that
+ *  itself refuses, for example because the machine has no device, is reported as RC_LOG_INFO. */
 RC_API int64_t rc_backend_count(rc_context *context);
 RC_API rc_status rc_backend_describe(rc_context *context, int64_t i, rc_component *out);
 RC_API int64_t rc_solver_count(rc_context *context);

@@ -29,8 +29,8 @@
  * library never prints, exits, aborts, throws across this interface or installs a signal handler. The caller owns every array;
  * the library keeps none beyond what is stated.
  *
- * Floating point: whatever the calling thread's mode (traps, rounding, flush to zero), every function computes in the default one
- * and leaves the thread's mode and flags as they were. The caller's functions that it calls run in the default mode, too.
+ * Floating point: every function computes in the default mode (no traps, rounding to nearest, subnormal numbers) and then restores
+ * the calling thread's mode and exception flags. The caller's own functions (apply, progress, log) run in the default mode.
  *
  * fork(): after a call only contacts with option threads above 1 keep threads, and OpenBLAS where it serves the backend cholmod
  * (docs/errors.md). A child may make contacts of its own; it must not use its parent's. It must not use the library at all if

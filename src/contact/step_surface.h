@@ -71,6 +71,7 @@ class StepSurface {
   Chunks chunks() const { return Chunks::of(ranks_, nx_); }
   // The sum of what add(part, entry) adds for entries 0 .. n-1, by pieces of a fixed size. entry(k): its point, ascending with k.
   template <class Part, class Entry, class Add> Part sum_over(std::size_t n, const Entry& entry, const Add& add) const {
+    constexpr std::int64_t entries_of_a_piece = std::int64_t{1} << 16;
     if (!ranks_)
       return reduce<Part>(
           static_cast<std::int64_t>(n), team(),
@@ -79,7 +80,7 @@ class StepSurface {
             for (std::int64_t k = begin; k < begin + count; ++k) add(part, entry(static_cast<std::size_t>(k)));
             return part;
           },
-          Part{}, {}, Chunks{summed_at_once});
+          Part{}, {}, Chunks{entries_of_a_piece});
     std::vector<Part> parts(static_cast<std::size_t>(chunks().count(points())));
     for (std::size_t k = 0; k < n; ++k) add(parts[entry(k) / static_cast<std::size_t>(chunks().values)], entry(k));
     for (std::size_t i = 0; i < parts.size(); ++i) ranks_->put_part(i, parts[i]);
@@ -92,8 +93,8 @@ class StepSurface {
     return sum_over<Part>(
         entries.size(), [&](std::size_t k) { return entries[k]; }, add);
   }
-  // What add(part, entry) makes of the entries, of all ranks, where neither order nor pieces matter.
-  template <class Part, class Add> Part largest_over(std::span<const std::size_t> entries, const Add& add) const {
+  // Combines the entries of all ranks by add(part, entry), for parts that are exact in any order: counts, extents, extremes.
+  template <class Part, class Add> Part combined_over(std::span<const std::size_t> entries, const Add& add) const {
     return united(reduce<Part>(static_cast<std::int64_t>(entries.size()), team(), [&](std::int64_t begin, std::int64_t count) {
       Part part;
       for (const std::size_t entry : entries.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(count)))
@@ -158,8 +159,6 @@ class StepSurface {
   // The height t above the lowest gap at which sum(max(t - (gap - lowest), 0)) / sqrt(points with gap - lowest < t) = target, to
   // about two percent from above.
   double bearing_height(double target) const;
-
-  static constexpr std::int64_t summed_at_once = std::int64_t{1} << 16;
 
  private:
   bool threaded() const { return gap_.size() > 64 * 64; }  // with fewer points threads would cost more than they save

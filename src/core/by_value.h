@@ -1,5 +1,5 @@
-// std::clamp, std::max and std::min by value. Code for devices needs them: a constant of the host to which they take a reference
-// is not there, nor is the check of limits that some standard libraries have, and compilers make a trap of either.
+// std::clamp, std::max and std::min by value. The standard functions take references, and nvcc compiles a reference to a
+// constexpr constant of the host into a trap; likewise the check of limits in std::clamp of some standard libraries.
 #pragma once
 
 namespace rc {

@@ -1,13 +1,13 @@
-// The host program's floating-point mode does not reach what the library computes.
+// Shields computations from the host program's floating-point mode.
 #pragma once
 
 #include <cfenv>
 
 namespace rc {
 
-// Until its end the calling thread, and threads that it starts, compute as programs do by default: to nearest, with subnormal
-// numbers, and without a signal where a result is not finite or not a number, which passes over many values at a time may meet in
-// lanes that nobody reads. Then the host's mode, with its traps and flags, is as it was.
+// Sets the default mode for the calling thread and for threads that it starts: rounding to nearest, subnormal numbers, no traps.
+// Vector loops may divide by zero in lanes whose results are discarded, so traps must be off. The destructor restores the mode
+// and the exception flags.
 class DefaultArithmetic {
  public:
   DefaultArithmetic() {

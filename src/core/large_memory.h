@@ -29,7 +29,7 @@ template <class Value> std::vector<Value> large_vector(std::size_t n) {
   return values;
 }
 
-// The same, with all threads waiting for the system's pages at a time.
+// The same; all threads touch the new pages, since the system takes long to provide each.
 template <class Value> std::vector<Value> large_vector(std::size_t n, const rc_team& team) {
   constexpr std::size_t page = 4096, at_once = large_bytes;
   std::vector<Value> values;

@@ -172,7 +172,7 @@ void Context::open_plugins(std::int64_t points) {
       if (!knows(name)) load(name);
     } catch (const Error& error) {
       refused_[name] = error.what();
-      // What cannot serve here is no fault.
+      // A plugin that cannot serve on this machine is not a fault.
       log(dynamic_cast<const Refusal*>(&error) ? RC_LOG_INFO : RC_LOG_WARNING, error.what());
     } catch (...) {
       closed_.insert(closed_.begin(), std::move(name));  // there is room for it

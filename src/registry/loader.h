@@ -26,7 +26,7 @@ std::string find_plugin(const std::vector<std::string>& directories, std::string
 // Names of all plugins in these directories, sorted, each once.
 std::vector<std::string> plugin_names(const std::vector<std::string>& directories);
 
-// A plugin's own refusal to be used here, as one for a device says where there is none.
+// Thrown if the plugin itself refuses, for example because the machine has no device.
 class Refusal : public Error {
   using Error::Error;
 };

@@ -99,7 +99,7 @@ class Contact {
   rc_contact* get() const { return contact_; }
   const rc_options* options() const { return options_; }
   const std::string& words() const { return words_; }
-  // What the context logged last, by whichever thread.
+  // The last message in the context's log, from any thread.
   std::string logged() const {
     const std::lock_guard guarded(hearing_);
     return logged_;

@@ -170,7 +170,8 @@ void a_flat_punch_feels_the_published_share_of_the_layer(void**) {
     }
 }
 
-// What a point load deflects beyond the layer's own half-space: 1/(2 pi) integral of 2 (f - 1/E1*) J0(q r) over q.
+// The deflection under a point load less that of a half-space of the layer's material: 1/(2 pi) times the integral of
+// 2 (f - 1/E1*) J0(q r) over q.
 class Remainder {
  public:
   explicit Remainder(const Layer& layer) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# quiet.sh COMMAND FIXTURE: of a plugin that says itself that it cannot serve here, as one for a device where none is, nothing is said
-# but to those who name it or ask for explanations.
+# quiet.sh COMMAND FIXTURE: the command does not mention a plugin that refuses to be used on this machine, unless the user names the
+# plugin's component or asks for --explain.
 set -euo pipefail
 command=$1 fixture=$2
 folder=$(mktemp -d)

@@ -6,7 +6,7 @@
 
 namespace rc_cuda {
 
-// Loaded and stored as one.
+// Aligned, so that both parts are loaded and stored in one access.
 template <class R> struct alignas(2 * sizeof(R)) Complex { R re, im; };
 
 // A box of nx columns into rows of reals, zeros behind it. The first row is the box's.

@@ -82,7 +82,7 @@ class Block {
  public:
   template <class F> RC_CALLED RC_ANYWHERE void each(Index n, const F& f) {
 #ifdef __CUDA_ARCH__
-    const F own = f;  // in registers: what it stores cannot change it
+    const F own = f;  // a copy in registers: the compiler need not read its members again after a store
     for (Index i = threadIdx.x; i < n; i += lanes) own(i);
     __syncthreads();
 #else
@@ -163,7 +163,7 @@ class Current {
     checked(cudaSetDevice(own_), "cudaSetDevice");
   }
   explicit Current(const Device& device);
-  // Setting a device makes a context on it, so that of one which was not in use is not touched.
+  // cudaSetDevice makes a context on the device, so it is not called if the device has not changed.
   ~Current() {
     if (before_ != own_) cudaSetDevice(before_);
   }
@@ -183,7 +183,7 @@ class Device {
   ~Device();
 
   const rc_host* host() const { return host_; }
-  // The host and, where it is not null, the team that copies for it. Those before may be gone.
+  // The host of the contact that uses the device now, and the threads that copy for it; team null: one thread copies.
   void serve(const rc_host* host, const rc_team* team) {
     host_ = host;
     team_ = team;
@@ -194,7 +194,7 @@ class Device {
   void* allocate(std::size_t bytes);
   static void release(void* memory) noexcept {
     cudaFree(memory);
-    cudaGetLastError();  // of a device that is lost: the program's next look at it finds none of ours
+    cudaGetLastError();  // clears the error of a lost device, so that the program's next call does not report it
   }
   void upload(void* to, const void* from, std::size_t bytes);
   void download(void* to, const void* from, std::size_t bytes);
@@ -218,7 +218,7 @@ class Device {
   // How many blocks run at a time, each with so many bytes of the fastest memory; and how many bytes a block may have.
   template <class Work> Index blocks_at_a_time(std::size_t shared) {
     int beside = 0;
-    // That of the kernel, for all threads and grids: so it is never less than any of them needs.
+    // The limit belongs to the kernel, which all host threads share: it is set to the most that a grid may need.
     checked(
         cudaFuncSetAttribute(blocks_kernel<Work>, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(most_shared())),
         "cudaFuncSetAttribute");
@@ -244,7 +244,7 @@ class Device {
  private:
   void make_parts(std::size_t bytes);
   void copy(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind);
-  bool staged(std::size_t bytes);  // whether a copy of so many goes through the stages, which it makes
+  bool staged(std::size_t bytes);  // whether a copy of that size uses the stages; allocates them if it does
   void give_back() noexcept;
   Index attribute(cudaDeviceAttr wanted) const {
     int value = 0;
@@ -273,7 +273,7 @@ class Device {
   void* seen_ = nullptr;  // on the host, where kernels write sums
   std::size_t parts_bytes_ = 0;
 
-  // On the host, in memory that stays where it is: the driver copies to one of them while the team copies to the other.
+  // Pinned memory of the host: the driver copies one stage while the team fills or empties the other.
   struct Stage {
     unsigned char* bytes = nullptr;
     cudaEvent_t free = nullptr;

@@ -21,7 +21,7 @@ using Index = std::int64_t;
 // they do not depend on the order in which pieces come.
 constexpr int lanes = 256, per_lane = 16, piece = lanes * per_lane;
 
-// Arrays in one memory begin at such multiples.
+// Arrays within one allocation begin at multiples of 256 bytes.
 RC_ANYWHERE constexpr std::size_t rounded(std::size_t bytes) { return (bytes + 255) / 256 * 256; }
 
 template <class T> struct Fill {

@@ -170,6 +170,5 @@ def test_a_file_that_says_that_its_surface_repeats(tmp_path):
     for periodic in (0, 1):
         path = tmp_path / f"{periodic}.nc"
         path.write_bytes(writers.contact_engineering(heights, 1e-6, 1e-6, periodic=periodic))
-        for _ in range(8):
-            assert rc.read(path).periodic is bool(periodic)
-            assert rc.read(path.read_bytes()).periodic is bool(periodic)
+        assert rc.read(path).periodic is bool(periodic)
+        assert rc.read(path.read_bytes()).periodic is bool(periodic)

@@ -169,10 +169,10 @@ class Proof {
   Extent undecided_pressures() {
     const double reach = open_beyond();
     if (!(reach < (all_listed() ? infinity : answer_.beyond)))  // any candidate
-      return candidates_ + surface_.largest_over<Extent>(found_.touching, [&](Extent& support, std::size_t i) {
+      return candidates_ + surface_.combined_over<Extent>(found_.touching, [&](Extent& support, std::size_t i) {
         if (given_[i] > 0 && !may_carry(i)) add(support, i);
       });
-    return surface_.largest_over<Extent>(near(reach), [&](Extent& support, std::size_t i) {
+    return surface_.combined_over<Extent>(near(reach), [&](Extent& support, std::size_t i) {
       if (undecided(i, reach)) add(support, i);
     });
   }
@@ -285,7 +285,7 @@ class Proof {
     const double reach = open_beyond();
     const auto not_open = [&](std::size_t i) { return may_carry(i) && !(distance_to_surface(i) > reach); };
     const auto at_cap = [&](std::size_t i) { return distance_to_surface(i) < -reach; };
-    auto [contacts, capped, undecided] = surface_.largest_over<Counts>(near(reach), [&](Counts& part, std::size_t i) {
+    auto [contacts, capped, undecided] = surface_.combined_over<Counts>(near(reach), [&](Counts& part, std::size_t i) {
       if (!not_open(i)) return;
       part.capped += at_cap(i);
       ++(p(i) > margin || at_cap(i) ? part.contacts : part.undecided);

@@ -31,12 +31,12 @@ bool Certificate::within(double tol) const { return primal <= tol && dual <= tol
 Certificate certify(const StepSurface& surface, double compression, const Deflected& answer, const Survey& found, double scale,
                     double hardness) {
   const std::span<const double> p = answer.p();
-  const Ends ends = surface.largest_over<Ends>(found.touching, [&](Ends& part, std::size_t k) {
+  const Ends ends = surface.combined_over<Ends>(found.touching, [&](Ends& part, std::size_t k) {
     part.largest = std::max(part.largest, std::abs(p[k]));
     part.least = std::min(part.least, p[k]);
   });
   const double largest_p = ends.largest, least_p = ends.least;
-  const auto [overlap, worst, finite] = surface.largest_over<Violations>(found.touching, [&](Violations& part, std::size_t k) {
+  const auto [overlap, worst, finite] = surface.combined_over<Violations>(found.touching, [&](Violations& part, std::size_t k) {
     const std::size_t i = answer.point(k);
     if (!surface.included(i)) return;
     const double gap = answer.product[k] - (compression - surface.height(i));

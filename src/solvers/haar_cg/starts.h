@@ -13,7 +13,7 @@ namespace rc {
 // not), their load is near the one wanted. Of all ranks, where the problem is shared.
 bool serves(const Problem& problem, const char* solver, std::span<const double> p);
 
-// What the iteration is to do.
+// The iteration's task for this problem.
 HaarTask task_of(const Problem& problem, const TreeInputs& inputs);
 
 // Who solves the coarse grids.
