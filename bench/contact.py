@@ -46,7 +46,7 @@ def status_of(result):
 
 
 def solve(system, gap, options, **more):
-    """A cold solve; its status says how it ended. more: displacement or load, mask, start, want_pressure."""
+    """A cold solve; its status says how it ended. more: approach or load, mask, start, want_pressure."""
     with rc.Contact(system, options=options) as contact:
         return contact.solve(undeformed_gap=gap, check=False, borrow=True, **more)
 
@@ -54,7 +54,7 @@ def solve(system, gap, options, **more):
 def press(scene, options, start=None):
     """(result, processor time of the whole call [s])"""
     before = cpu_seconds()
-    found = solve(scene.system, scene.gap, {'kernel': scene.kernel, **options}, displacement=scene.approach, mask=scene.mask, start=start)
+    found = solve(scene.system, scene.gap, {'kernel': scene.kernel, **options}, approach=scene.approach, mask=scene.mask, start=start)
     return found, cpu_seconds() - before
 
 
@@ -104,7 +104,7 @@ def difference(a, b):
 def record_of(result):
     same = ('approach', 'load', 'kkt_primal', 'kkt_dual', 'kkt_complementarity', 'kkt_control', 'solver', 'backend', 'kernel', 'note',
             'points', 'candidates', 'modelled', 'contacts', 'iterations')
-    return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'products': result.applications,
+    return {'status': status_of(result), **{key: getattr(result, key) for key in same}, 'products': result.products,
             'solve_seconds': result.seconds}
 
 
@@ -112,7 +112,7 @@ def cold_call(system, gap, options, control, target, pressure=None):
     """(result, seconds of the whole call, its processor time) of one cold solve by the C functions themselves. Arrays of doubles or floats."""
     struct, _ = system.struct()
     library, handle, step, answer = raw.contact_library(), ctypes.c_void_p(), raw.rc_step(), raw.rc_result()
-    step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT), target, 1
+    step.control, step.target, step.borrow = (raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_APPROACH), target, 1
     kind, single = (ctypes.c_float, '_single') if gap.dtype == np.float32 else (ctypes.c_double, '')
     setattr(step, f'undeformed_gap{single}', gap.ctypes.data_as(ctypes.POINTER(kind)))
     if pressure is not None:

@@ -13,15 +13,15 @@ LARGEST_SEARCH = 1024  # points a side up to which the load for a contact area i
 
 
 def measure(request, n, boundary, area):
-    """Products of both controls, the displacement that which the load leads to."""
+    """Products of both controls, the approach that which the load leads to."""
     options = {'threads': request.threads, 'bounds': 0}
     searched = self_affine_gap(min(n, LARGEST_SEARCH), request.seed, rms_slope=SLOPE)
     load = find_load(unit_square(len(searched), boundary), searched, area, light_load(area), 6, options).load
     gap, rows, target = self_affine_gap(n, request.seed, rms_slope=SLOPE), [], load
-    for control in ('load', 'displacement'):
+    for control in ('load', 'approach'):
         result = certified(solve(unit_square(n, boundary), gap, {**options, 'tol': request.tol}, want_pressure=False, **{control: target}))
         target = result.approach
-        rows.append({'control': control, 'products': result.applications, 'iterations': result.iterations, 'solver': result.solver,
+        rows.append({'control': control, 'products': result.products, 'iterations': result.iterations, 'solver': result.solver,
                      'backend': result.backend, 'percent_found': 100 * share_in_contact(result)})
     return rows
 
@@ -45,5 +45,5 @@ question('counts', 'products of cold solves by size, contact area, boundary and 
     'sizes': (listed(side), [512, 1024, 2048, 4096], 'points per side'),
     'percents': (listed(percent), [0.1, 1, 10, 40], 'contact areas in percent of the grid, about'),
     'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),
-    'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'), 'seed': (int, 1, 'of the surface'),
+    'controls': (listed(CONTROLS), ['approach', 'load'], 'approach, load'), 'seed': (int, 1, 'of the surface'),
     'tol': (float, 1e-8, 'certified tolerance'), **ALL_THREADS}, {'sizes': [128], 'percents': [1, 10]}, '128^2, two areas')

@@ -56,7 +56,7 @@ run() {
   tail -1 "$lines"
 }
 for n in $sizes; do
-  for control in load displacement; do
+  for control in load approach; do
     run 60 "$n" $control 1e-8 "$solver" "$backend" "$(nproc)" 5
     [ -z "$fft" ] || run 90 "$n" $control 1e-8 haar-cg fft 2 2
   done

@@ -53,7 +53,7 @@ def greedy_on_draws(kernel, n, spacing, draws):
     deepest = load_error = pressure_error = 0.0
     for seed in range(draws):
         scene = example_one(side, spacing, seed)
-        step = {'displacement': scene.approach, 'undeformed_gap': scene.gap, 'mask': scene.mask, 'warm_start': False, 'check': False}
+        step = {'approach': scene.approach, 'undeformed_gap': scene.gap, 'mask': scene.mask, 'warm_start': False, 'check': False}
         found, known = plain.solve(**step), certified(exact.solve(**step))
         off = difference(found.pressure, known.pressure)
         wrong = status_of(found) != OK
@@ -128,11 +128,11 @@ def polonsky_keer(atlas):
     again, lighter = (press(rough, options, start)[0] for start in (cold.pressure, heavy))
     none = press(rough.but(approach=0.0), options)[0]
     statuses = [status_of(result) for result in (again, none, lighter)]
-    atlas.record('polonsky-keer', trigger='starts', cold=cold.applications, exact=again.applications, heavier=lighter.applications,
+    atlas.record('polonsky-keer', trigger='starts', cold=cold.products, exact=again.products, heavier=lighter.products,
                  exact_status=statuses[0], heavier_status=statuses[2], no_approach_status=statuses[1])
     atlas.add('polonsky-keer', 'an exact start, no approach at all, a start from 8 times the approach: as printed 0/0, or far from the answer',
-              f'products: cold {cold.applications}, exact start {again.applications}, no approach {none.applications}, heavy start '
-              f'{lighter.applications}', ', '.join(statuses),
+              f'products: cold {cold.products}, exact start {again.products}, no approach {none.products}, heavy start '
+              f'{lighter.products}', ', '.join(statuses),
               'the certificate ends an exact start at once; a start worse than none is cut to its best multiple')
 
 
@@ -209,7 +209,7 @@ def gradient(atlas):
                 options = dense('gp', 1e-8, max_iter=100000, **{'gp.lipschitz': lipschitz, 'gp.restart': restart})
             result = press(scene, options)[0]
             found.append(atlas.record('gp', kernel=kernel, lipschitz=lipschitz, restart={0: 'no', 1: 'yes', None: ''}[restart],
-                                      iterations=result.iterations, products=result.applications, status=status_of(result),
+                                      iterations=result.iterations, products=result.products, status=status_of(result),
                                       difference=difference(result.pressure, truth)))
         atlas.add('gp', f'no restart of the acceleration, step from the Frobenius norm, as printed; kernel {kernel}',
                   'iterations to 1e-8: as printed {}, tight step {}, with restart {}, both {}; polonsky-keer {}'.format(
@@ -245,7 +245,7 @@ def cascades(atlas, scene, halvings, seed):
         atlas.record('cmr', surface=scene.name, seed=seed, filter=kind, plain_error=plain.load / full.load - 1, plain_status=status_of(plain),
                      plain_wrong=int(wrong), certified_error=sound.load / full.load - 1,
                      certified_difference=difference(sound.pressure, full.pressure), certified_status=status_of(sound), rounds=note.rounds,
-                     kept=note.share, full_products=full.applications, certified_products=sound.applications, contacts=full.contacts,
+                     kept=note.share, full_products=full.products, certified_products=sound.products, contacts=full.contacts,
                      **verdict, dishonest=int(wrong and status_of(plain) == OK))
 
 
@@ -301,9 +301,9 @@ def conditioning(atlas):
         for levels in range(4, 7 if atlas.quick else 9):
             scene = rough_scene(levels, 1)
             found = press(scene.but(kernel=kernel, approach=3 * scene.approach), {'solver': 'polonsky-keer', 'backend': 'fft', 'max_iter': 100000})[0]
-            atlas.record('kernel_cost', kernel=kernel, side=1 << levels, iterations=found.iterations, products=found.applications,
+            atlas.record('kernel_cost', kernel=kernel, side=1 << levels, iterations=found.iterations, products=found.products,
                          status=status_of(found))
-            growth.append(f'{kernel} {1 << levels}^2: {found.applications}')
+            growth.append(f'{kernel} {1 << levels}^2: {found.products}')
     atlas.add('conditioning', 'kernel eq9, whose diagonal is 36 % too small, against love on finer and finer surfaces',
               'products of polonsky-keer: ' + ', '.join(growth), 'certified either way', 'kernel love is the default')
 

@@ -12,7 +12,7 @@ from trial_surfaces import KINDS, make_surface
 
 EXACT = 1e-9
 QUANTITIES = ('load', 'area')
-CONTROLS = {'displacement': 'approach', 'load': 'load'}
+CONTROLS = {'approach': 'approach', 'load': 'load'}
 COLUMNS = ('control; quantity; scene; goal={goal:g}; runs; within goal={within}; %={within_percent:g}; on a coarser grid={coarser}; '
            'estimate/error={slack:.1f}; whole/this s={speedup:.2f}')
 KEPT = ('goal of={quantity}; prescribed; goal={goal:%g} %; runs; within it={within}; on a coarser grid={coarser}; '
@@ -28,7 +28,7 @@ class Pressed:
 
     def __init__(self, system, gap, approach, options, mask=None):
         self.system, self.gap, self.options, self.mask = system, gap, options, mask
-        self.exact = self.solve('displacement', approach, EXACT)
+        self.exact = self.solve('approach', approach, EXACT)
 
     def solve(self, control, target, tol, **more):
         return solve(self.system, self.gap, {**self.options, 'tol': tol, **more}, mask=self.mask, want_pressure=False, **{control: target})
@@ -37,7 +37,7 @@ class Pressed:
         """whole_tol: of a solve of the whole grid, for its time."""
         target = self.exact.load if control == 'load' else self.exact.approach
         found, exact = self.solve(control, target, EXACT, accuracy=goal, **{'accuracy.of': quantity}), self.exact
-        there = self.solve('displacement', found.approach, EXACT) if control == 'load' and quantity == 'load' else found
+        there = self.solve('approach', found.approach, EXACT) if control == 'load' and quantity == 'load' else found
         area_error = abs(found.contact_area / exact.contact_area - 1)
         row = {'status': status_of(found), 'model': found.accuracy.model_nx, 'estimate': found.accuracy.error_estimate,
                'error': area_error if quantity == 'area' else abs(there.load / exact.load - 1), 'left_out': found.accuracy.left_out,
@@ -106,7 +106,7 @@ def grids_table(rows, goals):
     """For a goal of the load under a given approach."""
     lines = []
     for scene, title in TITLES.items():
-        found = chosen(rows, scene=scene, quantity='load', control='displacement')
+        found = chosen(rows, scene=scene, quantity='load', control='approach')
         if found:
             used = {goal: [f'{contact:g} %: {grid_used(chosen(found, goal=goal, contact=contact))}' for contact in values_of(found, 'contact')]
                     for goal in goals}

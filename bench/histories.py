@@ -15,7 +15,7 @@ from tables import show
 COLUMNS = ('solver; backend; n; seed; cold products={cold_products}; warm products={warm_products}; warm/cold={ratio:.2f}; '
            'cold iterations={cold_iterations}; warm iterations={warm_iterations}; from step 2={ratio_later:.2f}; cold s={cold_seconds:.2f}; '
            'warm s={warm_seconds:.2f}; load difference={load_difference:.0e}; status')
-SUMS = {'products': 'applications', 'iterations': 'iterations', 'seconds': 'seconds'}
+SUMS = {'products': 'products', 'iterations': 'iterations', 'seconds': 'seconds'}
 
 
 class History:
@@ -31,7 +31,7 @@ class History:
         with rc.Contact(unit_square(self.n), options=options) as contact:
             for k, approach in enumerate(self.approaches):
                 before = cpu_seconds()
-                result = contact.solve(displacement=approach, undeformed_gap=None if warm and k else self.gap, warm_start=warm, want_pressure=False,
+                result = contact.solve(approach=approach, undeformed_gap=None if warm and k else self.gap, warm_start=warm, want_pressure=False,
                                        check=False)
                 found.append((result, cpu_seconds() - before))
                 if status_of(result) == 'RC_STOP_TIME':
@@ -58,12 +58,12 @@ def measure(request, variant, seed):
     both = {name: [result for result, _ in history.run(options, name == 'warm')] for name in ('cold', 'warm')}
     cold, warm = both.values()
     steps = [{'solver': variant, 'seed': seed, 'step': k + 1, 'contacts': c.contacts, 'candidates': c.candidates,
-              'cold_products': c.applications, 'warm_products': w.applications, 'cold_seconds': c.seconds, 'warm_seconds': w.seconds,
+              'cold_products': c.products, 'warm_products': w.products, 'cold_seconds': c.seconds, 'warm_seconds': w.seconds,
               'cold_status': status_of(c), 'warm_status': status_of(w)} for k, (c, w) in enumerate(zip(cold, warm))]
 
     def ratio(first):
-        below = sum(result.applications for result in cold[first:])
-        return sum(result.applications for result in warm[first:]) / below if below else None
+        below = sum(result.products for result in cold[first:])
+        return sum(result.products for result in warm[first:]) / below if below else None
 
     sound = all(len(found) == request.steps and all(status_of(result) == OK for result in found) for found in (cold, warm))
     return {'solver': variant.partition('@')[0], 'backend': backend, 'n': history.n, 'seed': seed, 'tol': request.tol,
@@ -113,7 +113,7 @@ class Total:
         self.seconds += time.perf_counter() - begun
         self.cpu += cpu_seconds() - cpu
         self.certified += found.certified
-        self.products += int(np.maximum(found.applications, 0).sum())
+        self.products += int(np.maximum(found.products, 0).sum())
         self.status = 'RC_' + found.status.name if self.status == OK else self.status
         return found.load
 
@@ -134,7 +134,7 @@ def run_batch(request):
         # Increasing approaches up to half the mean gap, or the loads found there.
         targets = 0.5 * gaps.mean(axis=(1, 2))[:, None] * np.arange(1, request.steps + 1) / request.steps
         if request.control == 'load':
-            targets = approaches.solve(gaps, 'displacement', targets)
+            targets = approaches.solve(gaps, 'approach', targets)
         order = [one, several] if first // BLOCK % 2 == 0 else [several, one]
         alone, shared = (total.solve(gaps, request.control, targets) for total in order)
         if alone.tobytes() != shared.tobytes():
@@ -149,7 +149,7 @@ def run_batch(request):
 question('batch', 'histories of many small contacts in one call, with one thread and with several', run_batch, {
     'surfaces': (ranged(int, 1, 1000000), 1000, 'contacts'), 'points': (ranged(int, 16, 4096), 128, 'points per side'),
     'steps': (ranged(int, 1, 1000), 10, 'of each history'), 'threads': (threads, THREADS, 'threads, against one'),
-    'control': (CONTROLS, 'displacement', 'displacement, or load'), 'solver': (str, 'haar-cg', 'by name, or auto'),
+    'control': (CONTROLS, 'approach', 'approach, or load'), 'solver': (str, 'haar-cg', 'by name, or auto'),
     'backend': (str, 'fft', 'by name, or auto'), 'tol': (float, 1e-8, 'certified tolerance')}, {'surfaces': 40}, '40 surfaces')
 
 

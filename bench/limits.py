@@ -153,7 +153,7 @@ class Limits:
         options = {'haar-cg.nested': 0, 'haar-cg.products': 'mixed' if single else 'double'}
         solve.seconds(count, **options)
         best = min(repeats(lambda: solve.seconds(count, **options), self.request.budget, most=1000))
-        iterations, number = solve.result.iterations, solve.result.applications
+        iterations, number = solve.result.iterations, solve.result.products
         in_products = number * timed['double']['seconds']
         if single:
             in_products = 2 * timed['double']['seconds'] + (number - 2) * timed['single']['seconds']
@@ -208,7 +208,7 @@ class ColdSolve:
 
     def prescribe_approach(self):
         """From now on the approach that the last solve found is prescribed instead of the load."""
-        self.control, self.target = 'displacement', self.result.approach
+        self.control, self.target = 'approach', self.result.approach
 
     @property
     def percent(self):

@@ -59,7 +59,7 @@ def solve(file, n, slope, share, threads, interpreter, want_pressure=False):
                                want_pressure=want_pressure, check=False)
     peak = peak_memory() - interpreter
     return {'status': result.status.name, 'contact_percent': 100 * result.contacts / n**2, 'file_gigabytes': gap.nbytes / 1e9,
-            'seconds': time.perf_counter() - begun, 'cpu_seconds': cpu_seconds() - before, 'products': result.applications,
+            'seconds': time.perf_counter() - begun, 'cpu_seconds': cpu_seconds() - before, 'products': result.products,
             'peak_gigabytes': peak / 1e9, 'own_gigabytes': (peak - gap.nbytes) / 1e9, 'residual': result.residual}
 
 

@@ -81,9 +81,8 @@ METHODS = {  # options, whether warm, whether on stored matrices alone: one solv
 
 
 def step_of(result, cpu, *keys):
-    names = {'products': 'applications'}
     return {'mean_pressure': result.mean_pressure, 'candidates': result.candidates, 'contacts': result.contacts, 'cpu_seconds': cpu,
-            **{key: getattr(result, names.get(key, key)) for key in keys}}
+            **{key: getattr(result, key) for key in keys}}
 
 
 def worst_status(steps):
@@ -199,7 +198,7 @@ def inner_solver(levels, n, inner, seed):
     def one():
         first, before = [], cpu_seconds()
         with rc.Contact(scene.system, options=options, progress=lambda _: first.append(cpu_seconds()) if not first else None) as contact:
-            result = contact.solve(displacement=approach, undeformed_gap=scene.gap, check=False, want_pressure=False)
+            result = contact.solve(approach=approach, undeformed_gap=scene.gap, check=False, want_pressure=False)
         return cpu_seconds() - before, (first or [before])[0] - before, result
 
     found = repeats(one, 0.3)
@@ -247,7 +246,7 @@ def whole_of(scene, backend, count):
     """(result, record)"""
     whole, cpu = timed(scene, {'solver': INNER[backend], 'backend': backend}, count)
     certified(whole)
-    return whole, {'candidates': whole.candidates, 'contacts': whole.contacts, 'whole_cpu_seconds': cpu, 'whole_products': whole.applications}
+    return whole, {'candidates': whole.candidates, 'contacts': whole.contacts, 'whole_cpu_seconds': cpu, 'whole_products': whole.products}
 
 
 def compared(scene, whole, count, *given, **more):
@@ -255,8 +254,8 @@ def compared(scene, whole, count, *given, **more):
     (plain, plain_cpu), (sound, sound_cpu) = (timed(scene, cascade_options(*given, **more, certified=each), count) for each in (0, 1))
     note = cascade_note(sound.note)
     return {'load_error': plain.load / whole.load - 1, 'status': status_of(plain), 'kept': note.share_at_first, 'rounds': note.rounds,
-            'cpu_seconds': plain_cpu, 'products': plain.applications, 'certified_error': sound.load / whole.load - 1,
-            'certified_status': status_of(sound), 'certified_cpu_seconds': sound_cpu, 'certified_products': sound.applications}
+            'cpu_seconds': plain_cpu, 'products': plain.products, 'certified_error': sound.load / whole.load - 1,
+            'certified_status': status_of(sound), 'certified_cpu_seconds': sound_cpu, 'certified_products': sound.products}
 
 
 def by_exponent(levels, count, hurst, kernel, backend, seed):

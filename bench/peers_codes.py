@@ -38,7 +38,7 @@ def of_aspher(words, look, backend, precision='double', boundaries=('free',), **
                 {'backend': backend, 'precision': precision, **single, **more})
 
 
-BOTH, EITHER = ('free', 'periodic'), ('load', 'displacement')
+BOTH, EITHER = ('free', 'periodic'), ('load', 'approach')
 CODES = {
     'ours': Code('roughcontact', 'ours', '', 'lc rgb "#000000" dt 1 pt 7', BOTH, EITHER, (1e-4, 1e-6, 1e-8)),
     'ours-float': Code('roughcontact, single', 'ours', '', 'lc rgb "#000000" dt 2 pt 6', tols=(1e-4,), options={'fft.precision': 'single'}),
@@ -92,12 +92,12 @@ def cases(sizes, percents, quick):
     found = []
     for n in sorted(sizes or [*(SMALL_SIZES[2:3] if quick else SMALL_SIZES), *((256, 512) if quick else (512, 1024, 2048, 4096, 8192))]):
         if n * n <= LARGEST_MATRIX:
-            found.append(Case('wavy', n, 'free', 'displacement', 30))
+            found.append(Case('wavy', n, 'free', 'approach', 30))
             continue
         shares = percents or ((1, 10) if quick else SHARES)
         if n <= LARGEST_FREE:
             found += [Case('rough', n, 'free', 'load', percent) for percent in shares]
-            found.append(Case('rough', n, 'free', 'displacement', 10))
+            found.append(Case('rough', n, 'free', 'approach', 10))
         found += [Case('wavy', n, 'periodic', 'load', percent) for percent in (percents or (10,) if quick else shares)]
     return found
 
@@ -172,7 +172,7 @@ class Ours(Runner):
         begun = time.perf_counter()
         result = self.contact.solve(undeformed_gap=self.gap, borrow=True, check=False, **{self.request['control']: self.request['target']})
         self.inside = max(0.0, time.perf_counter() - begun - result.seconds)
-        self.details = {'status': status_of(result), 'iterations': result.iterations, 'products': result.applications, 'solver': result.solver,
+        self.details = {'status': status_of(result), 'iterations': result.iterations, 'products': result.products, 'solver': result.solver,
                         'backend': result.backend}
         return result.pressure
 

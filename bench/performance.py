@@ -96,7 +96,7 @@ def grown(document, key, limit):
 def load_control(document):
     rows = {(row['n'], row['area_wanted'], row['control']): row['products'] for row in certified_rows(document)}
     return [(f'{n}² {100 * area:g} %', rows[n, area, 'load'] / count, 1.3) for (n, area, control), count in rows.items()
-            if control == 'displacement' and n >= 512 and (n, area, 'load') in rows]
+            if control == 'approach' and n >= 512 and (n, area, 'load') in rows]
 
 
 def with_percent(rows):
@@ -147,7 +147,7 @@ TARGETS = (
                               if each.case['percent'] == 10 and each.level == TIGHT else None), True),
     Target('products to 1e-8, 512² to 4096²', '<= 26 (20)', BENCH + 'scaling', 'scaling', lambda d: grown(d, 'most', MOST_PRODUCTS)),
     Target('their growth', '<= N^0.2', BENCH + 'scaling', 'scaling', lambda d: grown(d, 'exponent', 0.2), form='{:.2f}'),
-    Target('products in load over displacement control, from 512² on', '<= 1.3', BENCH + 'scaling', 'scaling', load_control),
+    Target('products in load over approach control, from 512² on', '<= 1.3', BENCH + 'scaling', 'scaling', load_control),
     Target('0.1 % of a rough surface: full-grid solver, times slower', '>= 8, 15, 30 at 1024², 2048², 4096²', BENCH + 'dilute', 'dilute',
            lambda d: dilute(d, 'rough', {1024: 8, 2048: 15, 4096: 30}), True),
     Target('one asperity on 4096²: full-grid solver, times slower', '>= 100', BENCH + 'dilute', 'dilute', lambda d: dilute(d, 'asperity', {4096: 100}),
@@ -281,7 +281,7 @@ def pictures(results, images):
     def curves(value, of=rows):
         result, families = [], groups(of, 'area_wanted', 'control')
         for (area, control), found in families.items():
-            number, second = areas.index(area), control == 'load' and (area, 'displacement') in families
+            number, second = areas.index(area), control == 'load' and (area, 'approach') in families
             look = f'{hollow} pt {OPEN_MARKERS[number % len(OPEN_MARKERS)]}' if second else style(number)
             result.append(drawing.curve([(r['n'] ** 2, value(r)) for r in found], look))
         return result

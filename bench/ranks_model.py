@@ -57,7 +57,7 @@ def terms(row, network):
     alone = ranks == 1
     messages = row['transpositions'] * math.ceil((ranks - 1) / row.get('window', 1)) + (row['reductions'] + row['gathers']) * math.ceil(math.log2(ranks) if ranks > 1 else 0)
     received = row['transposed'] / ranks + (row['reduced'] + row['gathered']) * (1 - 1 / ranks)
-    points = row['applications'] * row['n']**2
+    points = row['products'] * row['n']**2
     work = points * math.log2(row['n']) / with_rows(row['n'], ranks)
     return [work, 0.0 if alone else work, 1.0, 0.0 if alone else latency * messages, received / width], WHOLE_SECONDS * points / PIECE**2
 
@@ -88,11 +88,11 @@ def memory_of(measured):
 def scaled(last, n, ranks):
     """The counters of a solve on another grid and other ranks, from those of the largest simulated one: as many products with the given grid,
     calls for as many more coarser grids as there are. Sums are gathered by pieces of rows, levels of the trees by pieces of 32 x 32."""
-    size = last['transposed'] / last['applications'] / transposed(last['n'], last['ranks'], 1)
+    size = last['transposed'] / last['products'] / transposed(last['n'], last['ranks'], 1)
     more, side = math.log2(n / COARSEST) / math.log2(last['n'] / COARSEST), n / last['n']
     parts = rounds(n, ranks, size) / rounds(last['n'], last['ranks'], size)
-    return {'n': n, 'ranks': ranks, 'window': WINDOW, 'applications': last['applications'], 'reductions': more * last['reductions'], 'gathers': more * last['gathers'],
-            'transpositions': more * parts * last['transpositions'], 'transposed': last['applications'] * transposed(n, ranks, size),
+    return {'n': n, 'ranks': ranks, 'window': WINDOW, 'products': last['products'], 'reductions': more * last['reductions'], 'gathers': more * last['gathers'],
+            'transpositions': more * parts * last['transpositions'], 'transposed': last['products'] * transposed(n, ranks, size),
             'reduced': last['reduced'] * side, 'gathered': last['gathered'] * side**2}
 
 

@@ -51,7 +51,7 @@ def dense(request):
             solve.seconds(1)
             cpu = least(lambda: solve.seconds(1), request.repeats)
             single, double = (native.time_products(unit_square(n), solve.gap, solve.result.approach, 'fft', single=kind)['best'] for kind in (True, False))
-            products = solve.result.applications
+            products = solve.result.products
             return {'value': cpu / (single * (products - DOUBLE) + double * DOUBLE), 'more': f'{1e3 * cpu:.0f} ms, {products} products'}
         yield {'row': f'dense {n}², 10 %: solve over its products', 'goal': '1.5', **checked(in_child(work))}
 
@@ -79,19 +79,19 @@ def gauss(request):
     gap = self_affine_gap(GAUSS, rms_slope=SLOPE)
     for percent, goal in ((1, '25'), (10, '120')):
         load = find_load(unit_square(GAUSS), gap, percent / 100, light_load(percent / 100), 6, {'threads': 1}).load
-        for control in ('displacement', 'load'):
+        for control in ('approach', 'load'):
             with rc.Contact(unit_square(GAUSS), options={'threads': 1, 'tol': 1e-8, 'bounds': 0}) as contact:
                 result = certified(contact.solve(undeformed_gap=gap, load=load))
                 target, change = (load, 1e-3 * load) if control == 'load' else (result.approach, 1e-3 * (result.approach - gap.min()))
                 counts, step, answer = [], raw.rc_step(), raw.rc_result()
-                step.control = raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_DISPLACEMENT
+                step.control = raw.RC_CONTROL_LOAD if control == 'load' else raw.RC_CONTROL_APPROACH
 
                 def trials():
                     for k in range(request.trials):
                         step.target = target + change * (k % 20)
                         if library.rc_contact_solve(handle, step, answer) != 0:
                             raise RuntimeError(library.rc_last_error().decode())
-                        counts.append(answer.applications)
+                        counts.append(answer.products)
                 with contact._holding() as handle:
                     seconds = least(trials, request.repeats) / request.trials
             yield {'row': f'Gauss point {GAUSS}², {percent} %, {control}: next trial [us]', 'goal': goal, 'value': 1e6 * seconds,
@@ -103,8 +103,8 @@ def batch(request):
     targets = 0.5 * gaps.mean(axis=(1, 2))[:, None] * np.arange(1, 11) / 10
     options = {'threads': 1, 'tol': 1e-8, 'solver': 'haar-cg', 'backend': 'fft'}
     found = []
-    cpu = least(lambda: found.append(rc.batch(undeformed_gap=gaps, system=unit_square(128), options=options, displacement=targets)), request.repeats)
-    products = int(np.maximum(found[0].applications, 0).sum()) / targets.size
+    cpu = least(lambda: found.append(rc.batch(undeformed_gap=gaps, system=unit_square(128), options=options, approach=targets)), request.repeats)
+    products = int(np.maximum(found[0].products, 0).sum()) / targets.size
     yield {'row': 'batch 128², 10 steps: solves per CPU second', 'goal': '2000', 'value': targets.size / cpu, 'more': f'{products:.1f} products a solve'}
 
 
@@ -112,7 +112,7 @@ def history(request):
     for n in request.histories:
         gap = self_affine_gap(n, rms_slope=SLOPE)
         gap -= gap.min()
-        for boundary, control in ((b, c) for b in ('free', 'periodic') for c in ('displacement', 'load')):
+        for boundary, control in ((b, c) for b in ('free', 'periodic') for c in ('approach', 'load')):
             targets = gap.mean() / 2 * np.arange(1, 21) / 20
 
             def steps(warm, targets, control):
@@ -121,13 +121,13 @@ def history(request):
                     for k, target in enumerate(targets):
                         result = certified(contact.solve(undeformed_gap=None if warm and k else gap, warm_start=warm, want_pressure=False,
                                                          **{control: target}))
-                        counts.append(result.applications)
+                        counts.append(result.products)
                         if not warm:
                             contact.reset()
                 return counts, cpu_seconds() - before, result.load
 
             if control == 'load':
-                targets = steps(True, targets[-1:], 'displacement')[2] * np.arange(1, 21) / 20
+                targets = steps(True, targets[-1:], 'approach')[2] * np.arange(1, 21) / 20
             (cold, cold_cpu, _), (warm, warm_cpu, _) = steps(False, targets, control), steps(True, targets, control)
             yield {'row': f'history of 20 steps, {n}², {boundary}, {control}: warm over cold products', 'goal': '0.5', 'value': sum(warm) / sum(cold),
                    'more': f'CPU {warm_cpu / cold_cpu:.2f}; {sum(w > c for w, c in zip(warm, cold))} steps take more, {max(w - c for w, c in zip(warm, cold))} at most'}
@@ -137,7 +137,7 @@ def products(request):
     for n in request.counted:
         for boundary in ('free', 'periodic'):
             found = {share: checked(in_child(lambda: counts.measure(request, n, boundary, share / 100))) for share in (1, 10, 40)}
-            for control in ('displacement', 'load'):
+            for control in ('approach', 'load'):
                 each = {share: next(row['products'] for row in same if row['control'] == control) for share, same in found.items()}
                 yield {'row': f'{n}², {boundary}, {control}: most products to 1e-8', 'goal': '26', 'value': max(each.values()),
                        'more': ', '.join(f'{share} %: {count}' for share, count in each.items())}

@@ -87,7 +87,7 @@ class Scaling:
         return self.kept
 
     def load_for(self, n, area, approach):
-        """The load for an area, and for displacement control the approach under it. Found once, on a grid that is not too fine, and kept
+        """The load for an area, and for approach control the approach under it. Found once, on a grid that is not too fine, and kept
         with the results: no measurement."""
         if n > LARGEST_SEARCH and not approach:
             return self.load_for(LARGEST_SEARCH, area, False)
@@ -104,7 +104,7 @@ class Scaling:
 
         def work():
             found = find_load(unit_square(n), gap, area, guess, most, options_of(self.request))
-            return {'load': found.load, 'displacement': found.approach}
+            return {'load': found.load, 'approach': found.approach}
         return self.store.put('loads', key, checked(in_child(work)))
 
     def needed(self, n, area, control):
@@ -123,7 +123,7 @@ class Scaling:
         available, least = available_memory() + self.kept.nbytes, self.needed(n, area, control)
         if least > available:
             return f'left out: it needs about {least / 1e9:.1f} GB, {available / 1e9:.1f} GB are there'
-        target, gap = self.load_for(n, area, control == 'displacement')[control], self.gap(n)
+        target, gap = self.load_for(n, area, control == 'approach')[control], self.gap(n)
 
         def work():
             if 100 * n * n > available:
@@ -267,7 +267,7 @@ question('dilute', 'dilute contacts: products by backends split and fft, and sol
     'contacts': (listed(ranged(float, 0.001, 25)), [0.04, 0.1, 1, 10], 'contact areas in percent of the grid'),
     'threads': (threads, THREADS, 'threads; products with one as well'), 'seed': (int, 1, 'of the surface'),
     'budget': (float, 0.3, 'seconds for repeats of each product and solve'),
-    'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'),
+    'controls': (listed(CONTROLS), ['approach', 'load'], 'approach, load'),
     'tols': (listed(float), [1e-8, 1e-4], 'certified tolerances of the solves'),
     'largest_full': (int, 4096, 'points a side up to which solves go over the whole grid as well'),
     'large': (bool, False, '8192^2 and 16384^2 as well'), 'products_only': (bool, False, 'no solves'), 'solves_only': (bool, False, 'no products')})
@@ -276,7 +276,7 @@ question('dilute', 'dilute contacts: products by backends split and fft, and sol
 question('scaling', 'time, products and memory against grid size and contact area', run, {
     'sizes': (listed(side), [128, 256, 512, 1024, 2048], 'points per side'),
     'percents': (listed(percent), [1, 10, 40], 'contact areas in percent of the grid'),
-    'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'),
+    'controls': (listed(CONTROLS), ['approach', 'load'], 'approach, load'),
     'seed': (int, 1, 'of the surface'), 'tol': (float, 1e-8, 'certified tolerance'),
     'precision': (one_of('mixed', 'single'), 'mixed', 'of products: option fft.precision'), **NAMED, **ALL_THREADS,
     'budget': (float, 2, 'seconds for repeats of each solve'), 'time_limit': (float, 0, 'seconds after which no row begins; 0: none')},

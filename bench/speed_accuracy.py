@@ -76,7 +76,7 @@ class SpeedAccuracy:
             result, record = time_solve(scene.system(len(gap)), gap, options, self.request.budget, scene.control, target, pressure)
             errors = {prefix + key: rounded(value) for prefix, truth in truths.items() for key, value in truth.errors(result).items()}
             return {'status': record['status'], **{key: rounded(record[key]) for key in ('setup_seconds', 'solve_seconds', 'cpu_seconds')},
-                    'memory_bytes': max(peak_memory() - before, 0), 'products': result.applications, 'residual': rounded(result.residual),
+                    'memory_bytes': max(peak_memory() - before, 0), 'products': result.products, 'residual': rounded(result.residual),
                     'chosen': f'{result.solver}, {result.backend}', **errors}
         return in_child(work)
 

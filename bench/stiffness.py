@@ -30,7 +30,7 @@ def measure(n, boundary, control, area, request):
             for k in range(2 if n == PATCH else 1):
                 said.clear()
                 result = certified(contact.solve(undeformed_gap=gap, want_pressure=False, **{control: target + 1e-3 * k * depth}))
-            products.append(result.applications)
+            products.append(result.products)
             residual += said[:1]
             if stiffness == 0:
                 by = np.random.default_rng(request.seed).standard_normal((2, *gap.shape))
@@ -63,5 +63,5 @@ question('stiffness', 'products of stiffness and gradients beside those of the c
     'sizes': (listed(side), [512, 1024, 2048], 'points per side of cold solves'),
     'percents': (listed(percent), [1, 10, 40], 'contact areas in percent of the grid, about'),
     'boundaries': (listed(one_of('free', 'periodic')), ['free', 'periodic'], 'free, periodic'),
-    'controls': (listed(CONTROLS), ['displacement', 'load'], 'displacement, load'), 'seed': (int, 1, 'of the surfaces'),
+    'controls': (listed(CONTROLS), ['approach', 'load'], 'approach, load'), 'seed': (int, 1, 'of the surfaces'),
     'tol': (float, 1e-8, 'certified tolerance'), **ALL_THREADS}, {'sizes': [128], 'percents': [10]}, '128^2, 10 %%')

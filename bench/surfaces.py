@@ -225,7 +225,7 @@ class GridScene:
     name: str = ''
     n: int = 0
     boundary: str = 'free'
-    control: str = 'displacement'
+    control: str = 'approach'
     aspect: float = 1.0
     most_contact: float = 1.0
     full: bool = False

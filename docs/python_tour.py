@@ -69,8 +69,8 @@ save(figure, "histogram")
 
 # %% Load it and let go again: elastic contact comes back the way it went
 loads = load * np.array([0.01, 0.05, 0.1, 0.2, 0.4, 0.7, 1.0, 0.7, 0.4, 0.2, 0.1])
-history = rc.path(surface, modulus=modulus, load=loads, stiffness=True)
-print(f"{history.applications.sum()} products with H for {history.completed} steps")
+history = rc.history(surface, modulus=modulus, load=loads, stiffness=True)
+print(f"{history.products.sum()} products with H for {history.completed} steps")
 figure, ax = plt.subplots(figsize=(4.6, 3.4))
 rc.plot.history(history, ax=ax)
 save(figure, "history")

@@ -59,7 +59,7 @@ def pressed(contact, gap, approaches):
     loads, by_gap = [], []
     for k, approach in enumerate(approaches):
         surface = {"undeformed_gap": gap} if k == 0 else {}
-        loads.append(contact.solve(displacement=approach, want_pressure=False, **surface).load)
+        loads.append(contact.solve(approach=approach, want_pressure=False, **surface).load)
         by_gap.append(contact.gradient().gap)
     return np.array(loads), by_gap
 
@@ -105,7 +105,7 @@ def drawn(texture, gap, approach, sigma, length, samples, seed=1):
     with rc.Contact(system, options={"tol": 1e-7}) as contact:
         for _ in range(samples):
             noise = np.fft.ifft2(np.fft.fft2(rng.standard_normal(filtered.shape)) * filtered).real[:ny, :nx]
-            loads.append(contact.solve(undeformed_gap=gap - sigma * noise, displacement=approach, want_pressure=False).load)
+            loads.append(contact.solve(undeformed_gap=gap - sigma * noise, approach=approach, want_pressure=False).load)
     return np.std(loads)
 
 
@@ -143,7 +143,7 @@ def main():
     texture = Texture(given.points)
     approaches = DEEPEST * np.arange(1, STEPS + 1) / STEPS
     system = rc.HalfSpace(texture.sphere.shape, pitch=texture.pitch, modulus=MODULUS)
-    hertz = rc.solve(undeformed_gap=texture.sphere, system=system, displacement=DEEPEST).load
+    hertz = rc.solve(undeformed_gap=texture.sphere, system=system, approach=DEEPEST).load
     wanted = 0.9 * hertz * (approaches / DEEPEST) ** EXPONENT
     parameters, misfits = fit(texture, approaches, wanted, given.iterations)
     print(f"misfit {100 * misfits[0]:.2f} % of the largest load, after {len(misfits)} evaluations {100 * min(misfits):.3f} %")

@@ -31,7 +31,7 @@ int main(void) {
     double largest = 0;
     for (int i = 0; i < N * N; ++i) largest = fmax(largest, pressure[i]);
     printf("%10.4f  %12.4e  %8.2f  %10.3e  %15lld\n", result.load, result.approach, 100.0 * (double)result.contacts / (N * N),
-           largest, (long long)result.applications);
+           largest, (long long)result.products);
   }
   if (status != RC_OK) fprintf(stderr, "%s: %s\n", rc_status_name(status), rc_last_error());
   rc_contact_destroy(contact);

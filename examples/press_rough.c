@@ -30,7 +30,7 @@ int main(void) {
 
   rc_system system = RC_SYSTEM_INIT;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   system.nx = system.ny = N;

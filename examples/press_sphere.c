@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   system.hx = system.hy = h;
   system.modulus = 230e9;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = 1e-6;
   step.undeformed_gap = gap;
   rc_result result = RC_RESULT_INIT;

@@ -43,16 +43,16 @@ program progress
   call rcf_options_destroy(options)
   call rcf_contact_on_progress(contact, c_funloc(look), c_loc(mine))
 
-  call rcf_contact_solve(contact, displacement=1.0_c_double, undeformed_gap=gap, result=result)
+  call rcf_contact_solve(contact, approach=1.0_c_double, undeformed_gap=gap, result=result)
   print '(a, i0, a, l1)', 'first: certified after ', result%iterations, ' iterations; the callback was called: ', mine%calls > 0
 
   mine%stop_at = 5
-  call rcf_contact_solve(contact, displacement=1.2_c_double, warm_start=.false., result=result, stat=stat, errmsg=message)
+  call rcf_contact_solve(contact, approach=1.2_c_double, warm_start=.false., result=result, stat=stat, errmsg=message)
   if (stat /= RC_STOP_CANCELLED) error stop 'the callback did not stop the solve'
   print '(2a)', 'second: ', trim(message)
 
   mine%stop_at = huge(mine%stop_at)
-  call rcf_contact_solve(contact, displacement=1.2_c_double, result=result)
+  call rcf_contact_solve(contact, approach=1.2_c_double, result=result)
   print '(a, es8.1)', 'third: certified, largest residual ', max(result%kkt_primal, result%kkt_dual, result%kkt_complementarity)
   call rcf_contact_destroy(contact)
 end program

@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     system.nx = system.ny = 2;
     system.hx = system.hy = system.modulus = 1;
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap;
     step.target = 0.6;
     rc_result result = RC_RESULT_INIT;

@@ -164,7 +164,7 @@ void Oracle::check_residuals(const Problem& problem, const Answer& answer, Parts
   const rc_system& s = scene_.system;
   if (s.op == RC_OPERATOR_HALFSPACE && s.boundary == RC_BOUNDARY_PERIODIC) {
     Real largest = parts.largest_p;
-    if (parts.exact && problem.control == RC_CONTROL_DISPLACEMENT)
+    if (parts.exact && problem.control == RC_CONTROL_APPROACH)
       largest = std::min(largest, 2 * *std::ranges::max_element(*parts.exact));
     const Real side = std::sqrt(static_cast<Real>(s.hx)) * std::sqrt(static_cast<Real>(s.hy));
     parts.scale = std::max(parts.scale, largest * side / static_cast<Real>(s.modulus) / 4);

@@ -63,7 +63,7 @@ class Bytes:
 
 def run(data):
     source = Bytes(data)
-    gap, control = source.array(), ["displacement", "load"][source.byte() % 2]
+    gap, control = source.array(), ["approach", "load"][source.byte() % 2]
     wanted = {control: source.number(), "pitch": source.number(), "modulus": source.number(), "options": source.options()}
     if source.byte() % 4 == 0:
         wanted["mask"] = source.array()

@@ -130,7 +130,7 @@ void read_scene(Bytes& bytes, Scene& scene) {
 void read_step(Bytes& bytes, const Scene& scene, const Last& last, bool keeps_gap, Step& step) {
   const std::size_t n = scene.points();
   const unsigned flags = bytes.byte();
-  step.given.control = (flags & 1) != 0 ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  step.given.control = (flags & 1) != 0 ? RC_CONTROL_LOAD : RC_CONTROL_APPROACH;
   step.given.warm_start = (flags & 2) != 0 ? 0 : 1;
   step.given.borrow = (flags & 4) != 0 ? 1 : 0;
   double lowest = 0, mean = 0;

@@ -178,7 +178,7 @@ class Sequence {
     const Step& step = next_step();
     const Problem problem = problem_of(step.given);
     const double targets[history] = {step.given.target, step.given.target * (1 + bytes_.whole() / 256.0)};
-    rc_path path = RC_PATH_INIT;
+    rc_history path = RC_HISTORY_INIT;
     path.control = step.given.control;
     path.warm_start = step.given.warm_start;
     path.n = history;
@@ -188,7 +188,7 @@ class Sequence {
     Shown shown{oracle_, problem, targets, {indentation_}};
     path.fn = of_path;
     path.user = &shown;
-    const rc_status status = rc_contact_solve_path(contact_, &path);
+    const rc_status status = rc_contact_solve_history(contact_, &path);
     require(path.completed >= 0 && path.completed <= history, "completed steps are some of the path's");
     require((status == RC_OK || status == RC_WITHIN_GOAL) == (path.completed == history) || status == RC_STOP_CANCELLED,
             "a path that ends well is complete");

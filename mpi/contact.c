@@ -82,8 +82,8 @@ rc_status rc_mpi_contact_solve(rc_mpi_contact* contact, const rc_step* step, rc_
   return rc_ranks_contact_solve(contact ? contact->contact : NULL, step, result);
 }
 
-rc_status rc_mpi_contact_solve_path(rc_mpi_contact* contact, rc_path* path) {
-  return rc_ranks_contact_solve_path(contact ? contact->contact : NULL, path);
+rc_status rc_mpi_contact_solve_history(rc_mpi_contact* contact, rc_history* path) {
+  return rc_ranks_contact_solve_history(contact ? contact->contact : NULL, path);
 }
 
 rc_status rc_mpi_contact_certify(rc_mpi_contact* contact, const rc_step* step, rc_result* result) {

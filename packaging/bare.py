@@ -15,14 +15,14 @@ surface = rc.surface.spectral((64, 64), pitch=1e-6, rms_height=1e-7, seed=2)  # 
 loads = []
 for backend in sys.argv[2:]:  # FFTW, SuiteSparse
     solver = "nnls" if backend == "cholmod" else "auto"
-    result = rc.solve(surface.heights, pitch=1e-6, E=70e9, nu=0.33, displacement=5e-8, backend=backend, solver=solver)
+    result = rc.solve(surface.heights, pitch=1e-6, E=70e9, nu=0.33, approach=5e-8, backend=backend, solver=solver)
     assert result.certified and result.backend == backend, result
     loads.append(result.load)
 assert np.ptp(loads) < 1e-6 * loads[0], loads
 
 read = rc.read(sys.argv[1], format="x3p")  # by libzip and pugixml
 assert read.heights.size > 1 and np.isfinite(read.heights).any(), read
-history = rc.path(surface, modulus=78e9, pressure=[1e6, 2e6])
+history = rc.history(surface, modulus=78e9, pressure=[1e6, 2e6])
 assert len(history) == 2 and "img" in result._repr_html_()
 licences = [file.name for file in importlib.metadata.files("roughcontact") if "licenses" in file.parts]
 assert {"LICENSE", "libgsl27", "libfftw3-double3", "GPL-3"} <= set(licences), licences

@@ -45,7 +45,7 @@ if ls "$root"/packages/python3-roughcontact_*.deb >/dev/null 2>&1; then
   inside python3 - <<'END'
 import numpy, roughcontact as rc
 x = numpy.arange(32) - 15.5
-result = rc.solve(-(x[:, None] ** 2 + x ** 2) / 100, pitch=1.0, modulus=1.0, displacement=1.0)
+result = rc.solve(-(x[:, None] ** 2 + x ** 2) / 100, pitch=1.0, modulus=1.0, approach=1.0)
 print("python: load", round(result.load, 4), "on", result.backend)
 END
 fi

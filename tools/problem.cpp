@@ -46,7 +46,7 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
     Dimension dimension;
     double unit;
   };
-  const Control controls[] = {{"displacement", arguments.displacement, Dimension::length, unit},
+  const Control controls[] = {{"approach", arguments.approach, Dimension::length, unit},
                               {"load", arguments.load, Dimension::force, 1},
                               {"pressure", arguments.pressure, Dimension::pressure, 1}};
 
@@ -56,7 +56,7 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
     problem.control = name;
     problem.targets = parse_targets("--" + problem.control, *text, dimension, alone);
   }
-  if (problem.control.empty()) throw Error("what to press with is missing, give --displacement, --load or --pressure");
+  if (problem.control.empty()) throw Error("what to press with is missing, give --approach, --load or --pressure");
 }
 
 void set_options(const SolveArguments& arguments, Problem& problem) {
@@ -79,7 +79,7 @@ void set_options(const SolveArguments& arguments, Problem& problem) {
 
 }  // namespace
 
-int32_t Problem::step_control() const { return control == "displacement" ? RC_CONTROL_DISPLACEMENT : RC_CONTROL_LOAD; }
+int32_t Problem::step_control() const { return control == "approach" ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD; }
 
 double Problem::step_target(std::size_t step) const {
   if (control != "pressure") return targets[step];

@@ -18,7 +18,7 @@ inline constexpr std::string_view boundary_names[] = {"free", "periodic"};
 struct SolveArguments {
   SurfaceArguments surface;
   std::optional<std::string> young, poisson, young2, poisson2, modulus, hardness;
-  std::optional<std::string> displacement, load, pressure;
+  std::optional<std::string> approach, load, pressure;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out, write;
@@ -30,7 +30,7 @@ struct SolveArguments {
 struct Problem {
   SurfaceInput input;
   rc_system system;
-  std::string control;                                       // "displacement", "load" or "pressure"
+  std::string control;                                       // "approach", "load" or "pressure"
   std::vector<double> targets;                               // of the control; lengths in metres
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 

@@ -32,7 +32,7 @@ void add_loading(Command& command, SolveArguments& arguments) {
                {"--nu2", &arguments.poisson2, "NU", "Poisson's ratio of the other body"},
                {"--hardness", &arguments.hardness, "H", "Largest pressure; above it the surface yields. None: elastic"}});
   command.add("Loading (one of)",
-              {{"--displacement", &arguments.displacement, "TARGETS", "Approach from first touch of the highest point"},
+              {{"--approach", &arguments.approach, "TARGETS", "Approach from first touch of the highest point"},
                {"--load", &arguments.load, "TARGETS", "Normal force"},
                {"--pressure", &arguments.pressure, "TARGETS", "Mean pressure over the whole surface"}});
   command.add("Method", {{"--boundary", &arguments.boundary, "NAME", "free (default) or periodic"}});

@@ -37,7 +37,7 @@ std::vector<JsonEntry> step_fields(const StepRecord& step, bool yields) {
                                    {"kkt_complementarity", r.kkt_complementarity},
                                    {"kkt_control", r.kkt_control},
                                    {"iterations", r.iterations},
-                                   {"applications", r.applications},
+                                   {"products", r.products},
                                    {"seconds", r.seconds},
                                    {"setup_seconds", r.setup_seconds},
                                    {"solver", r.solver},

@@ -28,7 +28,7 @@ void print_table_row(const Problem& problem, const StepRecord& step) {
   const std::string names = std::string(r.solver) + "/" + r.backend;
   std::printf("%4d %12.6g %12.6g %13.6g %12.6g %9.6f %12.6g %12.6g %8.1e %10lld %8lld %10lld %8.3g  %-20s %s\n", step.number,
               r.approach, r.load, r.mean_pressure, step.measures.max_pressure, step.area_fraction(), step.measures.mean_gap,
-              r.stiffness, step.worst_residual(), static_cast<long long>(r.iterations), static_cast<long long>(r.applications),
+              r.stiffness, step.worst_residual(), static_cast<long long>(r.iterations), static_cast<long long>(r.products),
               static_cast<long long>(r.candidates), r.seconds, names.c_str(), rc_status_name(r.status));
   if (r.status == RC_WITHIN_GOAL)
     std::printf("%4s estimated errors: %.2g %% of what accuracy is of, %.2g %% of the area\n", "",

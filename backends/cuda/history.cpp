@@ -18,7 +18,7 @@ struct History::Kept {
 
 namespace {
 
-const rc_history* history_of(const rc_problem& problem) {
+const rc_kept_steps* history_of(const rc_problem& problem) {
   return problem.struct_size >= offsetof(rc_problem, history) + sizeof problem.history ? problem.history : nullptr;
 }
 

@@ -33,7 +33,7 @@ class History {
  private:
   struct Kept;
 
-  const rc_history* const given_;  // null: nothing is kept
+  const rc_kept_steps* const given_;  // null: nothing is kept
   const Index index_;
   Kept *last_ = nullptr, *before_ = nullptr;
 };

@@ -54,7 +54,7 @@ const rc_solver solver = {.struct_size = sizeof(rc_solver),
                           .summary = "haar-cg with all its vectors on a CUDA device; options haar-cg.* are its own, too",
                           .license = license,
                           .needs = RC_NEEDS_GRID | RC_WANTS_BOX | RC_READS_GAP | RC_TAKES_CAP | RC_READS_SINGLE_GAP,
-                          .controls = RC_CONTROL_DISPLACEMENT | RC_CONTROL_LOAD,
+                          .controls = RC_CONTROL_APPROACH | RC_CONTROL_LOAD,
                           .solve = solve,
                           .score = score,
                           .solve_many = solve_many};

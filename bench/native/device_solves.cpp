@@ -160,7 +160,7 @@ int solve(char** argv) {
     const double taken = seconds_since(begin);
     if (run == 0) first = taken;
     if (!by_load && run == 0) {  // the approach of that load is the target of the runs that count
-      step.control = RC_CONTROL_DISPLACEMENT;
+      step.control = RC_CONTROL_APPROACH;
       step.target = result.approach;
       continue;
     }
@@ -171,7 +171,7 @@ int solve(char** argv) {
       "\"%s\", \"first_seconds\": %.6f, \"seconds\": %.6f, \"products\": %lld, \"iterations\": %lld, \"area\": %.5f, "
       "\"residual\": %.2e, \"warning\": %s}\n",
       static_cast<long long>(n), argv[2], tol, result.solver, result.backend, argv[6], rc_status_name(result.status), first, best,
-      static_cast<long long>(result.applications), static_cast<long long>(result.iterations),
+      static_cast<long long>(result.products), static_cast<long long>(result.iterations),
       static_cast<double>(result.contacts) / static_cast<double>(n * n), std::max(result.kkt_primal, result.kkt_dual),
       quoted(warning.text).c_str());
   rc_contact_destroy(contact);
@@ -221,7 +221,7 @@ int solve_batch(char** argv) {
 int main(int argc, char** argv) {
   if (argc == 6 && std::strcmp(argv[1], "batch") == 0) return solve_batch(argv);
   if (argc == 8) return solve(argv);
-  std::fprintf(stderr, "usage: %s N load|displacement TOL SOLVER BACKEND THREADS RUNS | batch COUNT SOLVER BACKEND THREADS\n",
+  std::fprintf(stderr, "usage: %s N load|approach TOL SOLVER BACKEND THREADS RUNS | batch COUNT SOLVER BACKEND THREADS\n",
                argv[0]);
   return 2;
 }

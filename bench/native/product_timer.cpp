@@ -54,7 +54,7 @@ rc_status multiply(const rc_host*, const rc_problem* problem, const rc_options*,
 }
 
 const rc_solver timer = {
-    sizeof(rc_solver), "product-timer", "times products, solves nothing", "BSD-3-Clause", 0, RC_CONTROL_DISPLACEMENT, 0, 0,
+    sizeof(rc_solver), "product-timer", "times products, solves nothing", "BSD-3-Clause", 0, RC_CONTROL_APPROACH, 0, 0,
     nullptr,           multiply};
 const rc_solver* const solvers[] = {&timer};
 const rc_plugin plugin = {
@@ -80,7 +80,7 @@ const char* bench_time_products(const rc_system* system, const double* gap, doub
     const auto contact =
         made<rc_contact, rc_contact_destroy>([&](auto** out) { return rc_contact_create(system, options.get(), out); });
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap;
     step.target = approach;
     rc_result result = RC_RESULT_INIT;

@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
   const double memory = total(peak() - base, MPI_SUM), most_memory = total(peak() - base, MPI_MAX);
   if (rank == 0)
     printf(
-        "{\"status\": \"%s\", \"backend\": \"%s\", \"iterations\": %lld, \"applications\": %lld, \"contacts\": %lld, "
+        "{\"status\": \"%s\", \"backend\": \"%s\", \"iterations\": %lld, \"products\": %lld, \"contacts\": %lld, "
         "\"create_seconds\": %.6g, "
         "\"seconds\": %.6g, "
         "\"cpu_seconds\": %.6g, \"kkt\": %.3g, \"bits\": \"%016llx\", \"products\": %lld, \"transpositions\": %lld, "
@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
         "\"most_transposed\": %.0f, \"reductions\": %lld, \"reduced\": %.0f, \"gathers\": %lld, \"gathered\": %.0f, \"shifts\": "
         "%.0f, "
         "\"shifted\": %.0f, \"distributed_iterations\": %lld, \"peak_bytes\": %.0f, \"most_peak_bytes\": %.0f}\n",
-        rc_status_name(result.status), result.backend, (long long)result.iterations, (long long)result.applications,
+        rc_status_name(result.status), result.backend, (long long)result.iterations, (long long)result.products,
         (long long)result.contacts, made - begin, seconds, busy,
         fmax(result.kkt_primal, fmax(result.kkt_dual, result.kkt_complementarity)), (unsigned long long)all_bits,
         (long long)counts.products, (long long)counts.transpositions, transposed, most_transposed, (long long)counts.reductions,

@@ -13,7 +13,7 @@ module roughcontact_constants
     RC_ERR_INTERNAL = -99
   integer(c_int32_t), parameter :: RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3
   integer(c_int32_t), parameter :: RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2
-  integer(c_int32_t), parameter :: RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2
+  integer(c_int32_t), parameter :: RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2
   integer(c_int32_t), parameter :: RC_BATCH_SHARED = -1
   integer(c_int32_t), parameter :: RC_LOG_INFO = 1, RC_LOG_WARNING = 2
   integer(c_int32_t), parameter :: RC_CONTEXT_NO_PLUGINS = 1, RC_CONTEXT_NO_ENVIRONMENT = 2

@@ -1,4 +1,4 @@
-! Contacts: one system, many steps; and a solve in one call. Exactly one of displacement and load is given. Arrays that are not
+! Contacts: one system, many steps; and a solve in one call. Exactly one of approach and load is given. Arrays that are not
 ! contiguous are copied by the compiler.
 module roughcontact_contacts
   use roughcontact_arrays
@@ -78,9 +78,9 @@ contains
 
   ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap, written where the status
   ! is >= 0.
-  subroutine rcf_contact_solve(contact, displacement, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg)
+  subroutine rcf_contact_solve(contact, approach, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
-    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
@@ -91,7 +91,7 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. rcf_prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+    if (.not. rcf_prepared('rcf_contact_solve', contact%nx, contact%ny, step, answer, bytes, approach, load, undeformed_gap, &
       mask, p0, warm_start, p, gap, stat, errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_solve(contact%handle, step, answer)
@@ -100,10 +100,10 @@ contains
   end subroutine
 
   ! Certifies the pressures p; nothing is solved.
-  subroutine rcf_contact_certify(contact, p, displacement, load, undeformed_gap, mask, gap, result, stat, errmsg)
+  subroutine rcf_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
-    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(inout), optional, target, contiguous :: gap(:, :)
@@ -114,7 +114,7 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. rcf_prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, displacement, load, undeformed_gap, &
+    if (.not. rcf_prepared('rcf_contact_certify', contact%nx, contact%ny, step, answer, bytes, approach, load, undeformed_gap, &
       mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_contact_certify(contact%handle, step, answer)
@@ -224,10 +224,10 @@ contains
   end subroutine
 
   ! Create, solve, destroy. nx and ny are those of undeformed_gap, whatever the system says.
-  subroutine rcf_solve(system, undeformed_gap, displacement, load, mask, p0, p, gap, options, result, stat, errmsg)
+  subroutine rcf_solve(system, undeformed_gap, approach, load, mask, p0, p, gap, options, result, stat, errmsg)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :)
-    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional :: approach, load
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(in), optional, target, contiguous :: p0(:, :)
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
@@ -243,7 +243,7 @@ contains
     sized = system
     sized%nx = size(undeformed_gap, 1, c_int64_t)
     sized%ny = size(undeformed_gap, 2, c_int64_t)
-    if (.not. rcf_prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, &
+    if (.not. rcf_prepared('rcf_solve', sized%nx, sized%ny, step, answer, bytes, approach, load, undeformed_gap, mask, p0, &
       p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_solve(sized, step, rcf_or_null(options), answer)

@@ -11,7 +11,7 @@ module roughcontact_derivatives
 contains
 
   ! How a number J changes with the data of the step, from how it changes with the answer. dJ_dp, dJ_dgap, dJ_dload and
-  ! dJ_dapproach absent: 0; all absent: J is the load of a step with a given displacement, the approach of one with a given load.
+  ! dJ_dapproach absent: 0; all absent: J is the load of a step with a given approach, the approach of one with a given load.
   ! gradient has the derivatives by target and modulus, and what the call took.
   subroutine rcf_contact_gradient(contact, dJ_dundeformed_gap, dJ_dp, dJ_dgap, dJ_dload, dJ_dapproach, gradient, stat, errmsg)
     type(rcf_contact), intent(in) :: contact

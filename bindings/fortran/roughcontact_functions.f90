@@ -109,9 +109,9 @@ module roughcontact_functions
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact
     end function
-    integer(rc_status) function rc_contact_solve_path(contact, path) bind(c); import
+    integer(rc_status) function rc_contact_solve_history(contact, path) bind(c); import
       type(c_ptr), value :: contact
-      type(rc_path), intent(inout) :: path
+      type(rc_history), intent(inout) :: path
     end function
     integer(rc_status) function rc_contact_indentation(contact, indentation) bind(c); import
       type(c_ptr), value :: contact

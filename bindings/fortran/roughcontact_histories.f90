@@ -1,4 +1,4 @@
-! Loading histories: of one contact (a path), and of many contacts in one call (a batch). Exactly one of displacements and loads
+! Loading histories: of one contact (a history), and of many contacts in one call (a batch). Exactly one of approaches and loads
 ! is given.
 module roughcontact_histories
   use roughcontact_arrays
@@ -8,7 +8,7 @@ module roughcontact_histories
   use roughcontact_options, only: rcf_or_null
   implicit none
   private
-  public :: rcf_contact_solve_path, rcf_batch_solve
+  public :: rcf_contact_solve_history, rcf_batch_solve
 
 contains
 
@@ -18,65 +18,65 @@ contains
   !     integer(c_int64_t), value :: step                          ! from 0
   !     type(rc_result), intent(in) :: result                      ! %p and %gap last until it returns
   !     type(c_ptr), value :: user
-  subroutine rcf_contact_solve_path(contact, displacements, loads, undeformed_gap, mask, warm_start, load, approach, contact_area, &
-    stiffness, certificate, applications, fn, user, completed, stat, errmsg)
+  subroutine rcf_contact_solve_history(contact, approaches, loads, undeformed_gap, mask, warm_start, load, approach, contact_area, &
+    stiffness, certificate, products, fn, user, completed, stat, errmsg)
     type(rcf_contact), intent(in) :: contact
-    real(c_double), intent(in), optional, target, contiguous :: displacements(:), loads(:), undeformed_gap(:, :)
+    real(c_double), intent(in), optional, target, contiguous :: approaches(:), loads(:), undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: load(:), approach(:), contact_area(:), stiffness(:), &
       certificate(:)
-    integer(c_int64_t), intent(inout), optional, target, contiguous :: applications(:)
+    integer(c_int64_t), intent(inout), optional, target, contiguous :: products(:)
     type(c_funptr), intent(in), optional :: fn
     type(c_ptr), intent(in), optional :: user
     integer, intent(out), optional :: completed
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    character(*), parameter :: where = 'rcf_contact_solve_path'
-    type(rc_path) :: path
+    character(*), parameter :: where = 'rcf_contact_solve_history'
+    type(rc_history) :: history
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
     integer :: shortest
     if (present(completed)) completed = 0
-    if (present(displacements) .eqv. present(loads)) then
-      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacements and loads', stat, errmsg)
+    if (present(approaches) .eqv. present(loads)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of approaches and loads', stat, errmsg)
       return
     end if
-    path%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(loads))
-    if (present(displacements)) then
-      path%n = size(displacements, kind=c_int64_t)
-      if (path%n > 0) path%targets = c_loc(displacements)
+    history%control = merge(RC_CONTROL_LOAD, RC_CONTROL_APPROACH, present(loads))
+    if (present(approaches)) then
+      history%n = size(approaches, kind=c_int64_t)
+      if (history%n > 0) history%targets = c_loc(approaches)
     else
-      path%n = size(loads, kind=c_int64_t)
-      if (path%n > 0) path%targets = c_loc(loads)
+      history%n = size(loads, kind=c_int64_t)
+      if (history%n > 0) history%targets = c_loc(loads)
     end if
-    if (present(warm_start)) path%warm_start = merge(1, 0, warm_start)
+    if (present(warm_start)) history%warm_start = merge(1, 0, warm_start)
     if (present(undeformed_gap)) then
       if (.not. rcf_shaped(where, 'undeformed_gap', shape(undeformed_gap), contact%nx, contact%ny, stat, errmsg)) return
     end if
     if (present(mask)) then
       if (.not. rcf_shaped(where, 'mask', shape(mask), contact%nx, contact%ny, stat, errmsg)) return
     end if
-    path%undeformed_gap = rcf_address(undeformed_gap)
+    history%undeformed_gap = rcf_address(undeformed_gap)
     call rcf_mask_bytes(mask, bytes)
-    if (allocated(bytes)) path%mask = c_loc(bytes)
-    shortest = int(path%n)
-    call place(load, path%load)
-    call place(approach, path%approach)
-    call place(contact_area, path%contact_area)
-    call place(stiffness, path%stiffness)
-    call place(certificate, path%certificate)
-    if (present(applications)) then
-      shortest = min(shortest, size(applications))
-      if (size(applications) > 0) path%applications = c_loc(applications)
+    if (allocated(bytes)) history%mask = c_loc(bytes)
+    shortest = int(history%n)
+    call place(load, history%load)
+    call place(approach, history%approach)
+    call place(contact_area, history%contact_area)
+    call place(stiffness, history%stiffness)
+    call place(certificate, history%certificate)
+    if (present(products)) then
+      shortest = min(shortest, size(products))
+      if (size(products) > 0) history%products = c_loc(products)
     end if
-    if (shortest < path%n) then
+    if (shortest < history%n) then
       call rcf_refuse(RC_ERR_SHAPE, where//': an output array has fewer values than there are steps', stat, errmsg)
       return
     end if
-    if (present(fn)) path%fn = fn
-    path%user = rcf_or_null(user)
-    status = rc_contact_solve_path(contact%handle, path)
-    if (present(completed)) completed = int(path%completed)
+    if (present(fn)) history%fn = fn
+    history%user = rcf_or_null(user)
+    status = rc_contact_solve_history(contact%handle, history)
+    if (present(completed)) completed = int(history%completed)
     call rcf_check(status, stat, errmsg)
 
   contains
@@ -90,7 +90,7 @@ contains
     end subroutine
   end subroutine
 
-  ! undeformed_gap(nx, ny, contacts) and displacements or loads (steps, contacts), either with 1 as its last extent: the same
+  ! undeformed_gap(nx, ny, contacts) and approaches or loads (steps, contacts), either with 1 as its last extent: the same
   ! for all.
   ! Outputs have the shape (steps, contacts), p and p0 the shape (nx, ny, contacts). status: of every step. fn: as above, with the
   ! contact's number, from 0, before the step's; it is called from several threads at the same time.
@@ -98,17 +98,17 @@ contains
   !   integer(c_int32_t) function progress(ended, user) bind(c)    ! nonzero: end the batch
   !     integer(c_int64_t), value :: ended                         ! steps of all contacts so far
   !     type(c_ptr), value :: user
-  subroutine rcf_batch_solve(system, undeformed_gap, displacements, loads, mask, warm_start, p0, p, load, approach, contact_area, &
-    stiffness, certificate, status, iterations, applications, fn, user, options, certified, first, progress, &
+  subroutine rcf_batch_solve(system, undeformed_gap, approaches, loads, mask, warm_start, p0, p, load, approach, contact_area, &
+    stiffness, certificate, status, iterations, products, fn, user, options, certified, first, progress, &
     stat, errmsg)
     type(rc_system), intent(in) :: system
     real(c_double), intent(in), target, contiguous :: undeformed_gap(:, :, :)
-    real(c_double), intent(in), optional, target, contiguous :: displacements(:, :), loads(:, :), p0(:, :, :)
+    real(c_double), intent(in), optional, target, contiguous :: approaches(:, :), loads(:, :), p0(:, :, :)
     logical, intent(in), optional :: mask(:, :, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :, :), load(:, :), approach(:, :), &
       contact_area(:, :), stiffness(:, :), certificate(:, :)
     integer(rc_status), intent(inout), optional, target, contiguous :: status(:, :)
-    integer(c_int64_t), intent(inout), optional, target, contiguous :: iterations(:, :), applications(:, :)
+    integer(c_int64_t), intent(inout), optional, target, contiguous :: iterations(:, :), products(:, :)
     type(c_funptr), intent(in), optional :: fn, progress
     type(c_ptr), intent(in), optional :: user, options
     integer, intent(out), optional :: certified, first  ! certified contacts; the one whose status is returned, or 0
@@ -122,15 +122,15 @@ contains
     character(:), allocatable :: misshapen
     if (present(certified)) certified = 0
     if (present(first)) first = 0
-    if (present(displacements) .eqv. present(loads)) then
-      call rcf_refuse(RC_ERR_ARGUMENT, 'rcf_batch_solve: give one of displacements and loads', stat, errmsg)
+    if (present(approaches) .eqv. present(loads)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, 'rcf_batch_solve: give one of approaches and loads', stat, errmsg)
       return
     end if
     sized = system
     sized%nx = size(undeformed_gap, 1, c_int64_t)
     sized%ny = size(undeformed_gap, 2, c_int64_t)
-    batch%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(loads))
-    batch%targets = merge_address(displacements, loads, targets)
+    batch%control = merge(RC_CONTROL_LOAD, RC_CONTROL_APPROACH, present(loads))
+    batch%targets = merge_address(approaches, loads, targets)
     n = max(size(undeformed_gap, 3), targets(2))
     batch%n = n
     batch%steps = targets(1)
@@ -140,7 +140,7 @@ contains
 
     misshapen = ''
     if (size(undeformed_gap, 3) /= n .and. size(undeformed_gap, 3) /= 1) misshapen = misshapen//' undeformed_gap'
-    if (targets(2) /= n .and. targets(2) /= 1) misshapen = misshapen//' displacements or loads'
+    if (targets(2) /= n .and. targets(2) /= 1) misshapen = misshapen//' approaches or loads'
     if (present(mask)) then
       if (.not. (stacked(shape(mask), n) .or. stacked(shape(mask), 1))) then
         misshapen = misshapen//' mask'
@@ -168,7 +168,7 @@ contains
       if (size(status) > 0) batch%status = c_loc(status)
     end if
     call count_into(iterations, 'iterations', batch%iterations)
-    call count_into(applications, 'applications', batch%applications)
+    call count_into(products, 'products', batch%products)
     if (len(misshapen) > 0) then
       call rcf_refuse(RC_ERR_SHAPE, 'rcf_batch_solve: shapes do not go together:'//misshapen, stat, errmsg)
       return

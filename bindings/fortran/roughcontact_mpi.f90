@@ -1,6 +1,6 @@
 ! Contacts shared by the ranks of a communicator, each with some rows of the grid. Every rank calls the procedures, with its own
 ! rows p(nx, count) in the arrays and the same values in all else. A rank without rows gives arrays p(nx, 0). Exactly one of
-! displacement and load is given.
+! approach and load is given.
 module roughcontact_mpi
   use mpi_f08, only: MPI_Comm
   use roughcontact_arrays
@@ -58,10 +58,10 @@ contains
 
   ! undeformed_gap and mask absent: as in the step before. p and gap: pressures and deformed gap of this rank's rows, written
   ! where the status is >= 0. What the result says besides is of the whole grid.
-  subroutine rcf_mpi_contact_solve(contact, displacement, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, &
+  subroutine rcf_mpi_contact_solve(contact, approach, load, undeformed_gap, mask, p0, warm_start, p, gap, result, stat, &
     errmsg)
     type(rcf_mpi_contact), intent(in) :: contact
-    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
@@ -72,7 +72,7 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. rcf_prepared('rcf_mpi_contact_solve', contact%nx, contact%count, step, answer, bytes, displacement, load, &
+    if (.not. rcf_prepared('rcf_mpi_contact_solve', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p0, warm_start, p, gap, stat, errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_mpi_contact_solve(contact%handle, step, answer)
@@ -81,10 +81,10 @@ contains
   end subroutine
 
   ! Certifies the pressures p of all ranks; nothing is solved.
-  subroutine rcf_mpi_contact_certify(contact, p, displacement, load, undeformed_gap, mask, gap, result, stat, errmsg)
+  subroutine rcf_mpi_contact_certify(contact, p, approach, load, undeformed_gap, mask, gap, result, stat, errmsg)
     type(rcf_mpi_contact), intent(in) :: contact
     real(c_double), intent(inout), target, contiguous :: p(:, :)
-    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :)
     logical, intent(in), optional :: mask(:, :)
     real(c_double), intent(inout), optional, target, contiguous :: gap(:, :)
@@ -95,7 +95,7 @@ contains
     type(rc_result) :: answer
     integer(c_int8_t), allocatable, target :: bytes(:, :)
     integer(rc_status) :: status
-    if (.not. rcf_prepared('rcf_mpi_contact_certify', contact%nx, contact%count, step, answer, bytes, displacement, load, &
+    if (.not. rcf_prepared('rcf_mpi_contact_certify', contact%nx, contact%count, step, answer, bytes, approach, load, &
       undeformed_gap, mask, p=p, gap=gap, stat=stat, errmsg=errmsg)) return
     if (allocated(bytes)) step%mask = c_loc(bytes)
     status = rc_mpi_contact_certify(contact%handle, step, answer)

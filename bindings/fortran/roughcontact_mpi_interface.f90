@@ -20,9 +20,9 @@ module roughcontact_mpi_interface
       type(rc_step), intent(in) :: step
       type(rc_result), intent(inout) :: result
     end function
-    integer(rc_status) function rc_mpi_contact_solve_path(contact, path) bind(c); import
+    integer(rc_status) function rc_mpi_contact_solve_history(contact, path) bind(c); import
       type(c_ptr), value :: contact
-      type(rc_path), intent(inout) :: path
+      type(rc_history), intent(inout) :: path
     end function
     integer(rc_status) function rc_mpi_contact_counts(contact, out) bind(c); import
       type(c_ptr), value :: contact

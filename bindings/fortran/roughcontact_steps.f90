@@ -10,22 +10,22 @@ module roughcontact_steps
 contains
 
   ! Step and result of the arguments that the solving procedures share; false where the arguments are refused.
-  logical function rcf_prepared(where, nx, ny, step, answer, bytes, displacement, load, undeformed_gap, mask, p0, warm_start, p, &
+  logical function rcf_prepared(where, nx, ny, step, answer, bytes, approach, load, undeformed_gap, mask, p0, warm_start, p, &
     gap, stat, errmsg) result(ready)
     character(*), intent(in) :: where
     integer(c_int64_t), intent(in) :: nx, ny
     type(rc_step), intent(out) :: step
     type(rc_result), intent(out) :: answer
     integer(c_int8_t), allocatable, intent(out) :: bytes(:, :)
-    real(c_double), intent(in), optional :: displacement, load
+    real(c_double), intent(in), optional :: approach, load
     real(c_double), intent(in), optional, target, contiguous :: undeformed_gap(:, :), p0(:, :)
     logical, intent(in), optional :: mask(:, :), warm_start
     real(c_double), intent(inout), optional, target, contiguous :: p(:, :), gap(:, :)
     integer, intent(inout), optional :: stat
     character(*), intent(inout), optional :: errmsg
     ready = .false.
-    if (present(displacement) .eqv. present(load)) then
-      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of displacement and load', stat, errmsg)
+    if (present(approach) .eqv. present(load)) then
+      call rcf_refuse(RC_ERR_ARGUMENT, where//': give one of approach and load', stat, errmsg)
       return
     end if
     if (present(undeformed_gap)) then
@@ -43,8 +43,8 @@ contains
     if (present(gap)) then
       if (.not. rcf_shaped(where, 'gap', shape(gap), nx, ny, stat, errmsg)) return
     end if
-    step%control = merge(RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT, present(load))
-    if (present(displacement)) step%target = displacement
+    step%control = merge(RC_CONTROL_LOAD, RC_CONTROL_APPROACH, present(load))
+    if (present(approach)) step%target = approach
     if (present(load)) step%target = load
     if (present(warm_start)) step%warm_start = merge(1, 0, warm_start)
     step%undeformed_gap = rcf_address(undeformed_gap)

@@ -37,7 +37,7 @@ module roughcontact_structs
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
-    integer(c_int64_t) :: iterations = 0, applications = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
+    integer(c_int64_t) :: iterations = 0, products = 0, points = 0, candidates = 0, modelled = 0, contacts = 0
     real(c_double) :: load = 0, approach = 0, mean_pressure = 0, contact_area = 0, energy = 0, stiffness = 0, kkt_primal = 0, &
       kkt_dual = 0, kkt_complementarity = 0, kkt_control = 0, seconds = 0, setup_seconds = 0
     character(kind=c_char) :: solver(32) = c_null_char, backend(32) = c_null_char, kernel(32) = c_null_char, note(160) = c_null_char
@@ -59,11 +59,11 @@ module roughcontact_structs
 
   type, bind(c) :: rc_progress
     integer(c_size_t) :: struct_size = merge(40, 36, c_intptr_t == 8)
-    integer(c_int64_t) :: iteration = 0, applications = 0
+    integer(c_int64_t) :: iteration = 0, products = 0
     real(c_double) :: kkt = 0, seconds = 0
   end type
 
-  type, bind(c) :: rc_path
+  type, bind(c) :: rc_history
     integer(c_size_t) :: struct_size = merge(120, 72, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0
@@ -72,7 +72,7 @@ module roughcontact_structs
     ! double *
     type(c_ptr) :: load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
       certificate = c_null_ptr
-    type(c_ptr) :: applications = c_null_ptr  ! int64_t *
+    type(c_ptr) :: products = c_null_ptr  ! int64_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: completed = 0
@@ -104,7 +104,7 @@ module roughcontact_structs
     type(c_ptr) :: p = c_null_ptr, load = c_null_ptr, approach = c_null_ptr, contact_area = c_null_ptr, stiffness = c_null_ptr, &
       certificate = c_null_ptr
     type(c_ptr) :: status = c_null_ptr  ! rc_status *
-    type(c_ptr) :: iterations = c_null_ptr, applications = c_null_ptr  ! int64_t *
+    type(c_ptr) :: iterations = c_null_ptr, products = c_null_ptr  ! int64_t *
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(contact, step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: written = 0, certified = 0, first = -1
@@ -143,7 +143,7 @@ module roughcontact_structs
     integer(c_size_t) :: struct_size = merge(248, 244, c_intptr_t == 8)
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
-    integer(c_int64_t) :: iterations = 0, applications = 0, contacts = 0
+    integer(c_int64_t) :: iterations = 0, products = 0, contacts = 0
     real(c_double) :: load = 0, energy = 0, kkt = 0, duality_gap = 0, load_lower = 0, load_upper = 0
     character(kind=c_char) :: note(160) = c_null_char
   end type

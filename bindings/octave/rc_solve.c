@@ -79,20 +79,20 @@ static int find_option(const char* field, rc_option_spec* spec) {
 }
 
 static rc_status set_target(Request* request, int32_t control, double value) {
-  if (request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give one of opts.displacement and opts.load, not both");
+  if (request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give one of opts.approach and opts.load, not both");
   request->step.control = control;
   request->step.target = value;
   return RC_OK;
 }
 
-/* A field of opts: hx, hy, modulus, hardness, displacement, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the
+/* A field of opts: hx, hy, modulus, hardness, approach, load, gradient, dJ_dload, dJ_dapproach, boundary, or an option of the
  * library with '_' for '.'. */
 static rc_status set_number(Request* request, const char* field, double value) {
   if (!strcmp(field, "hx")) return request->system.hx = value, RC_OK;
   if (!strcmp(field, "hy")) return request->system.hy = value, RC_OK;
   if (!strcmp(field, "modulus")) return request->system.modulus = value, RC_OK;
   if (!strcmp(field, "hardness")) return request->system.hardness = value, RC_OK;
-  if (!strcmp(field, "displacement")) return set_target(request, RC_CONTROL_DISPLACEMENT, value);
+  if (!strcmp(field, "approach")) return set_target(request, RC_CONTROL_APPROACH, value);
   if (!strcmp(field, "gradient")) return request->asks_gradient = value != 0, RC_OK;
   if (!strcmp(field, "dJ_dload")) return request->gradient.dJ_dload = value, RC_OK;
   if (!strcmp(field, "dJ_dapproach")) return request->gradient.dJ_dapproach = value, RC_OK;
@@ -118,7 +118,7 @@ static rc_status set_text(Request* request, const char* field, const char* value
 
 /* heights and p0 (may be NULL) have nx*ny values, as has p; gap may be NULL. */
 static rc_status solve(Request* request, const double* heights, const double* p0, double* p, double* gap, rc_result* result) {
-  if (!request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give opts.displacement or opts.load");
+  if (!request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give opts.approach or opts.load");
   const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
   double* undeformed_gap = mxMalloc(n * sizeof *undeformed_gap + 1);
   rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, undeformed_gap);

@@ -14,7 +14,7 @@ import roughcontact as rc
 surface = rc.surface.spectral(
     (1024, 1024), pitch=0.1e-6, rms_height=0.2e-6, hurst=0.8, q_rolloff=2 * np.pi / 50e-6, q_high=2 * np.pi / 1e-6, seed=4
 )
-press = dict(E=70e9, nu=0.3, displacement=0.5e-6, threads=1)
+press = dict(E=70e9, nu=0.3, approach=0.5e-6, threads=1)
 rc.solve(surface, **press)  # plans of transforms are made once
 full = rc.solve(surface, **press)
 goals = np.array([0.1, 0.03, 0.01, 0.003, 0.001])

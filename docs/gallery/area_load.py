@@ -19,7 +19,7 @@ for seed in range(5):
     surface = rc.surface.spectral(
         (256, 256), pitch=1, rms_slope=1, hurst=0.8, q_rolloff=2 * np.pi / 64, q_high=2 * np.pi / 8, seed=seed
     )
-    path = rc.path(surface, modulus=1, pressure=pressures, keep_pressure=True, tol=1e-6)
+    path = rc.history(surface, modulus=1, pressure=pressures, keep_pressure=True, tol=1e-6)
     shares.append([rc.analysis.area(p, pitch=1, periodic=True).corrected_area / 256**2 for p in path.pressure])
 shares = np.array(shares)
 

@@ -26,13 +26,13 @@ def gap(depth):
 system = rc.HalfSpace((n, n), pitch=pitch, modulus=70e9, boundary="periodic")
 depth = 0.3e-6
 with rc.Contact(system) as contact:
-    result = contact.solve(undeformed_gap=gap(depth), displacement=0.55e-6)
+    result = contact.solve(undeformed_gap=gap(depth), approach=0.55e-6)
     gradient = contact.gradient()
 slope = np.sum(gradient.gap * (1 - wave) / 2)  # d load / d depth
 
 # %%
 depths = np.linspace(0.27e-6, 0.33e-6, 9)
-loads = [rc.solve(undeformed_gap=gap(d), system=system, displacement=0.55e-6).load for d in depths]
+loads = [rc.solve(undeformed_gap=gap(d), system=system, approach=0.55e-6).load for d in depths]
 figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.8))
 image = left.imshow(np.ma.masked_equal(-gradient.gap, 0) / 1e3, cmap="magma", extent=(0, n, n, 0), interpolation="nearest")
 left.set_facecolor("0.3")

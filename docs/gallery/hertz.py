@@ -20,7 +20,7 @@ def press(n):
     pitch = 3 * a / n
     x = (np.arange(n) - (n - 1) / 2) * pitch
     ball = -(x[:, None] ** 2 + x**2) / (2 * radius)
-    return x, rc.solve(ball, pitch=pitch, modulus=modulus, displacement=approach)
+    return x, rc.solve(ball, pitch=pitch, modulus=modulus, approach=approach)
 
 
 # %%

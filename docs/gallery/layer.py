@@ -30,7 +30,7 @@ def compliance(ratio, thickness, nu1=0.3, nu2=0.3):
 n, pitch = 256, 1 / 16  # a = 1, the periods are 16
 x = (np.arange(n) - n / 2) * pitch
 ball = -(x[:, None] ** 2 + x**2) / (2 * 10)
-how = dict(pitch=pitch, modulus=1, displacement=0.1, boundary="periodic")
+how = dict(pitch=pitch, modulus=1, approach=0.1, boundary="periodic")
 bare = rc.solve(ball, **how)
 
 

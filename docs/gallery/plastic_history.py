@@ -23,9 +23,9 @@ approaches = (
 
 # %%
 with rc.Contact(system) as contact:
-    path = contact.path(surface, displacement=approaches)
+    path = contact.history(surface, approach=approaches)
     indentation = contact.indentation()
-elastic = rc.path(surface, modulus=115e9, displacement=np.linspace(0, 0.24e-6, 24)[1:])
+elastic = rc.history(surface, modulus=115e9, approach=np.linspace(0, 0.24e-6, 24)[1:])
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.8))
 left.plot(np.r_[0, approaches] * 1e6, np.r_[0, path.load] * 1e3, ".-", label="hardness 4 GPa")

@@ -9,7 +9,7 @@ import numpy as np
 import roughcontact as rc
 
 GOOD = ("OK", "WITHIN_GOAL")
-ARRAYS = ("load", "approach", "contact_area", "certificate", "iterations", "applications", "stiffness")  # of a BatchResult
+ARRAYS = ("load", "approach", "contact_area", "certificate", "iterations", "products", "stiffness")  # of a BatchResult
 
 
 @dataclasses.dataclass(frozen=True)
@@ -71,7 +71,7 @@ def ending(task, surface):
     """The message of a history that a batch could not finish; a batch keeps that of its first contact only."""
     asked = task.asked
     try:
-        return rc.path(surface, **{asked["control"]: asked["history"]}, **how(asked)).message
+        return rc.history(surface, **{asked["control"]: asked["history"]}, **how(asked)).message
     except rc.RoughContactError as error:
         return str(error)
 

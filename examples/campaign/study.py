@@ -12,7 +12,7 @@ import numpy as np
 import press
 import roughcontact as rc
 
-CONTROLS = ("pressure", "load", "displacement")
+CONTROLS = ("pressure", "load", "approach")
 SYSTEM = ("modulus", "E", "nu", "boundary", "hardness")
 KINDS = {str: "a text", bool: "true or false", list: "a list", dict: "a table"}
 

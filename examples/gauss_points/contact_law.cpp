@@ -42,7 +42,7 @@ ContactLaw::ContactLaw(const rc_system& system, const std::vector<double>& heigh
 ContactLaw::Answer ContactLaw::press(double approach) {
   check(rc_contact_reset(contact_.get()));  // nothing of other trials is left
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.warm_start = 0;
   step.target = approach;
   step.undeformed_gap = gap_.data();

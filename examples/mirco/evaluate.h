@@ -68,7 +68,7 @@ void Evaluate(double& pressure, double& effectiveContactAreaFraction, double Del
   double approach = Delta;
   for (int iteration = 0; iteration < MaxIteration; ++iteration) {
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.warm_start = WarmStartingFlag ? 1 : 0;
     step.target = approach;
     step.undeformed_gap = iteration == 0 ? gap.data() : nullptr;

@@ -31,7 +31,7 @@ extern "C" {
 
 /** Reverse mode: the derivatives of one number J that is computed from the step's answer. The caller sets how J changes with each
  *  part of the answer, and gets how it changes with each datum. If dJ_dp and dJ_dgap are NULL and dJ_dload and dJ_dapproach 0, J is
- *  the load in displacement control, and the approach in load control. */
+ *  the load in approach control, and the approach in load control. */
 typedef struct rc_gradient {
   size_t struct_size;
   const double *dJ_dp;   /* [n] by the pressures; NULL: 0                                                            */
@@ -39,7 +39,7 @@ typedef struct rc_gradient {
   double dJ_dload;       /* by the load hx hy sum(p)                                                                 */
   double dJ_dapproach;   /* by the approach                                                                          */
   double *dJ_dundeformed_gap; /* out [n]; NULL: not wanted                                                           */
-  double dJ_dtarget;     /* out: by the approach in displacement control, by the load in load control                */
+  double dJ_dtarget;     /* out: by the approach in approach control, by the load in load control                */
   double dJ_dmodulus;    /* out; NaN where the system has no modulus                                                 */
   double error;          /* out: the Euclidean norm of the error that the solves leave in dJ_dundeformed_gap is at
                             most this; NaN where no bound of H's eigenvalues is known. The step's own tolerance is

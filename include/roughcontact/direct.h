@@ -14,7 +14,7 @@ typedef struct rc_direct {
   rc_status status;     /* as returned                                                                               */
   int32_t reserved;     /* 0                                                                                         */
   int64_t iterations;   /* of the solver                                                                             */
-  int64_t applications; /* products with H, the certificate's included                                               */
+  int64_t products;     /* products with H, the certificate's included                                               */
   int64_t contacts;     /* values p > 0                                                                              */
   double load;          /* sum of p; rc_cmr: normal force [force]                                                    */
   double energy;        /* 1/2 p'Hp - u'p; rc_cmr: [force length]                                                    */

@@ -8,14 +8,14 @@
 extern "C" {
 #endif
 
-/** @defgroup path Path: one contact, a loading history  @{ */
-/** Called after each completed step 0 .. n-1 of a path, on the solving thread, with pressures and gap that last until
- *  it returns. May call only rc_contact_cancel and rc_contact_accuracy. Return nonzero to end the path. Must return: no
+/** @defgroup history History: steps of one contact in order  @{ */
+/** Called after each completed step 0 .. n-1 of a history, on the solving thread, with pressures and gap that last until
+ *  it returns. May call only rc_contact_cancel and rc_contact_accuracy. Return nonzero to end the history. Must return: no
  *  exception, no longjmp. */
-typedef int32_t (*rc_path_fn)(int64_t step, const rc_result *result, void *user);
+typedef int32_t (*rc_history_fn)(int64_t step, const rc_result *result, void *user);
 
 /** A loading history: increasing, decreasing or mixed. Arrays of length n; output arrays may be NULL. */
-typedef struct rc_path {
+typedef struct rc_history {
   size_t struct_size;
   int32_t control;      /* RC_CONTROL_*                                                                              */
   int32_t warm_start;   /* 1: each step starts from the pressures of the one before, projected onto the points
@@ -29,18 +29,18 @@ typedef struct rc_path {
   double *contact_area; /* out [length^2]                                                                            */
   double *stiffness;    /* out, dW/dd [force/length]; if not NULL it is computed, whatever option stiffness is       */
   double *certificate;  /* out, the largest kkt_* residual                                                           */
-  int64_t *applications; /* out, products with H                                                                     */
-  rc_path_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                      */
+  int64_t *products;     /* out, products with H                                                                     */
+  rc_history_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                      */
   void *user;           /* handed to fn                                                                              */
   int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
-} rc_path;
-#define RC_PATH_INIT \
-  { sizeof(rc_path), 0, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+} rc_history;
+#define RC_HISTORY_INIT \
+  { sizeof(rc_history), 0, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
 
-/** Solves the steps of a loading history in order. A step that fails or is not certified ends the path with its
+/** Solves the steps of a loading history in order. A step that fails or is not certified ends the history with its
  *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step
  *  counts as completed). RC_WITHIN_GOAL: all steps are written, some with this status. Errors: as rc_contact_solve. */
-RC_API rc_status rc_contact_solve_path(rc_contact *contact, rc_path *path);
+RC_API rc_status rc_contact_solve_history(rc_contact *contact, rc_history *history);
 /** @} */
 
 /** @defgroup plastic Plastic indentation  @{ */
@@ -93,7 +93,7 @@ enum { RC_BATCH_SHARED = -1 }; /* as a stride: one array for all contacts       
 typedef struct rc_batch {
   size_t struct_size;
   int32_t control;      /* RC_CONTROL_*                                                                              */
-  int32_t warm_start;   /* as in rc_path, from a contact's second step on                                            */
+  int32_t warm_start;   /* as in rc_history, from a contact's second step on                                            */
   int64_t n;            /* contacts                                                                                  */
   int64_t steps;        /* of each history                                                                           */
   const double *targets; /* approaches [length] or loads [force]; step k of contact i at i*target_stride + k         */
@@ -115,7 +115,7 @@ typedef struct rc_batch {
                            steps after it have its status. RC_STOP_CANCELLED or RC_STOP_TIME also where the
                            batch ended before the step                                                               */
   int64_t *iterations;  /* out, of the solver                                                                        */
-  int64_t *applications; /* out, products with H                                                                     */
+  int64_t *products;     /* out, products with H                                                                     */
   rc_batch_fn fn;       /* sees each step's result with pressures and gap; NULL: none                                */
   void *user;           /* handed to fn and progress                                                                 */
   int64_t written;      /* out: contacts whose outputs are written: n, or 0 if the call itself was refused           */
@@ -127,7 +127,7 @@ typedef struct rc_batch {
   { sizeof(rc_batch), 0, 1, 0, 0, NULL, 0, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, \
     NULL, NULL, NULL, 0, 0, -1, NULL }
 
-/** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_path: the same bits, whatever
+/** Solves the history of every contact, each as by an rc_contact of its own and rc_contact_solve_history: the same bits, whatever
  *  the number of threads. A solver that takes many contacts at once ("haar-cuda") gives other bits than contacts of their own,
  *  with the same certificate; whatever the number of threads and of contacts, too. It is asked where fn and stiffness are NULL.
  *  Option threads: contacts that are solved at the same time, each by one thread; where the system refuses threads, fewer.

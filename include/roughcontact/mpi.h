@@ -43,8 +43,8 @@ RC_API void rc_mpi_contact_destroy(rc_mpi_contact *contact);
 /** As rc_contact_solve. What the result says besides p and gap is of the whole grid, and the same on every rank but for seconds.
  *  Errors: as rc_contact_solve, EXTERNAL. */
 RC_API rc_status rc_mpi_contact_solve(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
-/** As rc_contact_solve_path. */
-RC_API rc_status rc_mpi_contact_solve_path(rc_mpi_contact *contact, rc_path *path);
+/** As rc_contact_solve_history. */
+RC_API rc_status rc_mpi_contact_solve_history(rc_mpi_contact *contact, rc_history *path);
 /** As rc_contact_certify. */
 RC_API rc_status rc_mpi_contact_certify(rc_mpi_contact *contact, const rc_step *step, rc_result *result);
 /** What this rank has sent and received for the contact. No communication. Errors: ARGUMENT. */

@@ -229,7 +229,7 @@ typedef struct rc_grid {
   const double *undeformed_gap; /* [nx*ny] undeformed gap [length]; meaningless where the mask is 0            */
   const uint8_t *mask;  /* [nx*ny] 0: never in contact; NULL: every point may be                                */
   const int64_t *index; /* [n] point numbers of the unknowns, ascending; NULL: every point                      */
-  double approach;      /* DISPLACEMENT: d [length]; LOAD: the lowest gap, from which d is counted              */
+  double approach;      /* APPROACH: d [length]; LOAD: the lowest gap, from which d is counted              */
   int32_t boundary;     /* RC_BOUNDARY_*                                                                        */
   int32_t reserved;
   double softness;      /* periodic: the largest eigenvalue of H but the mean's, over that of a half-space; free: 1 */
@@ -247,7 +247,7 @@ typedef struct rc_coarse {
   int64_t factor;      /* its cells are this many cells of the problem's grid wide and high                    */
   const double *undeformed_gap; /* [nx*ny] undeformed gap [length]                                             */
   const uint8_t *mask; /* [nx*ny] 0: no pressure here; NULL: every point                                       */
-  double approach;     /* [length] in displacement control; LOAD: out                                          */
+  double approach;     /* [length] in approach control; LOAD: out                                          */
   const char *solver;  /* by name                                                                              */
   double *p;           /* [nx*ny] pressures out [force/length^2]                                               */
   int32_t control;     /* RC_CONTROL_*                                                                         */
@@ -257,8 +257,8 @@ typedef struct rc_coarse {
 } rc_coarse;
 
 /** Answers that a solver keeps between the steps of a history where it works, as a device does. Valid while solve() runs. */
-typedef struct rc_history rc_history;
-struct rc_history {
+typedef struct rc_kept_steps rc_kept_steps;
+struct rc_kept_steps {
   size_t struct_size;
   /* What this solver kept of the last step, NULL where the start is not made of that, and of the one before it. NULL: nothing.
      Where `last` is not NULL, p is min(max(0, (a + ahead*(a - b)) / pressure), cap) with a point's pressures a and b in these
@@ -269,10 +269,10 @@ struct rc_history {
   double hardness; /* [force/length^2] pressure of a point with p = cap, others have p*rc_problem.pressure; INFINITY: none */
   /** Hands over an object that stands for the p that solve() then returns. It is passed to destroy once no later step can start
    *  from it: during a later step, or with the contact; rc_host is still valid. */
-  void (*keep)(const rc_history *, void *object, void (*destroy)(void *object));
+  void (*keep)(const rc_kept_steps *, void *object, void (*destroy)(void *object));
 };
 
-/** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (displacement
+/** The problem handed to a solver, scaled so that compenetrations are at most 1. With w = H p - u (approach
  *  control) or w = H p - u - d (load control, d found): p >= 0, w >= 0, p w = 0. */
 typedef struct rc_problem rc_problem;
 struct rc_problem {
@@ -280,7 +280,7 @@ struct rc_problem {
   int64_t n;          /* unknowns                                                                              */
   int32_t control;    /* RC_CONTROL_*                                                                          */
   int32_t reserved;
-  const double *u;    /* [n] DISPLACEMENT: compenetration d - h; LOAD: -h. NULL: see RC_READS_GAP                */
+  const double *u;    /* [n] APPROACH: compenetration d - h; LOAD: -h. NULL: see RC_READS_GAP                */
   double load;        /* LOAD: the sum of p that is wanted                                                     */
   double tol;         /* residual to reach, relative to a compenetration of 1                                  */
   /** y = H x. Counts and polls; a status other than 0 must be returned at once (it may be a stop). */
@@ -299,7 +299,7 @@ struct rc_problem {
   rc_status (*shifted)(const rc_problem *, double rho, double tol, const double *b, double *x);
   /** The Frobenius norm of H. NULL if the backend cannot tell. */
   rc_status (*norm)(const rc_problem *, double *out);
-  /** DISPLACEMENT: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending
+  /** APPROACH: another solver ("auto": one that suits the backend) on this problem with pressure at the na ascending
    *  positions a only. p [n]: start in (its other values do not matter), answer out (0 elsewhere). product: NULL, or [n]
    *  out, H p. */
   rc_status (*inner)(const rc_problem *, const char *solver, int64_t na, const int64_t *a, double tol, double *p,
@@ -325,7 +325,7 @@ struct rc_problem {
    *  it last said so: rc_result counts them. Since plugin ABI minor 9. */
   void (*multiplied)(const rc_problem *, int64_t products);
   double zero_mode; /* periodic: eigenvalue of H for the constant vector, which coefficients() leaves out. Since minor 9 */
-  const rc_history *history; /* NULL: no later step starts from this answer as it is. Since plugin ABI minor 12 */
+  const rc_kept_steps *history; /* NULL: no later step starts from this answer as it is. Since plugin ABI minor 12 */
 };
 
 /** What a solver says of one step of one of many contacts; in the caller's units. */
@@ -387,7 +387,7 @@ typedef struct rc_solver {
   const char *license;
   uint64_t needs;    /* RC_CAP_SUBSET, RC_CAP_SHIFTED, RC_NEEDS_GRID, RC_WANTS_BOX, RC_READS_GAP or 0                    */
   uint32_t controls; /* bit RC_CONTROL_*: the controls it handles itself. Load control is added to a
-                        displacement solver by the core's iteration on the approach                            */
+                        approach solver by the core's iteration on the approach                            */
   uint32_t reserved;
   int64_t n_options;
   const rc_option_spec *const *options;

@@ -70,8 +70,8 @@ RC_API void rc_ranks_contact_destroy(rc_ranks_contact *contact);
 /** As rc_contact_solve, with local rows in step and result. What the result says besides p and gap is of the whole grid, and the
  *  same on every rank but for seconds. Errors: as rc_contact_solve, EXTERNAL. */
 RC_API rc_status rc_ranks_contact_solve(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
-/** As rc_contact_solve_path, with local rows. */
-RC_API rc_status rc_ranks_contact_solve_path(rc_ranks_contact *contact, rc_path *path);
+/** As rc_contact_solve_history, with local rows. */
+RC_API rc_status rc_ranks_contact_solve_history(rc_ranks_contact *contact, rc_history *path);
 /** As rc_contact_certify, with local rows. */
 RC_API rc_status rc_ranks_contact_certify(rc_ranks_contact *contact, const rc_step *step, rc_result *result);
 /** Errors: ARGUMENT. */

@@ -3,7 +3,7 @@
  * The problem (Bemporad & Paggi 2015, Problem 1): find pressures p on a grid of cells such that
  *     p >= 0,   g = H p + h - d >= 0,   p_i g_i = 0 for every point i,
  * where h is the undeformed gap, d the approach of the bodies, H the influence matrix (displacement at point i for unit pressure
- * on cell j) and g the deformed gap. Either d is prescribed (displacement control) or the normal force W = hx hy sum(p) is (load
+ * on cell j) and g the deformed gap. Either d is prescribed (approach control) or the normal force W = hx hy sum(p) is (load
  * control, d is then found).
  *
  * With a hardness c (rc_system.hardness) no pressure exceeds c: 0 <= p <= c, and where p = c the bodies may overlap, g <= 0. The
@@ -118,7 +118,7 @@ typedef struct rc_contact rc_contact; /* operator, plans, factors and last press
 /** @defgroup problem Problem: system and step  @{ */
 enum { RC_OPERATOR_HALFSPACE = 1, RC_OPERATOR_DENSE = 2, RC_OPERATOR_CALLBACK = 3 };
 enum { RC_BOUNDARY_FREE = 1, RC_BOUNDARY_PERIODIC = 2 };
-enum { RC_CONTROL_DISPLACEMENT = 1, RC_CONTROL_LOAD = 2 };
+enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2 };
 
 /** What stays fixed over a loading sequence. Copied; `dense` and `user` must outlive the contact. */
 typedef struct rc_system {
@@ -146,7 +146,7 @@ typedef struct rc_step {
   int32_t control;     /* RC_CONTROL_*                                                                               */
   int32_t warm_start;  /* 1: start from this contact's last pressures (default); 0: start cold (factors that a
                           backend keeps still serve: equal to round-off, after rc_contact_reset bitwise)             */
-  double target;       /* DISPLACEMENT: approach d [length]; LOAD: normal force W [force], >= 0                      */
+  double target;       /* APPROACH: approach d [length]; LOAD: normal force W [force], >= 0                      */
   const double *undeformed_gap; /* [n] h [length], see rc_gap_from_heights; NULL: as in the previous step            */
   const double *p0;    /* [n] explicit start [force/length^2], negative values are taken as 0; NULL: none            */
   const uint8_t *mask; /* [n] 0: this point carries no pressure and its undeformed gap is ignored (it may be NaN);
@@ -179,7 +179,7 @@ typedef struct rc_result {
   rc_status status;    /* as returned; failed until an answer is written                                             */
   int32_t reserved;    /* 0                                                                                          */
   int64_t iterations;  /* of the solver, all rounds together                                                         */
-  int64_t applications; /* products with H, the certificate's and the stiffness' included                            */
+  int64_t products;     /* products with H, the certificate's and the stiffness' included                            */
   int64_t points;      /* n, as given                                                                                */
   int64_t candidates;  /* points that can carry pressure at this approach (h < d; all points where H has
                           negative entries: periodic boundaries, some caller's matrices, callbacks)                  */
@@ -195,11 +195,11 @@ typedef struct rc_result {
                           periodic contact; NaN where option stiffness is 0                                          */
   double kkt_primal;   /* max(0, -min p) / max|p|; hardness c: at least max(0, max p - c) / c                        */
   double kkt_dual;     /* max(0, -min g) / s over all points, s = max(d - h). Periodic: under load control s is at
-                          least a quarter of the mean pressure times sqrt(hx hy) / E*; under displacement control
+                          least a quarter of the mean pressure times sqrt(hx hy) / E*; under approach control
                           without excluded points at most |mean(h) - d| / (2 tolerance). Hardness c: max over points
                           with g < 0 of min((c - p) / c, -g / s)                                                     */
   double kkt_complementarity; /* max over all points of min(p / max p, |g| / s); hardness: where g < 0 (c - p) / c counts, too */
-  double kkt_control;  /* |load - W| / W, 0 in displacement control                                                  */
+  double kkt_control;  /* |load - W| / W, 0 in approach control                                                  */
   double seconds;      /* solving and certifying                                                                     */
   double setup_seconds; /* influence coefficients, plans and factors built in this call                              */
   char solver[32];     /* what "auto" resolved to                                                                    */
@@ -294,7 +294,7 @@ RC_API rc_status rc_options_get_text(const rc_options *options, const char *key,
 typedef struct rc_progress {
   size_t struct_size;
   int64_t iteration;   /* of the solver                                                                              */
-  int64_t applications; /* products with H so far                                                                    */
+  int64_t products;     /* products with H so far                                                                    */
   double kkt;          /* the solver's own estimate of its worst residual; NaN before the first                      */
   double seconds;      /* since the step began                                                                       */
 } rc_progress;
@@ -314,7 +314,7 @@ RC_API rc_status rc_contact_solve(rc_contact *contact, const rc_step *step, rc_r
 /** Certifies the pressures that the caller puts in result->p or, where it is NULL, in result->p_single ([n]) for this step:
  *  nothing is solved. In load control the approach is the one that fits them best. RC_OK or RC_UNCERTIFIED. */
 RC_API rc_status rc_contact_certify(rc_contact *contact, const rc_step *step, rc_result *result);
-/** Which grid the last step's answer is of, and its estimated errors. An rc_path_fn may call it for the step that it is
+/** Which grid the last step's answer is of, and its estimated errors. An rc_history_fn may call it for the step that it is
  *  told of. Errors: ARGUMENT (no answer: no step yet, or it failed), BUSY. */
 RC_API rc_status rc_contact_accuracy(rc_contact *contact, rc_accuracy *out);
 /** The contact set of the last step that was certified or within its goal, without arrays over all points: *n = how many

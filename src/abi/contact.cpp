@@ -2,7 +2,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "contact/history/path.h"
+#include "contact/history/history.h"
 
 namespace {
 
@@ -76,11 +76,11 @@ rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc_result
   });
 }
 
-rc_status rc_contact_solve_path(rc_contact* contact, rc_path* path) {
-  return exclusively("rc_contact_solve_path", contact, [&](Contact& c) {
-    const rc_path today = read<rc_path>(path, "rc_path", RC_PATH_INIT);
+rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
+  return exclusively("rc_contact_solve_history", contact, [&](Contact& c) {
+    const rc_history today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
     path->completed = 0;
-    return solve_path(c, today, path->completed);
+    return solve_history(c, today, path->completed);
   });
 }
 

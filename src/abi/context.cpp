@@ -96,7 +96,7 @@ rc_status rc_pair_supported(rc_context* context, const char* solver, const char*
                             int32_t control, const rc_options* options) {
   return guard("rc_pair_supported", [&] {
     if (!solver || !backend) fail(RC_ERR_ARGUMENT, "solver or backend is null");
-    if (control != RC_CONTROL_DISPLACEMENT && control != RC_CONTROL_LOAD)
+    if (control != RC_CONTROL_APPROACH && control != RC_CONTROL_LOAD)
       fail(RC_ERR_ARGUMENT, "control = ", control, " is neither 1 nor 2");
     const rc_options given = options ? *options : rc_options{context_of(context), {}};
     const System checked = checked_system(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT), given, false);

@@ -40,7 +40,7 @@ void report(const rc_result& answer, rc_direct* result) {
   rc_direct told{};
   told.status = answer.status;
   told.iterations = answer.iterations;
-  told.applications = answer.applications;
+  told.products = answer.products;
   told.contacts = answer.contacts;
   told.load = answer.load;
   told.energy = answer.energy;
@@ -81,7 +81,7 @@ rc_status on_matrix(const char* where, const char* solver, const Matrix& H, cons
     std::vector<double> gap(u, u + H.n);
     for (double& value : gap) value = -value;
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap.data();
     step.p0 = p;
     rc_result answer{};
@@ -146,7 +146,7 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     std::vector<double> gap(static_cast<std::size_t>(nx * ny));
     raise_if_failed(rc_gap_from_heights(nx * ny, heights, nullptr, gap.data()), "the undeformed gap");
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap.data();
     step.target = approach;
     rc_result answer{};

@@ -102,14 +102,14 @@ rc_status rc_ranks_contact_solve(rc_ranks_contact* contact, const rc_step* step,
                    [](SharedContact& c, const rc_step& s, rc_result& r) { return c.solve(s, r); });
 }
 
-rc_status rc_ranks_contact_solve_path(rc_ranks_contact* contact, rc_path* path) {
-  return with_contact("rc_ranks_contact_solve_path", contact, [&](SharedContact& c) {
-    rc_path today = RC_PATH_INIT;
+rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* path) {
+  return with_contact("rc_ranks_contact_solve_history", contact, [&](SharedContact& c) {
+    rc_history today = RC_HISTORY_INIT;
     on_all(&c.ranks(), [&] {
-      today = read<rc_path>(path, "rc_path", RC_PATH_INIT);
+      today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
       path->completed = 0;
     });
-    return c.solve_path(today, path->completed);
+    return c.solve_history(today, path->completed);
   });
 }
 

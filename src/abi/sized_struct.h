@@ -22,7 +22,7 @@ RC_FIRST_SIZE(rc_result, note, 432);
 RC_FIRST_SIZE(rc_accuracy, left_out, 48);
 RC_FIRST_SIZE(rc_level, contacts, 88);
 RC_FIRST_SIZE(rc_state, load_before, 72);
-RC_FIRST_SIZE(rc_path, completed, 120);
+RC_FIRST_SIZE(rc_history, completed, 120);
 RC_FIRST_SIZE(rc_batch, first, 200);
 RC_FIRST_SIZE(rc_gradient, products, 88);
 RC_FIRST_SIZE(rc_tangent, products, 88);

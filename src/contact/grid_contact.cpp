@@ -110,7 +110,7 @@ void GridContact::begin(const rc_step& step) {
   work_.solver_grids.begin_step();
   work_.record = {};
   work_.record.warm = step.warm_start != 0;
-  work_.record.applications_before = work_.applications();
+  work_.record.products_before = work_.products();
 }
 
 rc_status GridContact::solve_begun(const rc_step& step, Monitor& monitor, rc_result& result, std::optional<Estimate> nearer) {

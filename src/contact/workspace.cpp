@@ -92,9 +92,9 @@ void Workspace::rest_operators() {
   for (const auto& [name, op] : operators_) op->rest();
 }
 
-std::int64_t Workspace::applications() const {
+std::int64_t Workspace::products() const {
   std::int64_t total = 0;
-  for (const auto& [name, op] : operators_) total += op->applications();
+  for (const auto& [name, op] : operators_) total += op->products();
   return total;
 }
 

@@ -45,7 +45,7 @@ struct StepRecord {
   std::vector<std::string> remarks;         // for rc_result.note
   std::int64_t look = 0;                    // most iterations of a look at the given grid; 0: this is a solve
   double setup_seconds = 0;                 // of operators
-  std::int64_t applications_before = 0;     // products that the operators had made
+  std::int64_t products_before = 0;         // products that the operators had made
   rc_accuracy accuracy = RC_ACCURACY_INIT;  // of its answer; model_nx = 0: it has none
   std::int32_t certified = 0;               // its control, once its answer on this grid is certified and remembered
   std::int64_t undecided = -1;              // of that answer
@@ -89,7 +89,7 @@ class Workspace {
   void forget_operators();
   // A step is over: what operators keep for products only is freed, or lent to other contacts.
   void rest_operators();
-  std::int64_t applications() const;  // of all operators
+  std::int64_t products() const;  // of all operators
   // Dimensionless influence coefficients. The last table is kept, because solvers ask for the same one at every step.
   rc_status coefficients(std::int64_t mx, std::int64_t my, double* out);
 

@@ -101,7 +101,7 @@ template <class Real> void Operator::multiply_together(Multiply<Real> multiply, 
 template <class Real> rc_status Operator::product(Multiply<Real> multiply, const Real* x, Real* y) {
   if (ask_)
     if (const rc_status stop = ask_(); stop != RC_OK) return stop;
-  ++applications_;
+  ++products_;
   begin_shared();
   rc_status status = RC_OK;
   if (rows_)
@@ -118,7 +118,7 @@ rc_status Operator::apply(const double* x, double* y) { return product(backend_.
 rc_status Operator::apply_float(const float* x, float* y) { return product(backend_.apply_float, x, y); }
 
 void Operator::field(std::span<const double> x, std::span<double> y) {
-  ++applications_;
+  ++products_;
   begin_shared();
   clear_message();
   if (rows_)
@@ -130,7 +130,7 @@ void Operator::field(std::span<const double> x, std::span<double> y) {
 }
 
 void Operator::screen(std::span<const double> x, rc_screen& request) {
-  ++applications_;
+  ++products_;
   clear_message();
   request.unit /= scale_;
   raise_if_failed(seen(backend_.screen(self_, x.data(), &request)), "the search for overlapping points");

@@ -87,8 +87,8 @@ class Operator {
   std::uint64_t capabilities() const { return backend_.caps; }
   std::int64_t points() const { return system_.nx * system_.ny; }
 
-  std::int64_t applications() const { return applications_; }
-  void count(std::int64_t products) { applications_ += products; }  // made elsewhere
+  std::int64_t products() const { return products_; }
+  void count(std::int64_t products) { products_ += products; }  // made elsewhere
   const char* name() const { return backend_.name; }
   // Whether one of the backend's functions returned an error.
   bool failed() const { return failed_; }
@@ -121,7 +121,7 @@ class Operator {
   void* self_ = nullptr;
   TrialSet trial_;
   bool bound_ = false;
-  std::int64_t applications_ = 0;
+  std::int64_t products_ = 0;
   bool failed_ = false;
 
   Operator* rows_ = nullptr;            // null: products are its own

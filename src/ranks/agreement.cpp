@@ -43,16 +43,16 @@ std::vector<Fact> facts_of(const rc_step& step, const rc_result& result) {
           {"the type of rc_result.gap", which(result.gap, result.gap_single)}};
 }
 
-std::vector<Fact> facts_of(const rc_path& path) {
-  std::vector<Fact> facts{{"rc_path.control", join(path.control)},
-                          {"rc_path.warm_start", join(path.warm_start)},
-                          {"rc_path.n", join(path.n)},
-                          {"rc_path.undeformed_gap", path.undeformed_gap ? "given" : "none"},
-                          {"rc_path.mask", path.mask ? "given" : "none"},
-                          {"rc_path.fn", path.fn ? "given" : "none"},
-                          {"rc_path.stiffness", path.stiffness ? "given" : "none"}};
+std::vector<Fact> facts_of(const rc_history& path) {
+  std::vector<Fact> facts{{"rc_history.control", join(path.control)},
+                          {"rc_history.warm_start", join(path.warm_start)},
+                          {"rc_history.n", join(path.n)},
+                          {"rc_history.undeformed_gap", path.undeformed_gap ? "given" : "none"},
+                          {"rc_history.mask", path.mask ? "given" : "none"},
+                          {"rc_history.fn", path.fn ? "given" : "none"},
+                          {"rc_history.stiffness", path.stiffness ? "given" : "none"}};
   for (std::int64_t i = 0; path.targets && i < path.n; ++i)
-    facts.push_back({join("rc_path.targets[", i, "]"), exact(path.targets[i])});
+    facts.push_back({join("rc_history.targets[", i, "]"), exact(path.targets[i])});
   return facts;
 }
 

@@ -18,7 +18,7 @@ struct Fact {
 std::vector<Fact> facts_of(const rc_system& system, const rc_options& options);
 // What is given, and what is asked for; not the values at points.
 std::vector<Fact> facts_of(const rc_step& step, const rc_result& result);
-std::vector<Fact> facts_of(const rc_path& path);
+std::vector<Fact> facts_of(const rc_history& path);
 
 // Throws Error(ARGUMENT) on every rank if the facts of one differ from those of rank 0. counts: this rank's do.
 void check_agreement(const Ranks& ranks, const std::vector<Fact>& facts, bool counts = true);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/history/path.h"
+#include "contact/history/history.h"
 #include "core/error.h"
 #include "core/grid.h"
 #include "ranks/agreement.h"
@@ -143,8 +143,8 @@ rc_status SharedContact::run(const rc_step& step, rc_result& result, Action acti
   return status;
 }
 
-rc_status SharedContact::run(const rc_path& path, std::int64_t& completed) {
-  rc_path today = path;
+rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
+  rc_history today = path;
   check_agreement(ranks_, facts_of(today), ranks_.rows() > 0);
   const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(today.mask != nullptr)),
                           has_gap = ranks_.of_each(static_cast<char>(today.undeformed_gap != nullptr));
@@ -155,9 +155,9 @@ rc_status SharedContact::run(const rc_path& path, std::int64_t& completed) {
   // The caller's function sees this rank's rows; one that ends the path ends it everywhere.
   struct Told {
     const SharedContact& self;
-    const rc_path& path;
+    const rc_history& path;
   } told{*this, today};
-  rc_path inner = today;
+  rc_history inner = today;
   if (today.fn) {
     inner.user = &told;
     inner.fn = [](std::int64_t step, const rc_result* result, void* user) -> std::int32_t {
@@ -177,7 +177,7 @@ rc_status SharedContact::run(const rc_path& path, std::int64_t& completed) {
     inner.undeformed_gap = gathered(today.undeformed_gap, gap);
     inner.mask = gathered(today.mask, mask);
   }
-  return rc::solve_path(*contact_, inner, completed);
+  return rc::solve_history(*contact_, inner, completed);
 }
 
 }  // namespace rc

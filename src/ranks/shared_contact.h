@@ -23,7 +23,7 @@ class SharedContact {
   rc_status certify(const rc_step& step, rc_result& result) {
     return together([&] { return run(step, result, &Contact::certify); });
   }
-  rc_status solve_path(const rc_path& path, std::int64_t& completed) {
+  rc_status solve_history(const rc_history& path, std::int64_t& completed) {
     return together([&] { return run(path, completed); });
   }
 
@@ -38,7 +38,7 @@ class SharedContact {
     return status;
   }
   rc_status run(const rc_step& step, rc_result& result, Action action);
-  rc_status run(const rc_path& path, std::int64_t& completed);
+  rc_status run(const rc_history& path, std::int64_t& completed);
   rc_status run_alike(const rc_step& step, rc_result& result, Action action);
   template <class Value> const Value* gathered(const Value* mine, std::vector<Value>& all) const;
 

@@ -65,8 +65,8 @@ void check_members(const rc_backend& backend) {
 }
 
 void check_members(const rc_solver& solver) {
-  if (!solver.solve || (solver.controls & RC_CONTROL_DISPLACEMENT) == 0)
-    fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" lacks solve or displacement control");
+  if (!solver.solve || (solver.controls & RC_CONTROL_APPROACH) == 0)
+    fail(RC_ERR_PLUGIN, "solver \"", solver.name, "\" lacks solve or approach control");
 }
 
 void check_members(const rc_kernel& kernel) {

@@ -99,7 +99,7 @@ class Cascade {
       request.factor = std::int64_t{2} << k;
       request.undeformed_gap = level.gap.data();
       request.mask = allowed.empty() ? nullptr : allowed.data();
-      request.control = RC_CONTROL_DISPLACEMENT;
+      request.control = RC_CONTROL_APPROACH;
       request.approach = lowest + depth;
       request.solver = inner_.c_str();
       request.p = p.data();

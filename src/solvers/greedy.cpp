@@ -68,7 +68,7 @@ class Greedy {
     return residual_of(problem_, p_, hp_).worst <= problem_.tol();
   }
 
-  // A periodic H gives 0 for uniform pressure, so full contact has no solution in displacement control. The point with the
+  // A periodic H gives 0 for uniform pressure, so full contact has no solution in approach control. The point with the
   // largest gap is then left out.
   void leave_null_space() {
     if (problem_.positive() || n_ < 2) return;

@@ -174,7 +174,7 @@ class Pivoting {
         solution_.push_back(p_[static_cast<std::size_t>(i)]);  // the start of an iterative solve
       const rc_status status = contact_.empty() && cap_ < infinite ? RC_OK : problem_.try_subset(contact_, right_, solution_);
       if (status == RC_OK) return RC_OK;
-      // A periodic operator gives 0 for uniform pressure, so full contact has no solution in displacement control: the point with
+      // A periodic operator gives 0 for uniform pressure, so full contact has no solution in approach control: the point with
       // the largest gap must stay out or, above the mean plane, the one with the largest overlap at the cap. Where it keeps
       // coming back, the operator is indefinite.
       const bool singular = status == RC_ERR_NUMERIC || status == RC_STOP_STALLED;

@@ -104,7 +104,7 @@ class Iteration {
     return present.worst;
   }
 
-  // Load control: the mean of a vector over the free points; a change of the approach absorbs it. Displacement control: 0.
+  // Load control: the mean of a vector over the free points; a change of the approach absorbs it. Approach control: 0.
   double datum(const Vector& v, double count) const {
     return problem_.load_control() ? sum_of(n_, [&](std::size_t i) { return is_free(i) ? v[i] : 0.0; }) / count : 0.0;
   }
@@ -207,7 +207,7 @@ class Iteration {
   Vector& p_;               // pressure
   double& d_;               // load control: the approach, an answer
   Vector hp_, t_, q_;       // H p, direction, H t
-  double approach_ = 0;     // the gap is H p - u - approach; 0 in displacement control, where u contains it
+  double approach_ = 0;     // the gap is H p - u - approach; 0 in approach control, where u contains it
   double steepest_ = 0;     // largest |H t| / |t| seen
   double last_length_ = 1;  // the last positive step length, which admitted points take
   bool conjugate_ = false;  // the last step had a length, so the next direction is made conjugate to it

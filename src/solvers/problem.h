@@ -96,7 +96,7 @@ class Problem {
   bool has_float() const { return problem_.apply_float != nullptr; }
   void apply(const float* x, float* y) const { check(problem_.apply_float(&problem_, x, y)); }
   void apply(const double* x, double* y) const { check(problem_.apply(&problem_, x, y)); }
-  const rc_history* history() const { return problem_.history; }  // null: no later step starts from this answer
+  const rc_kept_steps* history() const { return problem_.history; }  // null: no later step starts from this answer
   bool may_go_without() const { return history() && static_cast<const OwnHistory*>(history())->may_go_without; }
   const rc_team& team() const { return *problem_.team; }
   double length_unit() const { return problem_.length; }

@@ -206,13 +206,13 @@ AT(rc_problem, multiplied, 192);
 AT(rc_problem, zero_mode, 200);
 AT(rc_problem, history, 208);
 
-SIZE(rc_history, 48);
-AT(rc_history, struct_size, 0);
-AT(rc_history, last, 8);
-AT(rc_history, before, 16);
-AT(rc_history, ahead, 24);
-AT(rc_history, hardness, 32);
-AT(rc_history, keep, 40);
+SIZE(rc_kept_steps, 48);
+AT(rc_kept_steps, struct_size, 0);
+AT(rc_kept_steps, last, 8);
+AT(rc_kept_steps, before, 16);
+AT(rc_kept_steps, ahead, 24);
+AT(rc_kept_steps, hardness, 32);
+AT(rc_kept_steps, keep, 40);
 
 SIZE(rc_many_answer, 80);
 AT(rc_many_answer, solved, 0);

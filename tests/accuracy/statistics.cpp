@@ -19,9 +19,9 @@ struct Count {
 // Relative error of the load or the area; in load control that of the load which belongs to the approach.
 double error_of(const Problem& problem, const Answer& found, const Answer& exact, bool of_area) {
   if (of_area) return std::abs(found.result.contact_area / exact.result.contact_area - 1);
-  if (problem.control == RC_CONTROL_DISPLACEMENT) return std::abs(found.result.load / exact.result.load - 1);
+  if (problem.control == RC_CONTROL_APPROACH) return std::abs(found.result.load / exact.result.load - 1);
   Problem same = problem;
-  same.control = RC_CONTROL_DISPLACEMENT;
+  same.control = RC_CONTROL_APPROACH;
   same.target = found.result.approach;
   return std::abs(solved(same, automatic, {{RC_OPT_TOL, "1e-9"}}).result.load / exact.result.load - 1);
 }

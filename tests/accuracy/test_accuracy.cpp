@@ -235,8 +235,8 @@ void histories_go_on_within_their_goal() {
   const std::array targets = {0.2 * problem.target, 0.6 * problem.target, problem.target};
   std::array<double, 3> load{};
   const Contact contact(problem, automatic, goal(wanted, "load"));
-  rc_path path = RC_PATH_INIT;
-  path.control = RC_CONTROL_DISPLACEMENT;
+  rc_history path = RC_HISTORY_INIT;
+  path.control = RC_CONTROL_APPROACH;
   path.n = 3;
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();
@@ -253,7 +253,7 @@ void histories_go_on_within_their_goal() {
     static_cast<Seen*>(user)->known += status == RC_OK && coarser == (result->status == RC_WITHIN_GOAL);
     return 0;
   };
-  check_equal(rc_contact_solve_path(contact.handle(), &path), RC_WITHIN_GOAL, "status of the path");
+  check_equal(rc_contact_solve_history(contact.handle(), &path), RC_WITHIN_GOAL, "status of the path");
   check(std::string(rc_last_error()).find("within accuracy") != std::string::npos, rc_last_error());
   check_equal(seen.known, 3, "steps whose accuracy the callback could ask for");
   check_equal(path.completed, 3, "completed");
@@ -282,7 +282,7 @@ void batches_go_on_within_their_goal() {
   std::array<double, 3> targets = {problem.target, 0.5 * problem.target, -1}, load{};
   std::array<rc_status, 3> status{};
   rc_batch batch = RC_BATCH_INIT;
-  batch.control = RC_CONTROL_DISPLACEMENT;
+  batch.control = RC_CONTROL_APPROACH;
   batch.n = 3;
   batch.steps = 1;
   batch.undeformed_gap = gaps.data();
@@ -347,7 +347,7 @@ void work_on_coarser_grids_is_counted() {
   for (double& value : problem.gap) value += 1e-2 * problem.target * (static_cast<double>(random()) / 4294967296.0);
   const Answer with = solved(problem, automatic, goal(1e-4, "load")),
                without = solved(problem, automatic, {{RC_OPT_TOL, "1e-6"}});
-  check(with.result.applications > without.result.applications, "applications");
+  check(with.result.products > without.result.products, "products");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void check_slice(const Field& all, std::int64_t i, const Field& one, const char*
 Field certificates(const Problem& problem, const Study& study, const Field& targets) {
   const Contact contact(problem, study.pair, study.settings);
   Field found(targets.size());
-  rc_path path = RC_PATH_INIT;
+  rc_history path = RC_HISTORY_INIT;
   path.control = problem.control;
   path.warm_start = study.warm;
   path.n = static_cast<std::int64_t>(targets.size());
@@ -30,11 +30,11 @@ Field certificates(const Problem& problem, const Study& study, const Field& targ
   path.undeformed_gap = problem.gap.data();
   path.mask = problem.mask.empty() ? nullptr : problem.mask.data();
   path.certificate = found.data();
-  check(rc_contact_solve_path(contact.handle(), &path) == RC_OK, rc_last_error());
+  check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
   return found;
 }
 
-// Each contact by rc_contact_solve_path on a fresh rc_contact.
+// Each contact by rc_contact_solve_history on a fresh rc_contact.
 void equals_single_contacts(const Study& study, const Outcome& outcome) {
   check_outcome(outcome, RC_OK, study.n, study.n, -1);
   for (std::int64_t i = 0; i < study.n; ++i) {
@@ -54,7 +54,7 @@ void equals_single_contacts(const Study& study, const Outcome& outcome) {
     for (std::int64_t k = 0; k < study.steps; ++k) {
       const auto at = static_cast<std::size_t>(i * study.steps + k), step = static_cast<std::size_t>(k);
       check_equal(outcome.statuses[at], RC_OK, "status");
-      check_equal(outcome.applications[at], history.applications[step], "applications");
+      check_equal(outcome.products[at], history.products[step], "products");
       check_equal(outcome.iterations[at], history.seen[step].result.iterations, "iterations");
     }
   }
@@ -195,13 +195,13 @@ void outputs_may_be_null() {
                             [](rc_batch& b) {
                               b.p = b.load = b.approach = b.contact_area = b.certificate = nullptr;
                               b.status = nullptr;
-                              b.iterations = b.applications = nullptr;
+                              b.iterations = b.products = nullptr;
                             }),
                 RC_OK, 3, 3, -1);
 }
 
 void other_operators() {
-  const Study rough = rough_study(3, 2, RC_CONTROL_DISPLACEMENT, RC_BOUNDARY_FREE, 5, 4);
+  const Study rough = rough_study(3, 2, RC_CONTROL_APPROACH, RC_BOUNDARY_FREE, 5, 4);
   Field H(400);
   for (std::size_t i = 0; i < 20; ++i)
     for (std::size_t j = 0; j < 20; ++j) H[20 * i + j] = i == j ? 1 : 0.3 / (1 + std::abs(double(i) - double(j)));

@@ -21,8 +21,8 @@ void check_step(const Outcome& outcome, const Study& study, std::int64_t i, std:
   check_equal(outcome.statuses[at], status, what);
   for (const Field* each : {&outcome.load, &outcome.approach, &outcome.contact_area, &outcome.certificate})
     check(std::isfinite((*each)[at]) == answer, what + ": an output");
-  check((outcome.applications[at] >= 0) == answer && (outcome.iterations[at] >= 0) == answer, what + ": a count");
-  check(answer || (outcome.applications[at] == -1 && outcome.iterations[at] == -1), what + ": a count is not -1");
+  check((outcome.products[at] >= 0) == answer && (outcome.iterations[at] >= 0) == answer, what + ": a count");
+  check(answer || (outcome.products[at] == -1 && outcome.iterations[at] == -1), what + ": a count is not -1");
 }
 
 bool pressures_untouched(const Outcome& outcome, const Study& study, std::int64_t i) {
@@ -207,7 +207,7 @@ void the_time_limit_is_the_batchs() {
 
 // The stop reaches a running solve: of hundreds of iterations, each longer than a millisecond.
 void a_running_solve_is_stopped() {
-  Study study = rough_study(4, 1, RC_CONTROL_DISPLACEMENT, RC_BOUNDARY_FREE, 40, 40);
+  Study study = rough_study(4, 1, RC_CONTROL_APPROACH, RC_BOUNDARY_FREE, 40, 40);
   study.pair = {"polonsky-keer", "callback"};
   study.settings = {{RC_OPT_MAX_ITER, "1000000000"}, {RC_OPT_TIME_LIMIT, "0.03"}};
   study.problem.system.op = RC_OPERATOR_CALLBACK;

@@ -30,7 +30,7 @@ void bad_arguments_are_refused() {
                        rc_status status = RC_ERR_ARGUMENT) { refused(study, change, status, says); };
   bad([](rc_batch& b) { b.n = -1; }, "rc_batch_solve: rc_batch.n = -1 must be >= 0");
   bad([](rc_batch& b) { b.steps = -3; }, "rc_batch.steps = -3 must be >= 0");
-  bad([](rc_batch& b) { b.control = 7; }, "rc_batch.control = 7 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+  bad([](rc_batch& b) { b.control = 7; }, "rc_batch.control = 7 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
   bad([](rc_batch& b) { b.targets = nullptr; }, "rc_batch.targets is null but n = 3 and steps = 2");
   bad([](rc_batch& b) { b.undeformed_gap = nullptr; }, "rc_batch.undeformed_gap is null but n = 3");
   bad([](rc_batch& b) { b.target_stride = 1; },
@@ -59,7 +59,7 @@ void bad_systems_and_options_are_refused() {
 void null_pointers_are_refused() {
   const rc_system system = RC_SYSTEM_INIT;
   rc_batch b = RC_BATCH_INIT;
-  b.control = RC_CONTROL_DISPLACEMENT;
+  b.control = RC_CONTROL_APPROACH;
   check_equal(rc_batch_solve(&system, nullptr, nullptr), RC_ERR_ARGUMENT, "batch null");
   check(std::string(rc_last_error()) == "rc_batch_solve: rc_batch is null", rc_last_error());
   check_equal(rc_batch_solve(nullptr, nullptr, &b), RC_ERR_ARGUMENT, "system null");
@@ -76,7 +76,7 @@ void null_pointers_are_refused() {
 void nothing_to_do_is_done() {
   for (const auto& [n, steps] : {std::pair<std::int64_t, std::int64_t>{0, 3}, {3, 0}, {0, 0}}) {
     rc_batch b = RC_BATCH_INIT;
-    b.control = RC_CONTROL_DISPLACEMENT;
+    b.control = RC_CONTROL_APPROACH;
     b.n = n;
     b.steps = steps;
     b.written = -7;
@@ -90,7 +90,7 @@ void nothing_to_do_is_done() {
 
 // Wherever an allocation fails, the call is refused or the contact at hand has that status, and the others are solved.
 void memory_runs_out_for_one_contact_at_most() {
-  Study study = rough_study(3, 1, RC_CONTROL_DISPLACEMENT, RC_BOUNDARY_FREE, 12, 9);
+  Study study = rough_study(3, 1, RC_CONTROL_APPROACH, RC_BOUNDARY_FREE, 12, 9);
   study.pair = {"polonsky-keer", "dense"};
   const Outcome sound = study.solve(1);
   check_outcome(sound, RC_OK, 3, 3, -1);

@@ -39,7 +39,7 @@ Outcome Study::solve(int threads, const std::function<void(rc_batch&)>& change) 
     each->assign(slots, blank);
   outcome.statuses.assign(slots, -7);
   outcome.iterations.assign(slots, -7);
-  outcome.applications.assign(slots, -7);
+  outcome.products.assign(slots, -7);
   outcome.p.assign(static_cast<std::size_t>(n) * points(), blank);
 
   rc_batch b = RC_BATCH_INIT;
@@ -59,7 +59,7 @@ Outcome Study::solve(int threads, const std::function<void(rc_batch&)>& change) 
   b.certificate = outcome.certificate.data();
   b.status = outcome.statuses.data();
   b.iterations = outcome.iterations.data();
-  b.applications = outcome.applications.data();
+  b.products = outcome.products.data();
   if (ends) {
     b.fn = see;
     b.user = const_cast<Study*>(this);
@@ -107,7 +107,7 @@ void check_same(const Outcome& a, const Outcome& b) {
   same(a.p, b.p, "p");
   same(a.statuses, b.statuses, "status");
   same(a.iterations, b.iterations, "iterations");
-  same(a.applications, b.applications, "applications");
+  same(a.products, b.products, "products");
   check(a.message == b.message, "messages differ: " + a.message + " / " + b.message);
   check_outcome(b, a.status, a.written, a.certified, a.first);
 }

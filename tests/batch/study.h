@@ -22,7 +22,7 @@ struct Outcome {
   std::int64_t written = -7, certified = -7, first = -7;
   Field load, approach, contact_area, stiffness, certificate, p;
   std::vector<rc_status> statuses;
-  std::vector<std::int64_t> iterations, applications;
+  std::vector<std::int64_t> iterations, products;
 };
 
 // Rough surfaces, each with a history of its own.
@@ -45,7 +45,7 @@ struct Study {
   Outcome solve(int threads, const std::function<void(rc_batch&)>& change = {}) const;
 };
 
-Study rough_study(std::int64_t n, std::int64_t steps, std::int32_t control = RC_CONTROL_DISPLACEMENT,
+Study rough_study(std::int64_t n, std::int64_t steps, std::int32_t control = RC_CONTROL_APPROACH,
                   std::int32_t boundary = RC_BOUNDARY_FREE, std::int64_t nx = 24, std::int64_t ny = 18);
 
 // The same bits everywhere.

@@ -17,7 +17,7 @@ def check_document(document):
     for name, row in document['calibration'].items():
         assert row['passed'] and row['residual'] <= (1e-4 if 'float' in name else 1e-6), (name, row)
     controls = {document['cases'][group['case']]['control'] for group in document['groups'] if group['code'] == 'baseline'}
-    assert controls == {'load', 'displacement'}
+    assert controls == {'load', 'approach'}
     for group in document['groups']:
         assert not group['stopped'], group
         assert [run['residual'] <= run['tol'] for run in group['runs']] == [True] * (1 if group['code'] == 'ours-float' else 3), group

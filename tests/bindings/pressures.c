@@ -1,4 +1,4 @@
-/* pressures HEIGHTS NX NY PITCH MODULUS DISPLACEMENT PRESSURES: reads raw doubles, presses, writes raw doubles. */
+/* pressures HEIGHTS NX NY PITCH MODULUS APPROACH PRESSURES: reads raw doubles, presses, writes raw doubles. */
 #include <roughcontact/roughcontact.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
   for (size_t i = 1; i < n; ++i) highest = z[i] > highest ? z[i] : highest;
   for (size_t i = 0; i < n; ++i) z[i] = highest - z[i];
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = strtod(arguments[6], NULL);
   step.undeformed_gap = z;
   rc_result result = RC_RESULT_INIT;

@@ -4,7 +4,7 @@ program pressures
   implicit none
   character(1000) :: words(7)
   real(c_double), allocatable :: z(:, :), p(:, :)
-  real(c_double) :: pitch, modulus, displacement
+  real(c_double) :: pitch, modulus, approach
   integer :: nx, ny, i, unit
 
   do i = 1, 7
@@ -14,12 +14,12 @@ program pressures
   read (words(3), *) ny
   read (words(4), *) pitch
   read (words(5), *) modulus
-  read (words(6), *) displacement
+  read (words(6), *) approach
   allocate (z(nx, ny), p(nx, ny))
   open (newunit=unit, file=trim(words(1)), access='stream', status='old')
   read (unit) z
   close (unit)
-  call rcf_solve(rc_system(hx=pitch, hy=pitch, modulus=modulus), rcf_gap_from_heights(z), displacement=displacement, p=p)
+  call rcf_solve(rc_system(hx=pitch, hy=pitch, modulus=modulus), rcf_gap_from_heights(z), approach=approach, p=p)
   open (newunit=unit, file=trim(words(7)), access='stream', status='replace')
   write (unit) p
   close (unit)

@@ -2,7 +2,7 @@
 """The same scene solved from every language and from the command line has the same bits.
 
 same_pressures.py ROUGHCONTACT [-- NAME COMMAND...]...
-Each COMMAND is called with HEIGHTS NX NY PITCH MODULUS DISPLACEMENT PRESSURES: it reads raw doubles, x fastest, takes the gap
+Each COMMAND is called with HEIGHTS NX NY PITCH MODULUS APPROACH PRESSURES: it reads raw doubles, x fastest, takes the gap
 below the highest point, solves with default options, and writes raw doubles. The first one is what the others are compared with.
 """
 import pathlib
@@ -51,21 +51,21 @@ def main():
         folder = pathlib.Path(folder)
         (folder / 'heights.raw').write_bytes(rough())
         (folder / 'heights.npy').write_bytes(npy(rough()))
-        for displacement in ('0.125', '0.75'):
+        for approach in ('0.125', '0.75'):
             found = {}
             for name, command in commands:
                 out = folder / f'{name}.raw'
-                scene = ['heights.raw', str(NX), str(NY), PITCH, MODULUS, displacement, out.name]
+                scene = ['heights.raw', str(NX), str(NY), PITCH, MODULUS, approach, out.name]
                 subprocess.run([*command, *scene], check=True, cwd=folder)
                 found[name] = out.read_bytes()
             if arguments:
                 tool = str(pathlib.Path(arguments[0]).resolve())
-                subprocess.run([tool, 'solve', 'heights.npy', '--pitch', PITCH, '--modulus', MODULUS, '--displacement',
-                                displacement, '--out', 'results', '--quiet'], check=True, cwd=folder)
+                subprocess.run([tool, 'solve', 'heights.npy', '--pitch', PITCH, '--modulus', MODULUS, '--approach',
+                                approach, '--out', 'results', '--quiet'], check=True, cwd=folder)
                 found['command line'] = values_of_npy(folder / 'results' / 'pressure-1.npy')
             (first, expected), *others = found.items()
             contacts = sum(p > 0 for p in struct.unpack(f'<{NX * NY}d', expected))
-            print(f'displacement {displacement}: {contacts} points in contact; {", ".join(found)}')
+            print(f'approach {approach}: {contacts} points in contact; {", ".join(found)}')
             failures += [f'{name} differs from {first}' for name, p in others if p != expected]
             if not 0 < contacts < NX * NY or len(found) < 2:
                 failures.append('nothing was compared')

@@ -39,7 +39,7 @@ void check_points(const Problem& problem, const Answer& answer, const Answer& ex
 
 Answer exact_at(const Problem& problem, double approach) {
   Problem same = problem;
-  same.control = RC_CONTROL_DISPLACEMENT;
+  same.control = RC_CONTROL_APPROACH;
   same.target = approach;
   return solve(same, {"nnls", "dense"}, {{RC_OPT_TOL, "1e-14"}, {RC_OPT_BOUNDS, "0"}});
 }

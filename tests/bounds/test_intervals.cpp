@@ -130,7 +130,7 @@ void bounds_cost_no_product() {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
     const Problem problem = rough_problem(17, 16, boundary);
     const Answer with = solved(problem, {"auto", "fft"}), without = solved(problem, {"auto", "fft"}, {{RC_OPT_BOUNDS, "0"}});
-    check_equal(with.result.applications, without.result.applications, "applications");
+    check_equal(with.result.products, without.result.products, "products");
     check_same(with.p, without.p, "pressures");
   }
 }

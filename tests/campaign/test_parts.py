@@ -140,7 +140,7 @@ def task(*arguments, options=None, details=True, **named):
 
 class Answers(unittest.TestCase):
     def same(self, rows, batch):
-        for name in ("load", "approach", "contact_area", "iterations", "applications"):
+        for name in ("load", "approach", "contact_area", "iterations", "products"):
             self.assertEqual([row[name] for row in rows], getattr(batch, name).ravel().tolist(), name)
 
     def test_bits_are_those_of_a_batch(self):

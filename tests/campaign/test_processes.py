@@ -105,7 +105,7 @@ class Killed(unittest.TestCase):
                 continue
             self.assertEqual(row["status"], "OK")
             batch = self.batches[row["target"]]
-            for name in ("load", "approach", "contact_area", "iterations", "applications"):
+            for name in ("load", "approach", "contact_area", "iterations", "products"):
                 self.assertEqual(row[name], getattr(batch, name)[row["seed"] - 1, 0], name)
         return by_key
 

@@ -80,7 +80,7 @@ void make_random(unsigned seed, std::int64_t most, bool half_spaces_alone, Rando
     const rc_result found = solved(problem, out.pair).result;
     if (found.capped < found.contacts) problem = at_load(problem, found.load);  // else the load does not determine the approach
   }
-  out.name += problem.control == RC_CONTROL_LOAD ? " load" : " displacement";
+  out.name += problem.control == RC_CONTROL_LOAD ? " load" : " approach";
 }
 
 }  // namespace pairs

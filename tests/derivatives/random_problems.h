@@ -23,7 +23,7 @@ struct RandomProblem {
 };
 
 /** Kernel, boundary, control, sides, cells, mask, hardness, solver and backend from the seed; some points touch, but not all of a
- * periodic grid in displacement control. systems: half-spaces alone, or matrices and products, too. */
+ * periodic grid in approach control. systems: half-spaces alone, or matrices and products, too. */
 void make_random(unsigned seed, std::int64_t most, bool half_spaces_alone, RandomProblem& out);
 
 }  // namespace pairs

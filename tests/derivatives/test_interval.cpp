@@ -47,7 +47,7 @@ void holds_in(unsigned seed, Count& count) {
     return;
   }
   Problem same = problem;
-  same.control = RC_CONTROL_DISPLACEMENT;
+  same.control = RC_CONTROL_APPROACH;
   same.target = answer.result.approach;
   const Answer exact = solved(same, {"nnls", "dense"}, {{RC_OPT_TOL, "1e-13"}, {RC_OPT_BOUNDS, "0"}});
   const double stiffness = dense_stiffness(problem, random.matrix.empty() ? influence_matrix(problem) : random.matrix, exact.p);

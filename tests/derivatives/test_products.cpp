@@ -28,11 +28,11 @@ void check_products(const Problem& problem) {
     by.p.push_back(1e-3 * static_cast<double>(generator() % 2000) - 1);
     by.gap.push_back(1e-3 * static_cast<double>(generator() % 2000) - 1);
   }
-  const double solve = static_cast<double>(answer.result.applications);
+  const double solve = static_cast<double>(answer.result.products);
   const Gradient whole = gradient(contact, problem.points(), by), load = gradient(contact, problem.points());
   check_equal(whole.status, RC_OK, whole.message);
   check_equal(load.status, RC_OK, load.message);
-  report(std::to_string(answer.result.contacts) + " points: " + std::to_string(answer.result.applications) +
+  report(std::to_string(answer.result.contacts) + " points: " + std::to_string(answer.result.products) +
          " products, a gradient " + std::to_string(whole.result.products) + ", of load or approach " +
          std::to_string(load.result.products));
   check(static_cast<double>(whole.result.products) <= 0.9 * solve, "too many products for a gradient");

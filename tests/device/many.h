@@ -20,7 +20,7 @@ constexpr std::int64_t few_calls = 40;  // of the layer below; a contact by itse
 // Contacts on one grid, each with a surface and a history of its own.
 struct Scene {
   rc_system system = grid_of(24);
-  std::int32_t control = RC_CONTROL_DISPLACEMENT;
+  std::int32_t control = RC_CONTROL_APPROACH;
   std::int64_t n = 5, steps = 1;
   bool warm = true;
   std::vector<double> gaps, targets, p0;
@@ -61,7 +61,7 @@ struct Found {
   std::int64_t certified = 0, first = 0, calls = 0, to_device = 0, to_host = 0;
   std::vector<double> load, approach, area, certificate, p;
   std::vector<rc_status> statuses;
-  std::vector<std::int64_t> iterations, applications;
+  std::vector<std::int64_t> iterations, products;
 };
 
 using Change = std::function<void(rc_batch&)>;
@@ -73,7 +73,7 @@ inline Found solved(const Scene& s, const Contact& context, int threads = 1, con
   f.p.assign(static_cast<std::size_t>(s.n) * s.points(), untouched);
   f.statuses.assign(slots, -7);
   f.iterations.assign(slots, -7);
-  f.applications.assign(slots, -7);
+  f.products.assign(slots, -7);
   rc_batch b = RC_BATCH_INIT;
   b.control = s.control;
   b.warm_start = s.warm;
@@ -90,7 +90,7 @@ inline Found solved(const Scene& s, const Contact& context, int threads = 1, con
   b.certificate = f.certificate.data();
   b.status = f.statuses.data();
   b.iterations = f.iterations.data();
-  b.applications = f.applications.data();
+  b.products = f.products.data();
   if (change) change(b);
   auto* const options = const_cast<rc_options*>(context.options());
   assert_int_equal(rc_options_set_int(options, RC_OPT_THREADS, threads), RC_OK);
@@ -125,7 +125,7 @@ inline void expect_near(const std::vector<double>& a, const std::vector<double>&
 
 inline void expect_same(const Found& a, const Found& b) {
   assert_true(a.p == b.p && a.load == b.load && a.approach == b.approach && a.area == b.area && a.certificate == b.certificate);
-  assert_true(a.statuses == b.statuses && a.iterations == b.iterations && a.applications == b.applications);
+  assert_true(a.statuses == b.statuses && a.iterations == b.iterations && a.products == b.products);
 }
 
 }  // namespace device::many

@@ -36,7 +36,7 @@ inline const std::vector<double>& hills() {
 
 inline rc_step cold_step() {
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = 0.6;
   step.warm_start = 0;
   return step;

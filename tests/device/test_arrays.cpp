@@ -71,7 +71,7 @@ template <class Act> Travelled travelled(const Act& act) {
 }
 
 void answers_are_those_of_arrays_on_the_host(void**) {
-  for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD})
+  for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
     for (const char* solver : {"haar-cuda-host", "haar-cg", "nnls"}) {
       Contact there, here;
       for (Contact* each : {&there, &here}) each->use(solver, solver == std::string("nnls") ? "dense" : "cuda-host");
@@ -125,7 +125,7 @@ void single_precision_starts_and_masks_are_taken_too(void**) {
 
 // A step's gap goes to the host, where it is certified, and need not come back. That holds for parts of the grid, too.
 void a_solver_of_the_device_reads_the_gap_where_it_is(void**) {
-  for (const std::int32_t control : {RC_CONTROL_LOAD, RC_CONTROL_DISPLACEMENT}) {
+  for (const std::int32_t control : {RC_CONTROL_LOAD, RC_CONTROL_APPROACH}) {
     Contact here, there;
     OnDevice<double> gap(hills());
     const auto of = [&](rc_step step) {

@@ -182,7 +182,7 @@ void contacts_of_a_batch_fail_by_themselves(void**) {
   const double target = 0.6;
   std::vector<rc_status> status(n, RC_OK);
   rc_batch batch = RC_BATCH_INIT;
-  batch.control = RC_CONTROL_DISPLACEMENT;
+  batch.control = RC_CONTROL_APPROACH;
   batch.n = n;
   batch.steps = 1;
   batch.targets = &target;

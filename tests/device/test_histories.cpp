@@ -56,7 +56,7 @@ Step solved(Contact& contact, rc_step step) {
   return done;
 }
 
-rc_step warm_step(double target, bool first, std::int32_t control = RC_CONTROL_DISPLACEMENT) {
+rc_step warm_step(double target, bool first, std::int32_t control = RC_CONTROL_APPROACH) {
   rc_step step = cold_step();
   step.control = control;
   step.target = target;
@@ -87,7 +87,7 @@ void a_step_starts_from_the_pressures_of_the_one_before(void**) {
   assert_int_equal(contact.solve(step, cold), RC_OK);
   step.warm_start = 1;
   assert_int_equal(contact.solve(step, again), RC_OK);
-  assert_true(2 * again.applications < cold.applications);
+  assert_true(2 * again.products < cold.products);
 }
 
 // Also where the contact that made them is gone.
@@ -120,7 +120,7 @@ void pressures_stay_on_the_device_from_step_to_step(void**) {
   const double approaches[] = {0.4, 0.5, 0.6, 0.58, 1.7, 1.4, 1.45}, loads[] = {1, 1.4, 1.8, 1.7, 6, 4, 4.2};
   std::vector<std::uint8_t> mask(hills().size(), 1);
   std::fill_n(mask.begin() + 200, 40, std::uint8_t{0});
-  for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD})
+  for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
     for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
       for (const bool masked : {false, true})
         for (const double hardness : {0.0, 0.3}) {

@@ -28,7 +28,7 @@ void expect_certified(const Scene& s, const Found& found, const Contact& context
     const auto last = static_cast<std::size_t>((i + 1) * s.steps - 1);
     const double all = std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control});
     // By load the library takes the approach that fits best.
-    if (s.control == RC_CONTROL_DISPLACEMENT && !(std::abs(all - found.certificate[last]) <= 1e-3 * tol))
+    if (s.control == RC_CONTROL_APPROACH && !(std::abs(all - found.certificate[last]) <= 1e-3 * tol))
       fail_msg("contact %d: the library finds %g, was told %g", static_cast<int>(i), all, found.certificate[last]);
     rc_contact_destroy(contact);
   }
@@ -39,8 +39,8 @@ void expect_as_one_at_a_time(const Scene& s, const char* name) {
   const Found many = solved(s, context), one = one_at_a_time(s, context);
   if (many.status != RC_OK || one.status != RC_OK) fail_msg("%s: %s / %s", name, many.words.c_str(), one.words.c_str());
   std::int64_t products[2] = {0, 0};
-  for (const std::int64_t each : many.applications) products[0] += each;
-  for (const std::int64_t each : one.applications) products[1] += each;
+  for (const std::int64_t each : many.products) products[0] += each;
+  for (const std::int64_t each : one.products) products[1] += each;
   std::printf("%s: %lld products, one at a time %lld; %lld calls, one at a time %lld\n", name,
               static_cast<long long>(products[0]), static_cast<long long>(products[1]), static_cast<long long>(many.calls),
               static_cast<long long>(one.calls));
@@ -57,7 +57,7 @@ void answers_are_those_of_contacts_one_at_a_time(void**) {
   const std::pair<std::int64_t, std::int64_t> sizes[] = {{24, 24}, {17, 30}, {64, 64}, {1, 40}, {36, 1}, {3, 2}};
   for (const auto& [nx, ny] : sizes)
     for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-      for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+      for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
         if (boundary == RC_BOUNDARY_PERIODIC && nx == 17) continue;  // no transform of that length
         Scene s = scene_of(nx, ny, boundary, control);
         char name[64];
@@ -69,7 +69,7 @@ void answers_are_those_of_contacts_one_at_a_time(void**) {
 
 void masks_belong_to_their_contacts(void**) {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
       Scene s = scene_of(24, 20, boundary, control);
       s.masks.assign(s.gaps.size(), 1);
       for (std::size_t m = 0; m < s.masks.size(); ++m)
@@ -83,7 +83,7 @@ void masks_belong_to_their_contacts(void**) {
 
 void histories_start_from_the_step_before(void**) {
   for (const bool warm : {true, false})
-    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
       Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, control, 4);
       s.warm = warm;
       s.targets[1] = control == RC_CONTROL_LOAD ? 0 : -10;  // nothing touches there
@@ -92,9 +92,9 @@ void histories_start_from_the_step_before(void**) {
       if (!warm) continue;
       const Contact context;
       const Found found = solved(s, context);
-      assert_int_equal(found.applications[1], 0);
+      assert_int_equal(found.products[1], 0);
       assert_true(found.load[1] == 0);
-      assert_true(3 * found.applications[6] <= found.applications[5]);
+      assert_true(3 * found.products[6] <= found.products[5]);
     }
 }
 
@@ -122,7 +122,7 @@ void pressures_of_a_history_stay_on_the_device(void**) {
 
 void hardness_leaves_an_indentation_between_steps(void**) {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
       Scene s = scene_of(20, 24, boundary, control, 3);
       s.system.hardness = 0.2;
       expect_as_one_at_a_time(s, "hardness");
@@ -130,7 +130,7 @@ void hardness_leaves_an_indentation_between_steps(void**) {
 }
 
 void units_and_long_cells(void**) {
-  for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+  for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
     Scene s = scene_of(24, 20, RC_BOUNDARY_FREE, control, 2);
     s.system.hx = 2e-6;
     s.system.hy = 1e-6;
@@ -217,7 +217,7 @@ void pressures_to_start_from(void**) {
   const Found cold = solved(s, context);
   s.p0 = cold.p;
   const Found warm = solved(s, context);
-  for (std::size_t i = 0; i < warm.applications.size(); ++i) assert_true(3 * warm.applications[i] <= cold.applications[i]);
+  for (std::size_t i = 0; i < warm.products.size(); ++i) assert_true(3 * warm.products[i] <= cold.products[i]);
   std::vector<double> p = cold.p;
   Found in_place = solved(s, context, 1, [&](rc_batch& b) {
     b.p0 = p.data();

@@ -12,7 +12,7 @@ using namespace device;
 using namespace device::many;
 
 void failures_are_their_contacts_own(void**) {
-  Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_DISPLACEMENT, 2);
+  Scene s = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_APPROACH, 2);
   const Contact context;
   const Found healthy = solved(s, context);
   s.gaps[1 * s.points() + 7] = std::nan("");
@@ -46,7 +46,7 @@ void infeasible_targets_are_told_one_at_a_time(void**) {
   capped.system.hardness = 0.3;
   capped.targets[0] = 0.31 * static_cast<double>(capped.points());
   assert_int_equal(solved(capped, context).statuses[0], RC_ERR_INFEASIBLE);
-  Scene mean = scene_of(24, 24, RC_BOUNDARY_PERIODIC, RC_CONTROL_DISPLACEMENT);
+  Scene mean = scene_of(24, 24, RC_BOUNDARY_PERIODIC, RC_CONTROL_APPROACH);
   mean.targets[2] = 4;
   assert_int_equal(solved(mean, context).statuses[2], RC_ERR_INFEASIBLE);
   Scene none = scene_of(24, 24, RC_BOUNDARY_FREE, RC_CONTROL_LOAD);

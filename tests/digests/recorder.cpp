@@ -68,7 +68,7 @@ void write(const char* function, rc_status status, const rc_result* result) {
     hash.add(value);
   hash.add(result->p, result->points);
   hash.add(result->gap, result->points);
-  write(function, status, result->applications, result->contacts, hash);
+  write(function, status, result->products, result->contacts, hash);
 }
 
 }  // namespace
@@ -96,8 +96,8 @@ RC_API rc_status rc_contact_certify(rc_contact* contact, const rc_step* step, rc
   return status;
 }
 
-RC_API rc_status rc_contact_solve_path(rc_contact* contact, rc_path* path) {
-  static const auto real = next<decltype(&rc_contact_solve_path)>("rc_contact_solve_path");
+RC_API rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
+  static const auto real = next<decltype(&rc_contact_solve_history)>("rc_contact_solve_history");
   const rc_status status = real(contact, path);
   Hash hash;
   for (const double* values : {path->load, path->approach, path->contact_area, path->stiffness})

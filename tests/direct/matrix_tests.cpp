@@ -93,7 +93,7 @@ void check_answer(const Program& program, const Solved& solved) {
   if (solved.status != RC_OK) return;
   check(r.kkt <= tol, program.name + ": kkt");
   check_near(solved.p, program.p, matrix_accuracy, program.name + ": p");
-  if (depth > 0) check(r.applications > 0, program.name + ": applications");
+  if (depth > 0) check(r.products > 0, program.name + ": products");
 }
 
 // As published, greedy fails on some: with a status that says so.

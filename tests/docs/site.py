@@ -30,7 +30,7 @@ for page in site.rglob('*.html'):
         )
     ]
 index = (site / 'searchindex.js').read_text()
-for name in 'rc_contact_solve_path', 'rcf_solve', 'roughcontact.HalfSpace', 'plasticity':
+for name in 'rc_contact_solve_history', 'rcf_solve', 'roughcontact.HalfSpace', 'plasticity':
     if name.rpartition('.')[2].lower() not in index.lower():
         wrong.append(f'{name} is not found by the search')
 print('\n'.join(wrong))

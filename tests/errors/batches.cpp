@@ -16,7 +16,7 @@ struct Study {
 
   Study() {
     for (int i = 0; i < 3; ++i) gaps.insert(gaps.end(), scene.gap.begin(), scene.gap.end());
-    batch.control = RC_CONTROL_DISPLACEMENT;
+    batch.control = RC_CONTROL_APPROACH;
     batch.n = 3;
     batch.steps = 2;
     batch.targets = targets.data();
@@ -76,7 +76,7 @@ Section batches() {
            batch_with(0, [](Study& s) { s.batch.steps = -1; })},
           {"batch with control = 3",
            refused,
-           {"rc_batch.control = 3 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)"},
+           {"rc_batch.control = 3 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)"},
            batch_with(0, [](Study& s) { s.batch.control = 3; })},
           {"batch without targets",
            refused,

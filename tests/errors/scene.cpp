@@ -35,7 +35,7 @@ bool Answer::untouched() const {
 Scene::Scene() : gap(points) {
   for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = 0.125 * static_cast<double>(i);
   system.nx = system.ny = side;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = 0.55;
   step.undeformed_gap = gap.data();
 }

@@ -124,7 +124,7 @@ Section steps() {
       {
           {"control = 0",
            refused,
-           {"rc_step.control = 0 is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)"},
+           {"rc_step.control = 0 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)"},
            step_with([](Scene& s) { s.step.control = 0; })},
           {"target = NaN", refused, {"rc_step.target = nan is not finite"}, step_with([](Scene& s) { s.step.target = nan; })},
           {"target = infinity", refused, {"rc_step.target = inf is not finite"}, step_with([](Scene& s) {
@@ -171,7 +171,7 @@ Section steps() {
            infeasible,
            {"load = -1 is negative; a contact without adhesion cannot pull, the smallest load is 0"},
            load(-1)},
-          {"every point masked, displacement: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_DISPLACEMENT, 1); }},
+          {"every point masked, approach: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_APPROACH, 1); }},
           {"every point masked, load = 0: p = 0", RC_OK, {}, [] { return all_masked(RC_CONTROL_LOAD, 0); }},
           {"every point masked, load = 1",
            infeasible,
@@ -191,7 +191,7 @@ Section steps() {
           {"hardness and the warm-up greedy",
            RC_ERR_INCOMPATIBLE,
            {"warmup: solver \"greedy\" knows no largest pressure, but the system has the hardness 2"},
-           hard(1, {{"solver", "nnls"}, {"backend", "dense"}, {"warmup", "greedy"}}, RC_CONTROL_DISPLACEMENT)},
+           hard(1, {{"solver", "nnls"}, {"backend", "dense"}, {"warmup", "greedy"}}, RC_CONTROL_APPROACH)},
           {"periodic approach beyond the mean plane with a hardness",
            RC_OK,
            {},

@@ -40,7 +40,7 @@ void solve_one(Draw& draw, rc_options* options) {
   for (double& value : gap) value = height * draw.fraction() * (draw.rarely(20) ? draw.magnitude() : 1);
   for (double& value : p0) value = draw.magnitude();
   rc_step step = RC_STEP_INIT;
-  step.control = draw.rarely(2) ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  step.control = draw.rarely(2) ? RC_CONTROL_LOAD : RC_CONTROL_APPROACH;
   step.target = 2 * draw.fraction() * (draw.rarely(2) ? draw.magnitude() : 1) * (draw.rarely(2) ? height : 1);
   step.undeformed_gap = gap.data();
   if (draw.rarely(3)) step.p0 = p0.data();

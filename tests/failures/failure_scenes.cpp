@@ -40,7 +40,7 @@ std::int64_t power_of_two(std::int64_t n) {
 
 rc_step Scene::step() const {
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = approach;
   step.undeformed_gap = gap.data();
   step.mask = mask.empty() ? nullptr : mask.data();

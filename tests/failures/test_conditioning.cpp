@@ -33,7 +33,7 @@ void eq9_costs_more_than_love_as_the_contact_grows() {
     const auto products = [&](const char* kernel) {
       problem.kernel = kernel;
       const Answer answer = solved(problem, {"polonsky-keer", "fft"}, {{"tol", "1e-8"}});
-      return answer.result.applications;
+      return answer.result.products;
     };
     const std::int64_t eq9 = products("eq9"), love = products("love");
     report(std::to_string(problem.system.nx) + "^2: eq9 " + std::to_string(eq9) + ", love " + std::to_string(love));

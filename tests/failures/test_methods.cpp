@@ -52,7 +52,7 @@ void exact_start_costs_two_products() {
   check_status(cold, RC_OK);
   const Answer again = from(problem, "polonsky-keer", cold.p);
   check_status(again, RC_OK);
-  check(again.result.applications <= 3, "products: " + std::to_string(again.result.applications));
+  check(again.result.products <= 3, "products: " + std::to_string(again.result.products));
   check_near(again.p, cold.p, 1e-9, "p");
 }
 

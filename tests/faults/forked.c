@@ -17,14 +17,14 @@ static rc_status solve(const char* backend, const char* solver) {
   system.hx = system.hy = system.modulus = 1;
   rc_options* options = NULL;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   rc_result result = RC_RESULT_INIT;
   step.undeformed_gap = gap;
   step.target = 0.5;
   rc_status status = rc_options_create(NULL, &options);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_BACKEND, backend);
   if (status == RC_OK) status = rc_options_set_text(options, RC_OPT_SOLVER, solver);
-  if (status == RC_OK) status = rc_pair_supported(NULL, solver, backend, &system, RC_CONTROL_DISPLACEMENT, options);
+  if (status == RC_OK) status = rc_pair_supported(NULL, solver, backend, &system, RC_CONTROL_APPROACH, options);
   if (status == RC_OK) status = rc_solve(&system, &step, options, &result);
   rc_options_destroy(options);
   return status;

@@ -13,7 +13,7 @@ static rc_status solve(int n, const char* memory_limit) {
   system.nx = system.ny = n;
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.undeformed_gap = gap;
   step.target = 0.5;
   rc_result result = RC_RESULT_INIT;

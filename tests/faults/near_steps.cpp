@@ -37,13 +37,13 @@ class Contact {
 
   rc_status step() {
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.target = 0.6 * (1 + 5e-3 * (3 * (steps_++ + 3) % 7));
     step.undeformed_gap = gap_.data();
     rc_result result = RC_RESULT_INIT;
     result.p = p.data();
     const rc_status status = rc_contact_solve(contact_, &step, &result);
-    products = result.applications;
+    products = result.products;
     return status;
   }
 

@@ -22,7 +22,7 @@ static int solve(rc_contact* contact, const double* gap, double* change) {
   rc_step step = RC_STEP_INIT;
   rc_result result = RC_RESULT_INIT;
   int ended = 0;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.undeformed_gap = gap;
   step.target = 2e-7;
   if ((ended = refused(rc_contact_solve(contact, &step, &result))) != 0) return ended;

@@ -12,7 +12,7 @@ static rc_status solve(const char* backend) {
   system.nx = system.ny = N;
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.undeformed_gap = gap;
   step.target = 0.1;
   rc_result result = RC_RESULT_INIT;

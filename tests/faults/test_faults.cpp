@@ -104,7 +104,7 @@ class Life {
       return status_;
     if (!contact_ && failed(rc_contact_create(&given_.system, options_, &contact_))) return status_;
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = given_.gap.data();
     step.target = 0.2;
     if (failed(rc_contact_solve(contact_, &step, &pressed_.result)) && left(pressed_.untouched(), "solve")) return status_;

@@ -165,7 +165,7 @@ class Damaged(ReaderTest):
         chance = random.Random(4)
         for name, data in samples():
             for _ in range(6):
-                done = self.run_command("solve", self.file(name, mutate(data, chance)), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-9",
+                done = self.run_command("solve", self.file(name, mutate(data, chance)), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-9",
                                         "--missing", chance.choice(["reject", "fill", "exclude"]), "--remove", chance.choice(["none", "quadric"]), "--quiet")
                 self.assertIn(done.returncode, (0, 1, 2), done.stderr)
                 if done.returncode == 1:

@@ -6,7 +6,7 @@ from harness import gsf, np, rough, without_gnuplot
 from reading import ReaderTest
 
 H = 1e-6
-PRESS = ["--modulus", "1e9", "--displacement", "1.5e-7"]
+PRESS = ["--modulus", "1e9", "--approach", "1.5e-7"]
 
 
 def holes(z, *places):

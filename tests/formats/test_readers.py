@@ -265,7 +265,7 @@ class Command(ReaderTest):
         self.assertEqual(names, ["name", "gsf", "npy", "text", "xyz", "x3p", "sur", "sdf", "plu", "nc", "container"])
 
     def test_format_option_and_its_errors(self):
-        press = ["--modulus", "1e9", "--displacement", "1e-9"]
+        press = ["--modulus", "1e9", "--approach", "1e-9"]
         self.solve(self.file("a.bin", writers.plu(bumps(), HX, HY)), "--format", "plu", *press)
         self.assert_fails("solve", "a.bin", *press, says=["a.bin", "unknown format", "give the format"])
         self.assert_fails("solve", "a.bin", "--format", "pfu", *press, says=["--format", '"pfu"', "container"])

@@ -40,7 +40,7 @@ double direct_load(const std::vector<double>& heights, double displacement) {
   for (const double z : heights) gap.push_back(largest(heights) - z);
   const rc_system system = grid();
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = displacement;
   step.undeformed_gap = gap.data();
   rc_options* options = nullptr;

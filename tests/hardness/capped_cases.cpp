@@ -43,7 +43,7 @@ CappedCase read_case(const json& entry) {
   system.hardness = entry["hardness"];
   system.boundary = entry["boundary"] == "periodic" ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
   problem.kernel = entry["kernel"];
-  problem.control = entry["control"] == "load" ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  problem.control = entry["control"] == "load" ? RC_CONTROL_LOAD : RC_CONTROL_APPROACH;
   problem.gap = read_npy(result.name + "_gap.npy", problem.points());
   for (const json& given : entry["steps"]) {
     const std::string number = std::to_string(result.steps.size() + 1);

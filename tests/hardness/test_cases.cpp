@@ -18,7 +18,7 @@ constexpr double exact = 1e-11, dense = 1e-9, iterative = 1e-8;
 
 double accuracy_of(const Pair& pair, std::int32_t control) {
   if (pair.backend != "dense" && pair.backend != "cholmod") return iterative;
-  return pair.solver == "nnls" && control == RC_CONTROL_DISPLACEMENT ? exact : dense;
+  return pair.solver == "nnls" && control == RC_CONTROL_APPROACH ? exact : dense;
 }
 
 struct Given {

@@ -140,13 +140,13 @@ void a_path_is_its_steps() {
     check_status(answer, RC_OK);
     expected.push_back(answer.result.load);
   }
-  rc_path path = RC_PATH_INIT;
+  rc_history path = RC_HISTORY_INIT;
   path.control = problem.control;
   path.n = static_cast<std::int64_t>(targets.size());
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();
   path.load = loads.data();
-  check(rc_contact_solve_path(whole.handle(), &path) == RC_OK, rc_last_error());
+  check(rc_contact_solve_history(whole.handle(), &path) == RC_OK, rc_last_error());
   check_same(loads, expected, "loads");
   check_same(indentation_of(whole, problem.points()), indentation_of(single, problem.points()), "indentation");
 

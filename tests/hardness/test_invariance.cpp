@@ -59,7 +59,7 @@ void datum_does_not_matter(std::int32_t boundary, const Pair& pair) {
     for (const double datum : {8.0, -8.0, 1000.0}) {
       Problem shifted = problem;
       for (double& value : shifted.gap) value += datum;
-      if (problem.control == RC_CONTROL_DISPLACEMENT) shifted.target += datum;
+      if (problem.control == RC_CONTROL_APPROACH) shifted.target += datum;
       check_near(solved(shifted, pair, {{RC_OPT_TOL, "1e-11"}}).p, answer.p, 1e-9, "p");
     }
   });
@@ -135,7 +135,7 @@ void a_hardness_never_reached_changes_nothing(std::int32_t boundary, const Pair&
                  {b.load, b.approach, b.energy, b.stiffness, b.kkt_primal, b.kkt_dual, b.kkt_complementarity}, "results");
       check_same({a.duality_gap, a.load_lower, a.load_upper, a.area_lower, a.area_upper},
                  {b.duality_gap, b.load_lower, b.load_upper, b.area_lower, b.area_upper}, "bounds");
-      check_equal(a.applications, b.applications, "products");
+      check_equal(a.products, b.products, "products");
       check_equal(a.capped, 0, "points at the hardness");
       check(a.plastic_volume == 0 && a.proven_capped == 0, "nothing yields");
     }

@@ -82,7 +82,7 @@ Scene scene_of(std::uint64_t number) {
   scene.pair.solver = draw.one_of(solvers);
   scene.text = "scene " + std::to_string(number) + " (" + scene.pair.name() + ", " + std::to_string(nx) + " x " +
                std::to_string(ny) + (periodic ? ", periodic" : ", free") +
-               (problem.control == RC_CONTROL_LOAD ? ", load" : ", displacement") + ")";
+               (problem.control == RC_CONTROL_LOAD ? ", load" : ", approach") + ")";
   return scene;
 }
 

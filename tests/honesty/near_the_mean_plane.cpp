@@ -18,7 +18,7 @@ Problem below_the_mean(Problem problem, double share) {
   const Field& gap = problem.gap;
   const double mean = std::accumulate(gap.begin(), gap.end(), 0.0) / static_cast<double>(gap.size());
   const double range = *std::max_element(gap.begin(), gap.end()) - *std::min_element(gap.begin(), gap.end());
-  problem.control = RC_CONTROL_DISPLACEMENT;
+  problem.control = RC_CONTROL_APPROACH;
   problem.target = mean - share * range;
   return problem;
 }

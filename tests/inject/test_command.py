@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "tools"))
 from faulted import CRASHES, Faulted, spread, take_arguments  # noqa: E402
 from harness import CommandTest, np, rough  # noqa: E402
 
-HISTORY = ["--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "out", "--quiet"]
+HISTORY = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "out", "--quiet"]
 SOLVERS = {"dense": "nnls", "fft": "polonsky-keer", "cholmod": "nnls"}
 RUNS = 25  # of one sweep
 LARGE = 1 << 16  # bytes; FFTW's planner ends the process where it gets less than that and larger ones just succeeded, see docs/errors.md

@@ -30,7 +30,7 @@ class Kills(CommandTest):
         self.surface = self.npy(rough(24, 24))
 
     def arguments(self, out, *more):
-        return ["solve", self.surface, *PRESS, "--displacement", TARGETS, "--out", out, "--quiet", *more]
+        return ["solve", self.surface, *PRESS, "--approach", TARGETS, "--out", out, "--quiet", *more]
 
     def assert_whole(self, out):
         for path in out.glob("[!.]*.npy"):
@@ -77,7 +77,7 @@ class Kills(CommandTest):
         self.end_at_every_rename(signal.SIGTERM)
 
     def test_killed_in_the_folder_of_another_run(self):
-        other = ["solve", self.surface, *PRESS, "--displacement", "1e-9:3e-7:6", "--out", "out", "--quiet"]
+        other = ["solve", self.surface, *PRESS, "--approach", "1e-9:3e-7:6", "--out", "out", "--quiet"]
         self.end_at_every_rename(signal.SIGKILL, *other)
 
 

@@ -6,7 +6,7 @@ set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4
 . "$(dirname "$0")/scratch.sh"
 
-command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --displacement 0.8 "$@"; }
+command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --approach 0.8 "$@"; }
 solve() {  # solve EXPECTED-PAIR OPTION...: prints the load
   local pair=$1 row
   shift
@@ -73,7 +73,7 @@ for tool in make cmake; do
   soft=$(solve haar-cg/dense --backend dense --solver haar-cg --kernel layer --set layer.thickness=2 --set layer.modulus=0.5)
   awk -v soft="$soft" -v hard="$expected" 'BEGIN { exit !(0.4 * hard < soft && soft < hard) }' || fail "$tool: a soft layer carries $soft"
   # To a rough answer it is the one that takes least time.
-  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --displacement 12 --tol 0.1 --explain 2>"$scratch/why" | grep " RC_")
+  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --approach 12 --tol 0.1 --explain 2>"$scratch/why" | grep " RC_")
   [[ $row == *" spg/"*RC_OK* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
   grep -q "spg on .* taken" "$scratch/why" && grep -q "haar-cg on .* slower" "$scratch/why" || fail "no reasons: $(cat "$scratch/why")"
   mv "$prefix" "$scratch/moved-$tool"

@@ -84,7 +84,7 @@ class Context {
   rc_context* get() const { return context_; }
 
   rc_result solve(const Surface& surface, const Settings& settings, double target,
-                  std::int32_t control = RC_CONTROL_DISPLACEMENT) const {
+                  std::int32_t control = RC_CONTROL_APPROACH) const {
     rc_options* options = nullptr;
     assert_int_equal(rc_options_create(context_, &options), RC_OK);
     for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options, key, value.c_str()), RC_OK);
@@ -124,7 +124,7 @@ void every_pair_agrees(void**) {
                   wanted.load_upper < 1.0001 * wanted.load);
       for (std::int64_t i = 0; i < rc_solver_count(context.get()); ++i)
         for (const char* backend : {"dense", "fft", "cholmod"})
-          for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+          for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
             rc_component solver = RC_COMPONENT_INIT;
             assert_int_equal(rc_solver_describe(context.get(), i, &solver), RC_OK);
             const bool by_load = control == RC_CONTROL_LOAD;
@@ -264,16 +264,16 @@ void products_are_hardly_more_than_on_a_half_space(void**) {
                                          100 * static_cast<double>(side)}) {
             const rc_result found = solved(settings_of({thickness, modulus}));
             if (found.status != RC_OK) fail_msg("status %d %s", found.status, rc_last_error());
-            const double ratio = static_cast<double>(found.applications) / static_cast<double>(plain.applications);
+            const double ratio = static_cast<double>(found.products) / static_cast<double>(plain.products);
             worst = std::max(worst, ratio);
             // A stiff layer is a plate, for which the trees are not made.
             const double allowed = modulus > 5 ? 2.1 : 1.3;
-            const bool few = found.applications <= plain.applications + 6;
+            const bool few = found.products <= plain.products + 6;
             good = good && (ratio <= allowed || few);
             if (ratio > 1.3 && !few)
               print_message("%ld %s share %g E1/E2 %g t %g: %ld products, half-space %ld, contact %.2g and %.2g\n",
                             static_cast<long>(side), boundary == RC_BOUNDARY_FREE ? "free" : "periodic", share, modulus,
-                            thickness, static_cast<long>(found.applications), static_cast<long>(plain.applications),
+                            thickness, static_cast<long>(found.products), static_cast<long>(plain.products),
                             static_cast<double>(found.contacts) / static_cast<double>(side * side),
                             static_cast<double>(plain.contacts) / static_cast<double>(side * side));
           }
@@ -297,10 +297,9 @@ void a_thick_layer_takes_the_products_of_a_half_space(void**) {
     const rc_result thick = context.solve(surface, with(settings_of({1e4 * surface.cell * 128, modulus}), pair),
                                           modulus * pressed.load, RC_CONTROL_LOAD);
     assert_int_equal(thick.status, RC_OK);
-    print_message("E1/E2 %g: %ld products, half-space %ld, contacts %ld and %ld\n", modulus,
-                  static_cast<long>(thick.applications), static_cast<long>(plain.applications), static_cast<long>(thick.contacts),
-                  static_cast<long>(plain.contacts));
-    assert_true(thick.applications <= plain.applications * 3 / 2);
+    print_message("E1/E2 %g: %ld products, half-space %ld, contacts %ld and %ld\n", modulus, static_cast<long>(thick.products),
+                  static_cast<long>(plain.products), static_cast<long>(thick.contacts), static_cast<long>(plain.contacts));
+    assert_true(thick.products <= plain.products * 3 / 2);
   }
 }
 

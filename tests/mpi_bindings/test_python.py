@@ -36,7 +36,7 @@ def main():
     assert gathered(gap).min() == 0
     with rc.mpi.Contact(system) as contact:
         found = contact.solve(undeformed_gap=gap, load=1e-4, want_gap=True)
-        again = contact.solve(displacement=found.approach)
+        again = contact.solve(approach=found.approach)
         judged = contact.certify(found.pressure, load=1e-4)
         counts = contact.counts()
         raised(rc.ArgumentError, 'exactly one', contact.solve, undeformed_gap=gap)

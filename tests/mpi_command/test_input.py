@@ -12,7 +12,7 @@ class Input(RanksTest):
         self.assertEqual(before, sorted(path.name for path in self.folder.iterdir()))
 
     def press(self, name):
-        return [name, *PRESS, '--displacement', '1e-7', '--out', 'out']
+        return [name, *PRESS, '--approach', '1e-7', '--out', 'out']
 
     def test_files_that_are_no_grid(self):
         self.assert_refused(*self.press('none.npy'), says='No such file')
@@ -36,8 +36,8 @@ class Input(RanksTest):
 
     def test_arguments(self):
         self.npy(rough())
-        self.assert_refused('surface.npy', '--pitch', '1e-6', '--displacement', '1e-7', says='the elastic modulus is missing')
-        self.assert_refused('surface.npy', '--modulus', '1e9', '--displacement', '1e-7', says='give --pitch')
+        self.assert_refused('surface.npy', '--pitch', '1e-6', '--approach', '1e-7', says='the elastic modulus is missing')
+        self.assert_refused('surface.npy', '--modulus', '1e9', '--approach', '1e-7', says='give --pitch')
         self.assert_refused('surface.npy', *PRESS, says='what to press with is missing')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--resume', says='--resume goes on in the folder of --out')
         self.assert_refused('surface.npy', *PRESS, '--load', '1', '--out', 'out', '--checkpoint', '0', says='--checkpoint: "0"')
@@ -51,10 +51,10 @@ class Input(RanksTest):
     def test_folders_that_cannot_be_used(self):
         self.npy(rough())
         (self.folder / 'file').write_text('')
-        self.assert_refused('surface.npy', *PRESS, '--displacement', '1e-7', '--out', 'file', says='file')
+        self.assert_refused('surface.npy', *PRESS, '--approach', '1e-7', '--out', 'file', says='file')
         (self.folder / 'taken').mkdir()
         (self.folder / 'taken' / 'pressure-1.npy').write_text('mine')
-        self.assert_refused('surface.npy', *PRESS, '--displacement', '1e-7', '--out', 'taken', says='belongs to no earlier run')
+        self.assert_refused('surface.npy', *PRESS, '--approach', '1e-7', '--out', 'taken', says='belongs to no earlier run')
         self.assertEqual((self.folder / 'taken' / 'pressure-1.npy').read_text(), 'mine')
 
 

@@ -13,7 +13,7 @@ class Press(RanksTest):
 
     def test_answers_are_those_of_one_process(self):
         self.npy(rough())
-        for arguments in ('--displacement', '1e-7,2e-7'), ('--load', '1e-4'), ('--boundary', 'periodic', '--pressure', '1e6'):
+        for arguments in ('--approach', '1e-7,2e-7'), ('--load', '1e-4'), ('--boundary', 'periodic', '--pressure', '1e6'):
             self.run_ranks(2, 'surface.npy', *PRESS, *arguments, '--out', 'ranks')
             self.run_serial('surface.npy', *PRESS, *arguments, '--out', 'serial')
             ours, theirs = (told(self.folder / name)['steps'] for name in ('ranks', 'serial'))
@@ -32,7 +32,7 @@ class Press(RanksTest):
         self.npy(z, 'single.npy')
         self.npy(z.astype('>f4'), 'turned.npy')
         for name in 'surface', 'single', 'turned':
-            self.run_ranks(2, f'{name}.npy', *PRESS, '--displacement', '1e-7', '--out', name)
+            self.run_ranks(2, f'{name}.npy', *PRESS, '--approach', '1e-7', '--out', name)
             self.assertEqual((self.folder / name / 'pressure-1.npy').read_bytes(), (self.folder / 'surface' / 'pressure-1.npy').read_bytes())
 
     def test_two_bodies_are_added_and_missing_points_excluded(self):
@@ -40,11 +40,11 @@ class Press(RanksTest):
         z[10, 20] = z[70, 3] = np.nan
         self.npy(z)
         self.npy(other, 'other.npy')
-        done = self.run_ranks(3, 'surface.npy', *PRESS, '--displacement', '1e-7', code=1)
+        done = self.run_ranks(3, 'surface.npy', *PRESS, '--approach', '1e-7', code=1)
         self.assertEqual(len(self.messages(done)), 1, done.stderr)
         self.assertIn('2 missing values of 6144, first at ix=20, iy=10', done.stderr)
-        self.run_ranks(3, 'surface.npy', *PRESS, '--displacement', '1e-7', '--missing', 'exclude', '--against', 'other.npy', '--out', 'ranks')
-        self.run_serial('surface.npy', *PRESS, '--displacement', '1e-7', '--missing', 'exclude', '--against', 'other.npy', '--out', 'serial')
+        self.run_ranks(3, 'surface.npy', *PRESS, '--approach', '1e-7', '--missing', 'exclude', '--against', 'other.npy', '--out', 'ranks')
+        self.run_serial('surface.npy', *PRESS, '--approach', '1e-7', '--missing', 'exclude', '--against', 'other.npy', '--out', 'serial')
         one, other = (np.load(self.folder / name / 'pressure-1.npy') for name in ('ranks', 'serial'))
         self.assertLess(abs(one - other).max(), 1e-5 * other.max())
         self.assertEqual(one[10, 20], 0)
@@ -52,7 +52,7 @@ class Press(RanksTest):
 
     def test_rank_0_alone_prints(self):
         self.npy(rough())
-        done = self.run_ranks(3, 'surface.npy', *PRESS, '--displacement', '1e-7,2e-7')
+        done = self.run_ranks(3, 'surface.npy', *PRESS, '--approach', '1e-7,2e-7')
         self.assertEqual(done.stdout.count('surface surface.npy, 64 x 96 points'), 1)
         self.assertEqual(done.stdout.count('RC_OK'), 2)
         self.assertEqual(self.run_ranks(2, '--help').stdout.count('Usage'), 1)

@@ -9,7 +9,7 @@ from pathlib import Path
 import ranks
 from ranks import ENVIRONMENT, PRESS, RanksTest, np, on_ranks, rough, told
 
-HISTORY = ['surface.npy', *PRESS, '--displacement', '1e-7,2e-7,1.5e-7,3e-7,5e-8', '--quiet']
+HISTORY = ['surface.npy', *PRESS, '--approach', '1e-7,2e-7,1.5e-7,3e-7,5e-8', '--quiet']
 
 
 class Resume(RanksTest):
@@ -39,7 +39,7 @@ class Resume(RanksTest):
         self.run_ranks(2, *HISTORY, '--out', 'whole')
         for steps, count in (1, 1), (3, 3), (5, 2):  # every time with another number of ranks
             targets = HISTORY[:]
-            targets[targets.index('--displacement') + 1] = ','.join('1e-7,2e-7,1.5e-7,3e-7,5e-8'.split(',')[:steps])
+            targets[targets.index('--approach') + 1] = ','.join('1e-7,2e-7,1.5e-7,3e-7,5e-8'.split(',')[:steps])
             self.run_ranks(count, *targets, '--out', 'cut', '--resume')
         self.assert_same('whole', 'cut')
 
@@ -54,7 +54,7 @@ class Resume(RanksTest):
 
     def test_a_run_killed_within_a_step_goes_on_from_its_checkpoint(self):
         self.npy(rough(256, 256))
-        once = ['surface.npy', *PRESS, '--displacement', '2e-7', '--tol', '1e-10', '--checkpoint', '3', '--quiet']
+        once = ['surface.npy', *PRESS, '--approach', '2e-7', '--tol', '1e-10', '--checkpoint', '3', '--quiet']
         self.run_ranks(2, *once, '--out', 'whole')
         self.assertEqual([path.name for path in (self.folder / 'whole').glob('checkpoint*')], [])
         note = self.folder / 'cut' / 'checkpoint.json'

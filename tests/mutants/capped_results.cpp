@@ -38,7 +38,7 @@ void figures_of_capped_results(Figures& figures) {
     for (const double c : {0.1, 0.5, 1e3})
       for (const double depth : {0.2, 0.45, 0.9})
         for (const std::int64_t stiffness : {0, 1, 2})
-          for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD})
+          for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
             for (const bool masked : {false, true}) {
               if (c > 1 && small.given.boundary == RC_BOUNDARY_PERIODIC && depth > 0.5) continue;
               if (stiffness < 2 && (masked || c < 0.2 || control == RC_CONTROL_LOAD)) continue;

@@ -33,7 +33,7 @@ void put(Figures& figures, rc_contact* contact, rc_status status, const rc_resul
   figures.near("energy", r.energy);
   figures.exact("contacts", static_cast<double>(r.contacts));
   figures.exact("candidates", static_cast<double>(r.candidates));
-  figures.exact("applications", static_cast<double>(r.applications));
+  figures.exact("products", static_cast<double>(r.products));
   figures.exact("area", r.contact_area);
   figures.exact("modelled", static_cast<double>(r.modelled));
   figures.exact("tolerance", r.tolerance);
@@ -120,7 +120,7 @@ void beyond_double_precision(Figures& figures) {
     diagonal = factor;
     std::vector<double> p(3, size), deformed(3);
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = factor < 1 ? flat.data() : small.gap.data();
     step.target = factor < 1 ? 1e-25 : 0.4;
     rc_result r{};
@@ -136,7 +136,7 @@ void beyond_double_precision(Figures& figures) {
 void stopped_far_from_the_answer(Figures& figures) {
   for (const char* solver : {"polonsky-keer", "admm", "nnls", "gp", "greedy"})
     for (const double start : {0.0, 0.02, 5.0})
-      for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+      for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
         Small small(7, 5);
         Handle handle(small, "dense", solver);
         rc_options_set_int(handle.options, "max_iter", 1);
@@ -163,7 +163,7 @@ void masks_that_leave_little(Figures& figures) {
   Small small(4, 3);
   Handle handle(small, "dense", "nnls");
   for (const bool one : {false, true})
-    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
       std::vector<double> gap = small.gap, p(small.points()), deformed(small.points());
       for (double& h : gap) h += 0.25;
       std::vector<std::uint8_t> mask(small.points(), 0);
@@ -172,7 +172,7 @@ void masks_that_leave_little(Figures& figures) {
       step.control = control;
       step.undeformed_gap = gap.data();
       step.mask = mask.data();
-      step.target = control == RC_CONTROL_DISPLACEMENT ? 2 : one ? 0.3 : 0;
+      step.target = control == RC_CONTROL_APPROACH ? 2 : one ? 0.3 : 0;
       rc_result r{};
       r.struct_size = sizeof r;
       r.p = p.data();
@@ -199,7 +199,7 @@ void solved_near_the_mean_plane(Figures& figures) {
       std::vector<std::uint8_t> mask(small.points(), 1);
       if (masked) p[3] = mask[3] = 0;
       rc_step step = RC_STEP_INIT;
-      step.control = RC_CONTROL_DISPLACEMENT;
+      step.control = RC_CONTROL_APPROACH;
       step.undeformed_gap = small.gap.data();
       step.mask = masked ? mask.data() : nullptr;
       step.target = mean + beyond;
@@ -249,9 +249,9 @@ void figures_of_results(Figures& figures) {
       for (const double tol : {1e-9, 1e-2}) {
         if (datum > 0 && tol > 1e-5) continue;
         for (const bool masked : {false, true})
-          for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD})
+          for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
             for (const double size : {0.2, mean - 1e-3, 1e-9, 0.0, 30.0}) {
-              if (periodic && control == RC_CONTROL_DISPLACEMENT && size > 1) continue;
+              if (periodic && control == RC_CONTROL_APPROACH && size > 1) continue;
               rc_options* options = nullptr;
               rc_options_create(nullptr, &options);
               rc_options_set_text(options, "backend", number == 5 ? "callback" : "dense");

@@ -19,7 +19,7 @@ printf ("testing %s\n", which ("rc_solve"));
 nx = 40; ny = 28;
 [ix, iy] = ndgrid (1:nx, 1:ny);
 z = cos (0.9 * ix) .* cos (0.5 * iy) + cos (0.21 * ix + 0.17 * iy);
-opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "displacement", 0.4);
+opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "approach", 0.4);
 
 [p, info] = rc_solve (z, opts);
 check ("shape of p", isequal (size (p), [nx, ny]) && isequal (size (info.gap), [nx, ny]));
@@ -35,7 +35,7 @@ check ("help", ! isempty (strfind (help ("rc_solve"), "opts")));
 check ("one output", isequal (rc_solve (z, opts), p));
 check ("single heights", norm (rc_solve (single (z), opts) - p) < 1e-4 * norm (p));
 
-by_load = rmfield (opts, "displacement");
+by_load = rmfield (opts, "approach");
 by_load.load = info.load;
 [~, back] = rc_solve (z, by_load);
 check ("the load gives the approach", abs (back.approach - 0.4) < 1e-6);
@@ -60,7 +60,7 @@ check ("hardness", max (p(:)) == soft.hardness && info.capped == nnz (p == soft.
 masked = opts;
 masked.mask = z < 1.9;
 holes = z; holes(! masked.mask) = NaN;
-masked.displacement = 0.2;
+masked.approach = 0.2;
 p = rc_solve (holes, masked);
 check ("masked points carry nothing", all (p(! masked.mask) == 0) && any (p(:) > 0));
 masked.mask = int32 (5 * masked.mask);
@@ -73,7 +73,7 @@ check ("an explicit start", info.status == 0);
 started.p0 = sparse (started.p0);
 check ("a sparse start", isequal (rc_solve (sparse (z), started), p));
 
-e = refused (z, struct ("displacement", 0.4, "solvr", "nnls"));
+e = refused (z, struct ("approach", 0.4, "solvr", "nnls"));
 check (["nearest option: ", e.message], strcmp (e.identifier, "roughcontact:RC_ERR_OPTION"));
 check (["nearest option: ", e.message], any (strfind (e.message, "solver")));
 e = refused (z, setfield (opts, "max_iter", 2.5));
@@ -83,7 +83,7 @@ check (["a text for a number: ", e.message], strcmp (e.identifier, "roughcontact
 e = refused (z, setfield (opts, "load", 1));
 check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "not both")));
 e = refused (z, struct ("hx", 1));
-check (e.message, any (strfind (e.message, "displacement or opts.load")));
+check (e.message, any (strfind (e.message, "approach or opts.load")));
 e = refused (z, rmfield (opts, "hy"));
 check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_ARGUMENT") && any (strfind (e.message, "hy = 0")));
 e = refused (z, setfield (opts, "hx", -1));
@@ -110,7 +110,7 @@ check (e.message, strcmp (e.identifier, "roughcontact:RC_ERR_NO_SOLVER"));
 % The gradient of the load is its slope, and that of a sum of pressures times hx hy is the same.
 steep = opts; steep.tol = 1e-12; steep.gradient = true;
 [~, info] = rc_solve (z, steep);
-step = 1e-6; above = steep; above.displacement += step;
+step = 1e-6; above = steep; above.approach += step;
 [~, high] = rc_solve (z, above);
 slope = (high.load - info.load) / step;
 check ("slope of the load", abs (info.gradient.target - slope) < 1e-4 * slope);

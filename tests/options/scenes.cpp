@@ -67,7 +67,7 @@ std::string Scene::judge(const rc_options* options, bool memory) {
   rc_status status = rc_contact_create(&system_, options, &contact);
   std::string fault = status == RC_OK ? "" : wrong(status, result, memory);
   const double targets[] = {0.4, 0.6, 1, 2};
-  const std::int32_t controls[] = {RC_CONTROL_DISPLACEMENT, RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD, RC_CONTROL_LOAD};
+  const std::int32_t controls[] = {RC_CONTROL_APPROACH, RC_CONTROL_APPROACH, RC_CONTROL_LOAD, RC_CONTROL_LOAD};
   for (int k = 0; contact && fault.empty() && k < 4; ++k) {
     rc_step step = RC_STEP_INIT;
     step.undeformed_gap = gap_.data();

@@ -84,7 +84,7 @@ void wave_does_not_depend_on_its_width(const Pair& pair) {
 void wave_at_given_approach(const Pair& pair) {
   const Wave wave;
   Problem problem = wave_problem(wave, 256, 1, 0.5);
-  problem.control = RC_CONTROL_DISPLACEMENT;
+  problem.control = RC_CONTROL_APPROACH;
   problem.target = wave.approach(0.5);
   check_near(solved(problem, pair).result.mean_pressure, 0.5 * wave.full_pressure(), 1e-3 * wave.full_pressure(),
              "mean pressure");

@@ -18,7 +18,7 @@ struct Problem {
   std::string kernel = "auto";
   Field gap;
   std::vector<std::uint8_t> mask;
-  std::int32_t control = RC_CONTROL_DISPLACEMENT;
+  std::int32_t control = RC_CONTROL_APPROACH;
   double target = 0;
 
   std::size_t points() const { return static_cast<std::size_t>(system.nx * system.ny); }

@@ -53,7 +53,7 @@ rc_status nonsense_status(const rc_host*, const rc_problem* problem, const rc_op
 
 rc_status failure_without_words(const rc_host*, const rc_problem*, const rc_options*, double*, double*) { return RC_ERR_NUMERIC; }
 
-// Projected steps along the gap, for displacement control.
+// Projected steps along the gap, for approach control.
 rc_status projected_steps(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
   const auto n = static_cast<std::size_t>(problem->n);
   Field product(n);
@@ -72,7 +72,7 @@ rc_status projected_steps(const rc_host*, const rc_problem* problem, const rc_op
 }
 
 constexpr rc_solver solver(const char* name, decltype(rc_solver::solve) function) {
-  return {sizeof(rc_solver), name, "a test's", "BSD-3-Clause", 0, RC_CONTROL_DISPLACEMENT, 0, 0, nullptr, function};
+  return {sizeof(rc_solver), name, "a test's", "BSD-3-Clause", 0, RC_CONTROL_APPROACH, 0, 0, nullptr, function};
 }
 
 constexpr rc_solver with_load(rc_solver base) {
@@ -117,7 +117,7 @@ Problem problem_at(std::int32_t control) {
 }
 
 void honest_solver_is_certified() {
-  const Problem problem = problem_at(RC_CONTROL_DISPLACEMENT);
+  const Problem problem = problem_at(RC_CONTROL_APPROACH);
   const Answer answer = answer_of("projected-steps", problem);
   check_status(answer, RC_OK);
   check_near(answer.p, solved(problem, automatic).p, 1e-7, "p");
@@ -142,7 +142,7 @@ void garbage_is_not_certified(const std::string& name, std::int32_t control) {
 
 void lie_is_not_the_next_start() {
   const Context context = make_context();
-  const Problem problem = problem_at(RC_CONTROL_DISPLACEMENT);
+  const Problem problem = problem_at(RC_CONTROL_APPROACH);
   const Contact contact(problem, {"uniform-pressure", "dense"}, settings, context.get());
   check_status(contact.solve(problem), RC_UNCERTIFIED);
   const Options honest = make_options({"projected-steps", "dense"}, problem.kernel, settings, context.get());
@@ -157,16 +157,16 @@ std::vector<Test> tests_of_liars() {
   std::vector<Test> tests = {{"an_honest_solver_from_outside_is_certified", honest_solver_is_certified},
                              {"a_lie_is_not_the_next_warm_start", lie_is_not_the_next_start}};
   for (const char* name : {"no-pressure", "uniform-pressure", "tension"})
-    tests.push_back({std::string("a_lying_solver_is_uncertified/displacement/") + name,
-                     [=] { lie_is_uncertified(name, RC_CONTROL_DISPLACEMENT); }});
+    tests.push_back(
+        {std::string("a_lying_solver_is_uncertified/approach/") + name, [=] { lie_is_uncertified(name, RC_CONTROL_APPROACH); }});
   tests.push_back(
       {"a_lying_solver_is_uncertified/load/uniform-pressure", [] { lie_is_uncertified("uniform-pressure", RC_CONTROL_LOAD); }});
   for (const char* name : {"no-pressure", "tension"})
     tests.push_back(
         {std::string("garbage_is_not_certified/load/") + name, [=] { garbage_is_not_certified(name, RC_CONTROL_LOAD); }});
   for (const char* name : {"not-a-number", "infinity", "nonsense-status", "failure-without-words"})
-    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD})
-      tests.push_back({std::string("garbage_is_not_certified/") + (control == RC_CONTROL_LOAD ? "load/" : "displacement/") + name,
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
+      tests.push_back({std::string("garbage_is_not_certified/") + (control == RC_CONTROL_LOAD ? "load/" : "approach/") + name,
                        [=] { garbage_is_not_certified(name, control); }});
   return tests;
 }

@@ -10,7 +10,7 @@ namespace pairs {
 
 struct ReferenceCase {
   std::string name;
-  Problem problem;  // displacement control; spacing 2 is a grid of elements with masked ones between
+  Problem problem;  // approach control; spacing 2 is a grid of elements with masked ones between
   Field p;          // pressures, 0 on masked points
   double load = 0;  // force
   std::int64_t contacts = 0, candidates = 0;

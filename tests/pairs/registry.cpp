@@ -43,7 +43,7 @@ std::string kind_of(const rc_system& system) {
 }
 
 std::string group_name(const Pair& pair, const rc_system& system, std::int32_t control) {
-  return pair.name() + "/" + kind_of(system) + "/" + (control == RC_CONTROL_LOAD ? "load" : "displacement");
+  return pair.name() + "/" + kind_of(system) + "/" + (control == RC_CONTROL_LOAD ? "load" : "approach");
 }
 
 bool multiplies_often(const Pair& pair) { return pair.solver == "gp" || pair.solver == "admm" || pair.solver == "greedy"; }

@@ -15,7 +15,7 @@ std::vector<std::string> kernel_names();
 /** Every solver with every backend. */
 std::vector<Pair> all_pairs();
 
-inline constexpr std::int32_t controls[] = {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD};
+inline constexpr std::int32_t controls[] = {RC_CONTROL_APPROACH, RC_CONTROL_LOAD};
 
 /** Why this pair cannot run, "" if it can. */
 std::string obstacle(const Pair& pair, const rc_system& system, std::int32_t control);
@@ -34,7 +34,7 @@ bool may_fail(const Pair& pair, const Problem& problem);
 /** An answer that is not certified, of a solver that may fail on this problem and whose note says that it has. */
 bool is_told_failure(const Pair& pair, const Problem& problem, const Answer& answer);
 
-/** One test per pair that supports this kind of half-space grid in displacement and in load control. */
+/** One test per pair that supports this kind of half-space grid in approach and in load control. */
 void add_for_pairs(std::vector<Test>& tests, const std::string& name, std::int32_t boundary,
                    const std::function<void(const Pair&)>& body);
 

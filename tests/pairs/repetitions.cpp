@@ -22,7 +22,7 @@ void check_identical(const Answer& a, const Answer& b) {
   check_same({a.result.load, a.result.approach, a.result.energy, a.result.kkt_dual, a.result.kkt_complementarity},
              {b.result.load, b.result.approach, b.result.energy, b.result.kkt_dual, b.result.kkt_complementarity}, "result");
   check_equal(a.result.iterations, b.result.iterations, "iterations");
-  check_equal(a.result.applications, b.result.applications, "applications");
+  check_equal(a.result.products, b.result.products, "products");
 }
 
 template <class Check> void by_load_and_approach(std::int32_t boundary, const Pair& pair, const Check& compare) {
@@ -108,7 +108,7 @@ void result_adds_up(std::int32_t boundary, const Pair& pair) {
     check(r.contacts <= r.candidates && r.candidates <= r.points && r.modelled <= r.points && r.candidates <= r.modelled,
           "contacts <= candidates <= modelled <= points");
     check(std::isnan(r.stiffness), "stiffness was not asked for");
-    check(r.applications > 0, "applications");
+    check(r.products > 0, "products");
     check(pair.solver == r.solver && pair.backend == r.backend, "solver and backend");
     check(std::string(r.kernel) == (boundary == RC_BOUNDARY_PERIODIC ? "spectral" : "love"), "kernel");
   });

@@ -1,4 +1,4 @@
-// Loading sequences: warm and cold starts, explicit starts, steps without a gap, from displacement to load and back.
+// Loading sequences: warm and cold starts, explicit starts, steps without a gap, from approach to load and back.
 #include <cmath>
 
 #include "invariance_tests.h"
@@ -29,7 +29,7 @@ void warm_equals_cold(std::int32_t boundary, const Pair& pair) {
   const double load = solved(problem, pair).result.load;
   for (const std::int32_t control : controls) {
     const Contact warm(problem, pair), cold(problem, pair);
-    std::int64_t warm_applications = 0, cold_applications = 0;
+    std::int64_t warm_products = 0, cold_products = 0;
     rc_step step = problem.step();
     step.control = control;
     for (const double target : up_and_down(control == RC_CONTROL_LOAD ? load : problem.target)) {
@@ -42,13 +42,13 @@ void warm_equals_cold(std::int32_t boundary, const Pair& pair) {
       check_status(fresh, RC_OK, "cold");
       check_near(from_last.p, fresh.p, 1e-9, "p");
       check_near(from_last.result.approach, fresh.result.approach, 1e-10 * problem.target, "approach");
-      warm_applications += from_last.result.applications;
-      cold_applications += fresh.result.applications;
+      warm_products += from_last.result.products;
+      cold_products += fresh.result.products;
     }
     if (!gains_from_a_start(pair) || quick()) continue;  // steps of the reduced set are far apart
-    check(warm_applications < cold_applications, std::string(control == RC_CONTROL_LOAD ? "load: " : "displacement: ") +
-                                                     std::to_string(warm_applications) + " products warm, " +
-                                                     std::to_string(cold_applications) + " cold");
+    check(warm_products < cold_products, std::string(control == RC_CONTROL_LOAD ? "load: " : "approach: ") +
+                                             std::to_string(warm_products) + " products warm, " + std::to_string(cold_products) +
+                                             " cold");
   }
 }
 
@@ -83,8 +83,8 @@ void explicit_start(std::int32_t boundary, const Pair& pair) {
     rc_step step = each.step();
     step.p0 = cold.p.data();
     const Answer from_solution = Contact(each, pair).solve(step);
-    if (each.control == RC_CONTROL_DISPLACEMENT)
-      check(from_solution.result.applications < cold.result.applications, "a start at the solution saves nothing");
+    if (each.control == RC_CONTROL_APPROACH)
+      check(from_solution.result.products < cold.result.products, "a start at the solution saves nothing");
   }
 }
 
@@ -175,7 +175,7 @@ std::vector<Test> sequence_tests() {
       add_for_pairs(tests, name, boundary, [=](const Pair& pair) { body(boundary, pair); });
     };
     add("warm_steps_up_and_down_equal_cold_ones_and_cost_less", warm_equals_cold);
-    add("from_displacement_to_load_and_back", round_trip);
+    add("from_approach_to_load_and_back", round_trip);
     add("explicit_start_leads_to_the_same_answer", explicit_start);
     add("step_without_gap_keeps_gap_and_mask", gap_and_mask_are_kept);
     add("nothing_touches_below_the_lowest_gap_or_without_load", nothing_touches);

@@ -49,7 +49,7 @@ void check_same_answer(const SingleAnswer& single, const Answer& answer) {
     return Field{r.load, r.approach, r.energy, r.kkt_dual, r.load_lower, r.load_upper};
   };
   check_same(numbers(single.result), numbers(answer.result), "result");
-  check_equal(single.result.applications, answer.result.applications, "applications");
+  check_equal(single.result.products, answer.result.products, "products");
 }
 
 Problem at_points(std::int64_t nx, std::int64_t ny, std::int32_t boundary) {
@@ -147,7 +147,7 @@ void other_solvers_see_doubles() {
                             .summary = "a test's",
                             .license = "BSD-3-Clause",
                             .needs = RC_NEEDS_GRID,
-                            .controls = RC_CONTROL_DISPLACEMENT,
+                            .controls = RC_CONTROL_APPROACH,
                             .solve = look};
   const rc_solver* const list[] = {&solver};
   const rc_plugin plugin = {.struct_size = sizeof(rc_plugin),

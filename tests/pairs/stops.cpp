@@ -91,7 +91,7 @@ void callback_stops(const Pair& pair, bool by_cancel) {
     check_status(answer, RC_STOP_CANCELLED);
     check_equal(stopper.calls, 1, "calls of the progress function");
     check_equal(static_cast<std::int64_t>(stopper.last.struct_size), sizeof(rc_progress), "struct_size");
-    check(stopper.last.applications > 0 && stopper.last.seconds >= 0, "the progress report is empty");
+    check(stopper.last.products > 0 && stopper.last.seconds >= 0, "the progress report is empty");
     check_usable(problem, answer);
     check_step_after(problem, contact, pair);
     check(stopper.calls > 1, "the progress function is not called any more");
@@ -100,7 +100,7 @@ void callback_stops(const Pair& pair, bool by_cancel) {
 }
 
 void early_cancel_stops_the_next_solve(const Pair& pair) {
-  const Problem problem = stopped_problem(RC_CONTROL_DISPLACEMENT);
+  const Problem problem = stopped_problem(RC_CONTROL_APPROACH);
   const Contact contact(problem, pair);
   rc_contact_cancel(contact.handle());
   check_status(contact.solve(problem), RC_STOP_CANCELLED);
@@ -143,7 +143,7 @@ void other_thread_stops(const Pair& pair) {
 }
 
 void stop_keeps_the_last_start(const Pair& pair) {
-  const Problem problem = stopped_problem(RC_CONTROL_DISPLACEMENT);
+  const Problem problem = stopped_problem(RC_CONTROL_APPROACH);
   const Contact stopped(problem, pair), undisturbed(problem, pair);
   check_same(stopped.solve(problem).p, undisturbed.solve(problem).p, "p of the first step");
   Problem next = problem;

@@ -22,7 +22,7 @@ bool stores_matrix(const Pair& pair) { return pair.backend == "dense" || pair.ba
 
 double accuracy_of(const Pair& pair, std::int32_t control) {
   if (!stores_matrix(pair)) return iterative;
-  return pair.solver == "nnls" && control == RC_CONTROL_DISPLACEMENT ? exact : dense;
+  return pair.solver == "nnls" && control == RC_CONTROL_APPROACH ? exact : dense;
 }
 
 const Settings unrepaired = {{"greedy.repair", "0"}};  // of no other solver
@@ -95,7 +95,7 @@ void check_solution(const ReferenceCase& reference, const Pair& pair, const Prob
   check_near(r.approach, reference.problem.target, dense * reference.depth, "approach");
   check(answer.worst_residual() <= tolerance_of(pair, problem), "the residuals are above the tolerance");
   if (reference.count_is_robust) check_equal(r.contacts, reference.contacts, "contacts");
-  if (halfspace && reference.load > 0 && problem.control == RC_CONTROL_DISPLACEMENT)
+  if (halfspace && reference.load > 0 && problem.control == RC_CONTROL_APPROACH)
     check_equal(r.candidates, reference.candidates, "candidates");
   if (reference.load > 0) check(pair.solver == r.solver && pair.backend == r.backend, "the result names another pair");
 }

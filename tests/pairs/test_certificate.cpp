@@ -80,7 +80,7 @@ void finds_the_approach_of_a_load(const Problem& problem, const Pair& pair) {
 
 void other_backend_agrees(const Problem& problem, const Pair& pair) {
   for (const std::string& certifier : backend_names()) {
-    if (!obstacle({pair.solver, certifier}, problem.system, RC_CONTROL_DISPLACEMENT).empty()) continue;
+    if (!obstacle({pair.solver, certifier}, problem.system, RC_CONTROL_APPROACH).empty()) continue;
     check_against_naive(problem, solved(problem, pair, {{"certify_backend", certifier}}));
   }
 }

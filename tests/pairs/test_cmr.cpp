@@ -224,7 +224,7 @@ int main(int argc, char** argv) {
       {"load_control_and_histories", load_control_and_histories},
   };
   for (const std::string& backend : backend_names())
-    if (obstacle({"cmr", backend}, scene().system, RC_CONTROL_DISPLACEMENT).empty()) {
+    if (obstacle({"cmr", backend}, scene().system, RC_CONTROL_APPROACH).empty()) {
       tests.push_back({"equals_the_full_solve/" + backend, [backend] { equals_the_full_solve({"cmr", backend}); }});
       tests.push_back({"selection_by_gaps_equals_the_full_solve/" + backend, [backend] {
                          selection_by_gaps_equals_the_full_solve({"cmr", backend});

@@ -65,7 +65,7 @@ void powers_of_two_are_exact(std::int32_t boundary, const Pair& pair) {
       check_same(other.gap, scaled(answer.gap, units.height), "gap");
       check_same({other.result.kkt_dual, other.result.kkt_complementarity},
                  {answer.result.kkt_dual, answer.result.kkt_complementarity}, "residuals");
-      check_equal(other.result.applications, answer.result.applications, "applications");
+      check_equal(other.result.products, answer.result.products, "products");
     }
   });
 }
@@ -75,7 +75,7 @@ void datum_does_not_matter(std::int32_t boundary, const Pair& pair) {
     for (const double datum : {8.0, -8.0, 1000.0}) {
       Problem shifted = problem;
       for (double& value : shifted.gap) value += datum;
-      if (problem.control == RC_CONTROL_DISPLACEMENT) shifted.target += datum;
+      if (problem.control == RC_CONTROL_APPROACH) shifted.target += datum;
       const Answer other = solved(shifted, pair, {{RC_OPT_TOL, "1e-11"}});
       check_near(other.p, answer.p, 1e-9, "p");
       check_near(other.result.approach, answer.result.approach + datum, 1e-12 * std::abs(datum), "approach");

@@ -45,7 +45,7 @@ History step_by_step(const Problem& problem, const Pair& pair, const Request& re
     history.contact_area.push_back(answer.result.contact_area);
     history.stiffness.push_back(answer.result.stiffness);
     history.certificate.push_back(answer.worst_residual());
-    history.applications.push_back(answer.result.applications);
+    history.products.push_back(answer.result.products);
     history.seen.push_back({answer.result, answer.p, answer.gap});
   }
   return history;
@@ -78,7 +78,7 @@ void fn_sees_what_is_written(std::int32_t boundary, const Pair& pair) {
     const rc_result& r = path.seen[i].result;
     check_equal(r.status, RC_OK, "status");
     check(r.approach == request.targets[i] && r.approach == path.approach[i], "another step's result");
-    check(r.load == path.load[i] && r.applications == path.applications[i], "result and outputs differ");
+    check(r.load == path.load[i] && r.products == path.products[i], "result and outputs differ");
     check_near(sum(path.seen[i].p) * problem.cell_area(), r.load, 1e-12 * r.load, "force of the pressures");
     check(path.seen[i].p[highest] == 0, "pressure under the mask");
     for (std::size_t k = 0; k < problem.points(); ++k)
@@ -90,12 +90,12 @@ void outputs_may_be_null() {
   const Problem problem = rough_problem(18, 14, RC_BOUNDARY_FREE, 1, 1);
   const Contact contact(problem, automatic);
   const Field targets = scaled(orders[0].fractions, problem.target);
-  rc_path path = RC_PATH_INIT;
-  path.control = RC_CONTROL_DISPLACEMENT;
+  rc_history path = RC_HISTORY_INIT;
+  path.control = RC_CONTROL_APPROACH;
   path.n = static_cast<std::int64_t>(targets.size());
   path.targets = targets.data();
   path.undeformed_gap = problem.gap.data();
-  check(rc_contact_solve_path(contact.handle(), &path) == RC_OK, rc_last_error());
+  check(rc_contact_solve_history(contact.handle(), &path) == RC_OK, rc_last_error());
   check_equal(path.completed, path.n, "completed steps");
   rc_step step = problem.step();
   step.undeformed_gap = nullptr;

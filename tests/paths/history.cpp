@@ -41,10 +41,10 @@ History follow(const Contact& contact, const Problem& problem, const Request& re
   const std::size_t n = request.targets.size();
   for (Field* each : {&history.load, &history.approach, &history.contact_area, &history.stiffness, &history.certificate})
     each->assign(n, blank);
-  history.applications.assign(n, -1);
+  history.products.assign(n, -1);
   Watcher watcher{history, request, problem.points()};
 
-  rc_path path = RC_PATH_INIT;
+  rc_history path = RC_HISTORY_INIT;
   path.control = request.control;
   path.warm_start = request.warm_start;
   path.n = static_cast<std::int64_t>(n);
@@ -56,11 +56,11 @@ History follow(const Contact& contact, const Problem& problem, const Request& re
   path.contact_area = history.contact_area.data();
   path.stiffness = request.with_stiffness ? history.stiffness.data() : nullptr;
   path.certificate = history.certificate.data();
-  path.applications = history.applications.data();
+  path.products = history.products.data();
   path.fn = watch;
   path.user = &watcher;
   path.completed = -1;
-  history.status = rc_contact_solve_path(contact.handle(), &path);
+  history.status = rc_contact_solve_history(contact.handle(), &path);
   history.message = rc_last_error();
   history.completed = path.completed;
   return history;
@@ -80,7 +80,7 @@ void check_status(const History& history, rc_status expected, std::int64_t compl
   check_equal(static_cast<std::int64_t>(history.seen.size()), completed, "steps that fn saw");
   for (std::size_t i = 0; i < history.load.size(); ++i) {
     const bool written = static_cast<std::int64_t>(i) < completed;
-    check((history.load[i] != blank) == written && (history.applications[i] >= 0) == written,
+    check((history.load[i] != blank) == written && (history.products[i] >= 0) == written,
           "output " + std::to_string(i) + " is " + (written ? "not written" : "written"));
   }
 }
@@ -95,7 +95,7 @@ void check_same(const History& part, const History& whole, std::size_t from, std
   compare(part.stiffness, whole.stiffness, "stiffness");
   compare(part.certificate, whole.certificate, "certificate");
   for (std::size_t i = 0; i < steps; ++i) {
-    check_equal(part.applications[i], whole.applications[from + i], "applications");
+    check_equal(part.products[i], whole.products[from + i], "products");
     pairs::check_same(part.seen[i].p, whole.seen[from + i].p, "p");
     pairs::check_same(part.seen[i].gap, whole.seen[from + i].gap, "gap");
   }

@@ -18,13 +18,13 @@ struct History {
   rc_status status = RC_ERR_INTERNAL;
   std::int64_t completed = -1;
   Field load, approach, contact_area, stiffness, certificate;
-  std::vector<std::int64_t> applications;
+  std::vector<std::int64_t> products;
   std::vector<Seen> seen;
   std::string message;
 };
 
 struct Request {
-  std::int32_t control = RC_CONTROL_DISPLACEMENT;
+  std::int32_t control = RC_CONTROL_APPROACH;
   std::int32_t warm_start = 1;
   Field targets;
   bool with_gap = true;        // else as in the step before

@@ -97,7 +97,7 @@ void larger_grids_give_the_same_bits(std::int64_t side, const Pair& pair, const 
     for (std::size_t i = 0; i < part.size(); ++i) {
       pairs::check_same(part[i].p, whole[cut + i].p, "p");
       check_equal(part[i].result.load, whole[cut + i].result.load, "load");
-      check_equal(part[i].result.applications, whole[cut + i].result.applications, "applications");
+      check_equal(part[i].result.products, whole[cut + i].result.products, "products");
     }
   }
 }

@@ -160,7 +160,7 @@ std::vector<Test> stop_tests() {
       {"a_negative_load_leaves_the_earlier_steps",
        [] { a_step_without_solution_leaves_the_earlier_ones(RC_CONTROL_LOAD, -1, "load = -1 is negative"); }},
       {"an_approach_beyond_the_mean_plane_leaves_the_earlier_steps",
-       [] { a_step_without_solution_leaves_the_earlier_ones(RC_CONTROL_DISPLACEMENT, 1e3, "reaches the mean plane"); }},
+       [] { a_step_without_solution_leaves_the_earlier_ones(RC_CONTROL_APPROACH, 1e3, "reaches the mean plane"); }},
       {"an_uncertified_step_ends_the_path", an_uncertified_step_ends_the_path},
       {"a_cancellation_between_steps_is_not_lost", a_cancellation_between_steps_is_not_lost},
       {"a_cancellation_after_the_last_step_has_nothing_to_stop", a_cancellation_after_the_last_step_has_nothing_to_stop},

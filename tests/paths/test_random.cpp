@@ -84,7 +84,7 @@ std::vector<Test> tests() {
         system.boundary = boundary;
         if (!obstacle({solver, "auto"}, system, control).empty() && !obstacle({solver, "dense"}, system, control).empty())
           continue;
-        result.push_back({solver + "/" + kind_of(system) + "/" + (control == RC_CONTROL_LOAD ? "load" : "displacement"),
+        result.push_back({solver + "/" + kind_of(system) + "/" + (control == RC_CONTROL_LOAD ? "load" : "approach"),
                           [=] { agrees_with_cold_solves(boundary, control, solver); }});
       }
   return result;

@@ -24,7 +24,7 @@ class Pressed {
     std::vector<double> gap(side * side);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = 0.1 * std::sin(0.7 * static_cast<double>(i));
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap.data();
     step.target = 0.2;
     assert_int_equal(rc_contact_solve(contact_, &step, &result_), RC_OK);
@@ -87,7 +87,7 @@ void add_solver(const Registry& registry, rc_solver& table, const char* name, de
            .name = name,
            .summary = "a test's",
            .license = "BSD-3-Clause",
-           .controls = RC_CONTROL_DISPLACEMENT,
+           .controls = RC_CONTROL_APPROACH,
            .solve = by_pivoting,
            .score = score};
   const rc_solver* const list[] = {&table};

@@ -17,7 +17,7 @@ void a_naive_backend_serves_every_solver(void**) {
   scratch.put({"toy", "toy-solver"});
   const Registry registry(scratch.path());
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
-    for (const std::int32_t control : {RC_CONTROL_DISPLACEMENT, RC_CONTROL_LOAD}) {
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
       const double wanted = registry.load("nnls", "dense", boundary, control);
       assert_true(wanted > 0);
       for (const char* solver : {"nnls", "polonsky-keer"}) assert_near(registry.load(solver, "toy", boundary, control), wanted);

@@ -104,7 +104,7 @@ class Pressed {
 
   void solve() {
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.target = 0.4 * system_.hx;
     step.undeformed_gap = gap_.data();
     result.p = p.data();
@@ -150,7 +150,7 @@ inline double load_of_matrix(double rate) {
   system.dense = h.data();
   system.dense_ld = n;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = 0.4;
   step.undeformed_gap = gap.data();
   rc_result result = RC_RESULT_INIT;

@@ -26,7 +26,7 @@ static int threads(void) {
 static rc_status solve(int64_t n, double approach, const char* backend) {
   rc_system system = RC_SYSTEM_INIT;
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   rc_result result = RC_RESULT_INIT;
   rc_options* options = NULL;
   double* const gap = malloc((size_t)(n * n) * sizeof *gap);

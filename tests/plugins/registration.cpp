@@ -139,7 +139,7 @@ template <class Change> void assert_solve_gives(rc_status expected, const char* 
   assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
   const double gap[] = {0, 0.1};
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.undeformed_gap = gap;
   step.target = 1;
   // Twice: a failed step must leave the contact usable.

@@ -43,7 +43,7 @@ class Registry {
   rc_status names(const std::string& backend) const;
   // Solves the small grid and returns the load, 0 if it is not certified.
   double load(const std::string& solver, const std::string& backend, std::int32_t boundary = RC_BOUNDARY_FREE,
-              std::int32_t control = RC_CONTROL_DISPLACEMENT) const;
+              std::int32_t control = RC_CONTROL_APPROACH) const;
   std::string origin(const std::string& backend) const;  // "" if it is not listed
   bool lists(const std::string& backend) const { return !origin(backend).empty(); }
   const std::string& log() const { return log_; }

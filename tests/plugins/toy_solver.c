@@ -1,4 +1,4 @@
-/* A complete solver as a plugin: projected gradient steps, displacement control only. */
+/* A complete solver as a plugin: projected gradient steps, approach control only. */
 #include <math.h>
 #include <roughcontact/plugin.h>
 #include <stdlib.h>
@@ -45,7 +45,7 @@ static const rc_solver solver = {.struct_size = sizeof(rc_solver),
                                  .name = "toy-solver",
                                  .summary = "projected gradient",
                                  .license = "BSD-3-Clause",
-                                 .controls = RC_CONTROL_DISPLACEMENT,
+                                 .controls = RC_CONTROL_APPROACH,
                                  .n_options = 0,
                                  .solve = solve};
 static const rc_solver* const solvers[] = {&solver};

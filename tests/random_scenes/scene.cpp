@@ -73,7 +73,7 @@ pairs::Pair random_pair(const rc_system& system, Random& random) {
   for (const std::string& backend : pairs::backend_names()) {
     const pairs::Pair pair{"haar-cg", backend};
     if (backend == "split" && std::abs(std::log2(system.hy / system.hx)) > 1.99) continue;  // which it refuses
-    if (pairs::obstacle(pair, system, RC_CONTROL_DISPLACEMENT).empty()) others.push_back(pair);
+    if (pairs::obstacle(pair, system, RC_CONTROL_APPROACH).empty()) others.push_back(pair);
   }
   return others.empty() ? production : random.one_of(others);
 }
@@ -165,7 +165,7 @@ void add_surface(Step& step, pairs::Problem& problem, double unit, Random& rando
 void make_infeasible(Step& step, const Levels& levels, bool periodic, double unit, Random& random) {
   step.expected = RC_ERR_INFEASIBLE;
   if (periodic && levels.whole && random.chance(0.5)) {
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.target = levels.mean + unit * random.uniform(0.01, 10);
   } else {
     step.control = RC_CONTROL_LOAD;
@@ -202,7 +202,7 @@ Scene random_scene(std::uint64_t seed, std::uint64_t number) {
     if (k == 0 || random.chance(0.3)) add_surface(step, problem, unit, random);
     surface = step.gap.empty() ? surface : step.surface;
     const Levels levels = levels_of(problem);
-    step.control = random.chance(0.5) ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+    step.control = random.chance(0.5) ? RC_CONTROL_LOAD : RC_CONTROL_APPROACH;
     step.target = step.control == RC_CONTROL_LOAD ? random_load(levels, problem, unit, random)
                                                   : random_approach(levels, periodic, unit, random);
     if (random.chance(0.01)) make_infeasible(step, levels, periodic, unit, random);

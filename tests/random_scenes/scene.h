@@ -24,7 +24,7 @@ struct Step {
   std::string surface;  // its family
   Field gap;            // empty: as in the step before
   std::vector<std::uint8_t> mask;
-  std::int32_t control = RC_CONTROL_DISPLACEMENT;
+  std::int32_t control = RC_CONTROL_APPROACH;
   double target = 0;
   bool warm = true;
   Start start;

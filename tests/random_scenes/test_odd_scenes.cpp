@@ -38,7 +38,7 @@ void hardly_more_products_than_plain_iterations(const Slice& slice) {
     // nnls counts a product for each point that it adds, of a few points.
     if (std::string(found.result.solver) == "nnls") continue;
     ++certified;
-    const std::int64_t a = found.result.applications, b = by_plain.result.applications;
+    const std::int64_t a = found.result.products, b = by_plain.result.products;
     ours += a;
     plain += b;
     most = std::max(most, a);

@@ -31,7 +31,7 @@ struct Slice {
 
 std::string residuals(const pairs::Answer& answer) {
   const rc_result& r = answer.result;
-  return std::string(rc_status_name(answer.status)) + ", products " + std::to_string(r.applications) + ", contacts " +
+  return std::string(rc_status_name(answer.status)) + ", products " + std::to_string(r.products) + ", contacts " +
          std::to_string(r.contacts) + ", kkt " + text(r.kkt_primal) + " " + text(r.kkt_dual) + " " + text(r.kkt_complementarity) +
          " " + text(r.kkt_control);
 }
@@ -47,10 +47,9 @@ class Record {
   explicit Record(std::int64_t above) : above_(above) {}
   void add(const Scene& scene, const Step& step, const pairs::Answer& answer) {
     const std::lock_guard lock(mutex_);
-    if (answer.result.applications > above_)
-      std::fprintf(stderr, "%s\n", line(scene, step.name + ": " + residuals(answer)).c_str());
+    if (answer.result.products > above_) std::fprintf(stderr, "%s\n", line(scene, step.name + ": " + residuals(answer)).c_str());
     products_[pairs::group_name(scene.pair, scene.problem.system, step.control)].push_back(
-        {answer.result.applications, scene.number});
+        {answer.result.products, scene.number});
     // Notes are counted by their text before the first number.
     std::string_view note = answer.result.note;
     for (std::size_t end = 0; !note.empty(); note.remove_prefix(std::min(end + 2, note.size()))) {

@@ -65,7 +65,7 @@ Field Verification::gap_of(const pairs::Problem& problem, const pairs::Answer& a
     return gap;
   }
   pairs::Problem given = problem;
-  given.control = RC_CONTROL_DISPLACEMENT;
+  given.control = RC_CONTROL_APPROACH;
   given.target = answer.result.approach;
   // Full periodic contact has no approach that could be prescribed: the gap is the same up to a constant.
   const rc_step step = given.step();
@@ -105,7 +105,7 @@ void Verification::check(const pairs::Problem& problem, const pairs::Answer& ans
   pairs::check_near(r.load, load, 1e-12 * load, "load");
   if (problem.control == RC_CONTROL_LOAD)
     pairs::check_near(load, problem.target, (tol_ + 1e-12) * problem.target, "load against its target");
-  if (problem.control == RC_CONTROL_DISPLACEMENT)
+  if (problem.control == RC_CONTROL_APPROACH)
     pairs::check(r.approach == problem.target, "the approach is not the prescribed one");
 }
 

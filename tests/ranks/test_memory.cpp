@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   constexpr std::int32_t free = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PERIODIC, load = RC_CONTROL_LOAD;
   const scene dense[] = {{"dense", 64, 72, free, load, 0.05, 0, holes, "mixed", 0, 2, nullptr},
-                         {"dense, periodic", 64, 64, periodic, RC_CONTROL_DISPLACEMENT, 0.04, 0, whole, "double", 0, 0, nullptr},
+                         {"dense, periodic", 64, 64, periodic, RC_CONTROL_APPROACH, 0.04, 0, whole, "double", 0, 0, nullptr},
                          {"coarse grids", 300, 280, free, load, 0.4, 0, whole, "mixed", 0, 0, nullptr},
                          {"alike", 20, 24, free, load, 0.05, 0, holes, "mixed", 0, 0, nullptr}};
   const scene sparse[] = {{"sparse", 520, 512, free, load, 0.01, 0, holes, "mixed", 0, 0, nullptr},

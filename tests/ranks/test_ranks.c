@@ -28,7 +28,7 @@ static uint64_t digest_of(rc_result result) {
                             result.kkt_control, result.duality_gap,     result.load_lower,     result.load_upper,
                             result.area_lower,  result.area_upper,      result.plastic_volume, result.tolerance,
                             result.stiffness,   result.stiffness_lower, result.stiffness_upper};
-  const int64_t counts[] = {result.status,   result.iterations,      result.applications, result.points,    result.candidates,
+  const int64_t counts[] = {result.status,   result.iterations,      result.products, result.points,    result.candidates,
                             result.modelled, result.contacts,        result.proven_open,  result.undecided, result.capped,
                             result.levels,   result.proven_contacts, result.proven_capped};
   uint64_t hash = 0xcbf29ce484222325u;
@@ -234,7 +234,7 @@ static void history(const scene* s) {
   const rows r = rows_of(s, first, count);
   watched of = {s, count};
   for (int i = 0; i < steps; ++i) targets[i] = shares[i] * s->target;
-  rc_path path = RC_PATH_INIT;
+  rc_history path = RC_HISTORY_INIT;
   path.control = s->control;
   path.n = steps;
   path.targets = targets;
@@ -245,7 +245,7 @@ static void history(const scene* s) {
   path.fn = watch;
   path.user = &of;
   check(rc_mpi_contact_create(MPI_COMM_WORLD, &system, NULL, &contact) == RC_OK, s->name, "create");
-  check(rc_mpi_contact_solve_path(contact, &path) == RC_OK, s->name, "history");
+  check(rc_mpi_contact_solve_history(contact, &path) == RC_OK, s->name, "history");
   check(path.completed == steps, s->name, "steps");
   for (int i = 0; i < steps; ++i) {
     check(fabs(loads[i] - targets[i]) <= 1e-7 * targets[i], s->name, "loads");

@@ -79,7 +79,7 @@ Answer pressed(rc_contact* contact, double approach) {
   Answer answer;
   answer.p.resize(static_cast<std::size_t>(side * side));
   rc_step step = RC_STEP_INIT;
-  step.control = RC_CONTROL_DISPLACEMENT;
+  step.control = RC_CONTROL_APPROACH;
   step.target = approach;
   step.undeformed_gap = hills().data();
   rc_result result = RC_RESULT_INIT;

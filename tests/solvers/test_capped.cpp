@@ -51,11 +51,10 @@ void products_are_those_of_elastic_contacts() {
       const Problem problem = rough(side, side, boundary, mean);
       const Answer elastic = solved(problem, haar, settings), plastic = solved(capped(problem, hardness), haar, settings);
       const std::string scene = std::string(problem.periodic() ? "periodic" : "free") + ", mean pressure " + text(mean);
-      report(scene + ": " + std::to_string(plastic.result.applications) + " products, " +
-             std::to_string(elastic.result.applications) + " without a hardness, " + std::to_string(plastic.result.capped) +
-             " points at it");
+      report(scene + ": " + std::to_string(plastic.result.products) + " products, " + std::to_string(elastic.result.products) +
+             " without a hardness, " + std::to_string(plastic.result.capped) + " points at it");
       check(plastic.result.capped > 0, scene + ": no point is at the hardness");
-      check(static_cast<double>(plastic.result.applications) <= most_excess * static_cast<double>(elastic.result.applications),
+      check(static_cast<double>(plastic.result.products) <= most_excess * static_cast<double>(elastic.result.products),
             scene + ": too many products");
       check(std::string(plastic.result.note).empty() || std::string(plastic.result.note).find("haar-cg") == std::string::npos,
             scene + ": " + plastic.result.note);
@@ -68,11 +67,11 @@ void a_hardness_out_of_reach_changes_no_bit() {
       Problem problem = rough(side, side + 3, boundary, 0.01);
       if (!by_load) {
         problem.target = solved(problem, haar, settings).result.approach;
-        problem.control = RC_CONTROL_DISPLACEMENT;
+        problem.control = RC_CONTROL_APPROACH;
       }
       const Answer elastic = solved(problem, haar, settings), plastic = solved(capped(problem, 100), haar, settings);
       check_same(plastic.p, elastic.p, "pressures");
-      check_equal(plastic.result.applications, elastic.result.applications, "products");
+      check_equal(plastic.result.products, elastic.result.products, "products");
     }
 }
 
@@ -85,7 +84,7 @@ void threads_do_not_change_a_bit() {
         if (!obstacle(pair, problem.system, problem.control).empty()) continue;
         if (!by_load) {
           problem.target = solved(problem, haar, settings).result.approach;
-          problem.control = RC_CONTROL_DISPLACEMENT;
+          problem.control = RC_CONTROL_APPROACH;
         }
         const auto with = [&](const char* threads) {
           return solved(problem, pair, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_DETERMINISTIC, "1"}, {RC_OPT_THREADS, threads}});
@@ -96,7 +95,7 @@ void threads_do_not_change_a_bit() {
           const Answer shared = with(threads);
           check_same(shared.p, alone.p, "pressures");
           check_same(shared.gap, alone.gap, "gap");
-          check_equal(shared.result.applications, alone.result.applications, "products");
+          check_equal(shared.result.products, alone.result.products, "products");
         }
       }
 }
@@ -107,21 +106,21 @@ void half_of_the_contact_at_the_hardness_by_polonsky_and_keer() {
   for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
     for (const bool by_load : {true, false}) {
       Problem problem = rough(64, 67, boundary, 0.075);
-      const double elastic = static_cast<double>(solved(problem, keer, settings).result.applications);
+      const double elastic = static_cast<double>(solved(problem, keer, settings).result.products);
       problem = capped(problem, hardness);
       const Answer expected = solved(problem, haar, settings);
       if (!by_load) {
         problem.target = expected.result.approach;
-        problem.control = RC_CONTROL_DISPLACEMENT;
+        problem.control = RC_CONTROL_APPROACH;
       }
       const Answer answer = solved(problem, keer, settings);
       const double share = static_cast<double>(answer.result.capped) / static_cast<double>(answer.result.contacts);
       report(std::string(problem.periodic() ? "periodic" : "free") + (by_load ? ", load" : ", approach") + ": " + text(share) +
-             " of the contact at the hardness, " + std::to_string(answer.result.applications) + " products, " + text(elastic) +
+             " of the contact at the hardness, " + std::to_string(answer.result.products) + " products, " + text(elastic) +
              " without a hardness");
       check(share > 0.35 && share < 0.65, "half of the contact is at the hardness");
       check_near(answer.p, expected.p, 1e-5 * hardness, "p");
-      check(static_cast<double>(answer.result.applications) <= 2 * elastic, "too many products");
+      check(static_cast<double>(answer.result.products) <= 2 * elastic, "too many products");
     }
 }
 
@@ -133,7 +132,7 @@ void all_points_at_the_hardness() {
       const Answer answer = solved(problem, haar, settings);
       check_near(answer.result.load, problem.target, 1e-8 * problem.target, "load");
       report(std::to_string(answer.result.capped) + " of " + std::to_string(answer.result.points) + " points at the hardness, " +
-             std::to_string(answer.result.applications) + " products");
+             std::to_string(answer.result.products) + " products");
     }
 }
 

@@ -16,7 +16,7 @@ constexpr double most = 1.5;        // products of haar-cg over those of polonsk
 constexpr std::int64_t spare = 15;  // products by which small counts may differ
 
 std::int64_t products(const Problem& problem, const char* solver) {
-  return solved(problem, {solver, "fft"}, {{RC_OPT_TOL, "1e-6"}}).result.applications;
+  return solved(problem, {solver, "fft"}, {{RC_OPT_TOL, "1e-6"}}).result.products;
 }
 
 void check_products(const Problem& problem, const std::string& what) {

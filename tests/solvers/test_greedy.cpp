@@ -58,14 +58,14 @@ void failure_is_told(const Problem& problem, const std::string& inner, const std
 
 void others_solve_it(const Problem& problem, const Answer& reference) {
   for (const Pair& pair : all_pairs()) {
-    if (pair.solver == "greedy" || !obstacle(pair, problem.system, RC_CONTROL_DISPLACEMENT).empty()) continue;
+    if (pair.solver == "greedy" || !obstacle(pair, problem.system, RC_CONTROL_APPROACH).empty()) continue;
     check_near(solved(problem, pair).p, reference.p, 1e-9, pair.name());
   }
 }
 
 void repair_solves_it(const Problem& problem, const Answer& reference) {
   for (const char* backend : {"dense", "fft"}) {
-    if (!obstacle({"greedy", backend}, problem.system, RC_CONTROL_DISPLACEMENT).empty()) continue;
+    if (!obstacle({"greedy", backend}, problem.system, RC_CONTROL_APPROACH).empty()) continue;
     const Answer answer = solved(problem, {"greedy", backend}, {{"greedy.repair", "1"}});
     check_near(answer.p, reference.p, 1e-9, "p");
     check(std::string(answer.result.note).find("nnls has repaired it") != std::string::npos,
@@ -89,7 +89,7 @@ void refusals() {
     check_status(answer, RC_ERR_INCOMPATIBLE);
     check(answer.message.find(word) != std::string::npos, "the message does not name " + word + ": " + answer.message);
   };
-  if (!obstacle({"greedy", "fft"}, problem.system, RC_CONTROL_DISPLACEMENT).empty()) throw Skipped("there is no backend fft");
+  if (!obstacle({"greedy", "fft"}, problem.system, RC_CONTROL_APPROACH).empty()) throw Skipped("there is no backend fft");
   refused({{"greedy.inner", "gauss-seidel"}}, "4200 of at most 4096");
   refused({{"greedy.inner", "cholesky"}, {RC_OPT_ALLOW_FALLBACK, "0"}}, "greedy.inner = cg");
 }

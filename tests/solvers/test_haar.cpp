@@ -55,7 +55,7 @@ void same_bits_for_any_threads(const Problem& problem, const Pair& pair, const c
     const Answer shared = with(threads);
     check_same(shared.p, alone.p, "pressures");
     check_same(shared.gap, alone.gap, "gap");
-    check_equal(shared.result.applications, alone.result.applications, "products");
+    check_equal(shared.result.products, alone.result.products, "products");
   }
 }
 
@@ -76,9 +76,9 @@ void a_coarse_start_saves_products() {
   const Problem problem = rugged(side, side, 0.8);
   const Answer nested = solved(problem, haar), plain = solved(problem, haar, {{"haar-cg.nested", "0"}});
   check_near(nested.p, plain.p, 1e-8, "pressures");
-  report("products " + std::to_string(nested.result.applications) + " after a coarse start, " +
-         std::to_string(plain.result.applications) + " without");
-  check(nested.result.applications < plain.result.applications, "the coarse start saves nothing");
+  report("products " + std::to_string(nested.result.products) + " after a coarse start, " +
+         std::to_string(plain.result.products) + " without");
+  check(nested.result.products < plain.result.products, "the coarse start saves nothing");
 }
 
 void load_control_costs_little_more() {
@@ -88,14 +88,14 @@ void load_control_costs_little_more() {
       const Answer by_approach = solved(problem, haar, {{RC_OPT_TOL, "1e-8"}});
       const Answer by_load = solved(at_load(problem, by_approach.result.load), haar, {{RC_OPT_TOL, "1e-8"}});
       report(text(100 * share_in_contact(by_approach)) + " % in contact: products " +
-             std::to_string(by_approach.result.applications) + " by approach, " + std::to_string(by_load.result.applications) +
+             std::to_string(by_approach.result.products) + " by approach, " + std::to_string(by_load.result.products) +
              " by load");
       // With a product to confirm each residual a free one takes 26, without blocks across the border a periodic one 39.
       const std::int64_t most = boundary == RC_BOUNDARY_FREE ? 25 : 30;
-      check(std::max(by_approach.result.applications, by_load.result.applications) <= most, "more products than needed");
-      check(static_cast<double>(by_load.result.applications) <= 1.4 * static_cast<double>(by_approach.result.applications),
+      check(std::max(by_approach.result.products, by_load.result.products) <= most, "more products than needed");
+      check(static_cast<double>(by_load.result.products) <= 1.4 * static_cast<double>(by_approach.result.products),
             "load control takes many more products");
-      check(static_cast<double>(by_approach.result.applications) <= 1.2 * static_cast<double>(by_load.result.applications),
+      check(static_cast<double>(by_approach.result.products) <= 1.2 * static_cast<double>(by_load.result.products),
             "a prescribed approach takes many more products");
       check_near(by_load.result.approach, problem.target, 1e-6 * problem.target, "approach");
     }
@@ -123,9 +123,9 @@ void counts_stay_low(Problem problem, double load) {
   const Answer by_load = solved(at_load(problem, load), haar, {{RC_OPT_TOL, "1e-8"}});
   problem.target = by_load.result.approach;
   const Answer by_approach = solved(problem, haar, {{RC_OPT_TOL, "1e-8"}});
-  report(text(100 * share_in_contact(by_load)) + " % in contact: products " + std::to_string(by_load.result.applications) +
-         " by load, " + std::to_string(by_approach.result.applications) + " by approach");
-  check(std::max(by_load.result.applications, by_approach.result.applications) <= 30, "more products than needed");
+  report(text(100 * share_in_contact(by_load)) + " % in contact: products " + std::to_string(by_load.result.products) +
+         " by load, " + std::to_string(by_approach.result.products) + " by approach");
+  check(std::max(by_load.result.products, by_approach.result.products) <= 30, "more products than needed");
 }
 
 // A third of the points in contact, in many small parts, on a surface whose points are those of half the grid, each four times.
@@ -161,8 +161,8 @@ void a_large_step_costs_hardly_more_than_a_cold_one() {
     check_status(contact.solve(at_load(problem, 0.3 * load)), RC_OK, "first step");
     const Answer warm = contact.solve(at_load(problem, load)), cold = solved(at_load(problem, load), haar);
     check_near(warm.p, cold.p, 1e-8, "pressures");
-    report("products " + std::to_string(warm.result.applications) + ", cold " + std::to_string(cold.result.applications));
-    check(static_cast<double>(warm.result.applications) <= 1.1 * static_cast<double>(cold.result.applications),
+    report("products " + std::to_string(warm.result.products) + ", cold " + std::to_string(cold.result.products));
+    check(static_cast<double>(warm.result.products) <= 1.1 * static_cast<double>(cold.result.products),
           "a step takes many more products than a cold solve");
   }
 }
@@ -206,8 +206,8 @@ void steps_near_each_other_take_few_products() {
       check_near(near.p, slow.p, 1e-6, "pressures");
       check_same(same.p, near.p, "pressures of three threads");
       if (step < 20) continue;
-      products += near.result.applications;
-      without += slow.result.applications;
+      products += near.result.products;
+      without += slow.result.products;
     }
     report("products " + std::to_string(products) + " in 40 steps, without " + std::to_string(without));
     check(5 * products < 2 * without, "steps near each other are no cheaper");
@@ -226,8 +226,8 @@ void full_contact_is_no_harder() {
   const auto products = [](double depth, double least_share) {
     const Answer answer = solved(rugged(side, side, depth), haar, {{RC_OPT_TOL, "1e-8"}});
     check(share_in_contact(answer) >= least_share, "only " + text(share_in_contact(answer)) + " in contact");
-    report(text(100 * share_in_contact(answer)) + " % in contact: " + std::to_string(answer.result.applications) + " products");
-    return answer.result.applications;
+    report(text(100 * share_in_contact(answer)) + " % in contact: " + std::to_string(answer.result.products) + " products");
+    return answer.result.products;
   };
   const std::int64_t usual = products(1.8, 0.2);
   check(products(8, 0.97) <= usual + 2, "nearly full contact takes more products");

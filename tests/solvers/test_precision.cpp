@@ -27,7 +27,7 @@ void certificates_agree() {
     for (const Problem& problem : {by_approach, at_load(by_approach, load)}) {
       const Answer given = solved(problem, {"haar-cg", "fft"}, single);
       Problem same = problem;
-      same.control = RC_CONTROL_DISPLACEMENT;
+      same.control = RC_CONTROL_APPROACH;
       same.target = given.result.approach;
       for (const char* backend : {"fft", "dense"}) {
         if (std::string(backend) == "dense" && problem.points() > 5000) continue;

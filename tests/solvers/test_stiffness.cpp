@@ -25,10 +25,10 @@ Problem rugged(std::int64_t nx, std::int64_t ny, double depth, std::int32_t boun
 void check_extra_products(const Problem& problem, const Pair& pair) {
   const Answer without = solved(problem, pair, {{RC_OPT_TOL, "1e-8"}}),
                with = solved(problem, pair, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, "1"}});
-  const std::int64_t extra = with.result.applications - without.result.applications;
-  report(pair.solver + ", " + pair.backend + ": " + std::to_string(without.result.applications) + " products, " +
+  const std::int64_t extra = with.result.products - without.result.products;
+  report(pair.solver + ", " + pair.backend + ": " + std::to_string(without.result.products) + " products, " +
          std::to_string(extra) + " more for the stiffness of " + std::to_string(with.result.contacts) + " points");
-  check(2 * extra <= without.result.applications, "too many products");
+  check(2 * extra <= without.result.products, "too many products");
   check(extra >= 5, "a residual of 1e-8 takes more products");
 }
 
@@ -50,7 +50,7 @@ void a_warm_step_stays_cheap() {
       Contact contact(problem, {"haar-cg", "fft"}, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, std::to_string(with)}});
       contact.solve(problem);
       problem.target *= 1.001;
-      products[with] = contact.solve(problem).result.applications;
+      products[with] = contact.solve(problem).result.products;
       problem.target /= 1.001;
     }
     report("a warm step takes " + std::to_string(products[0]) + " products, with its stiffness " + std::to_string(products[1]));
@@ -67,7 +67,7 @@ void a_stiffness_is_right_to_the_tolerance() {
       const double exact = solved(problem, {"nnls", "dense"}, settings).result.stiffness;
       for (const char* backend : {"fft", "split"}) {
         const Pair pair{"haar-cg", backend};
-        if (!obstacle(pair, problem.system, RC_CONTROL_DISPLACEMENT).empty()) continue;
+        if (!obstacle(pair, problem.system, RC_CONTROL_APPROACH).empty()) continue;
         check_near(solved(problem, pair, settings).result.stiffness, exact, 1e-9 * exact, backend);
       }
     }

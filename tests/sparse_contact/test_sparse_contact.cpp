@@ -36,7 +36,7 @@ void check_against_all_points(const Problem& problem, const char* what) {
   check_near(sparse.result.energy, all.result.energy, 1e-7 * std::abs(all.result.energy), "energy");
   check(sparse.result.contacts > 0 && sparse.result.contacts <= sparse.result.points / 20, "contact is sparse");
   check(std::abs(sparse.result.contacts - all.result.contacts) <= 1 + all.result.contacts / 1000, "contacts");
-  if (problem.control == RC_CONTROL_DISPLACEMENT) {
+  if (problem.control == RC_CONTROL_APPROACH) {
     check_equal(sparse.result.candidates, all.result.candidates, "candidates");
     check(sparse.result.load_lower <= all.result.load_upper && all.result.load_lower <= sparse.result.load_upper,
           "load interval");
@@ -49,7 +49,7 @@ void check_against_all_points(const Problem& problem, const char* what) {
 }
 
 void agrees(const Problem& problem) {
-  check_against_all_points(problem, "displacement control");
+  check_against_all_points(problem, "approach control");
   check_against_all_points(at_load_of(problem, sparse_contact::solved(problem, few_on(problem))), "load control");
 }
 
@@ -176,7 +176,7 @@ void a_second_step_starts_from_the_first() {
   const Sparse second = contact.solve(again);
   check(first.status == RC_OK && second.status == RC_OK, second.message);
   check_near(second.everywhere(), sparse_contact::solved(again, "split").everywhere(), 1e-6, "pressures");
-  check(second.result.applications < first.result.applications, "products of a step that changes little");
+  check(second.result.products < first.result.products, "products of a step that changes little");
 }
 
 // Even steps, the first two of which start on coarser grids. Without the line all of them do, and take what cold ones take.
@@ -198,8 +198,8 @@ void further_steps_start_on_the_line_through_the_last_two() {
       check(found.status == RC_OK, found.message);
       check_near(found.everywhere(), alone.everywhere(), 1e-6, "pressures");
       if (k < 2) continue;
-      warm += found.result.applications;
-      cold += alone.result.applications;
+      warm += found.result.products;
+      cold += alone.result.products;
     }
     report(std::string(by_load ? "by load: " : "by approach: ") + std::to_string(warm) + " products, cold " +
            std::to_string(cold));

@@ -88,7 +88,7 @@ static void solve_all(const char* backend) {
         system.hardness = hard ? 0.25 : 0;
         make_surface(&system, rough);
         for (size_t i = 0; i + (rough == 0) < sizeof solvers / sizeof *solvers; ++i) {
-          solve(&system, solvers[i], backend, RC_CONTROL_DISPLACEMENT, periodic ? 0.3 : 0.5);
+          solve(&system, solvers[i], backend, RC_CONTROL_APPROACH, periodic ? 0.3 : 0.5);
           solve(&system, solvers[i], backend, RC_CONTROL_LOAD, 10);
         }
       }
@@ -126,11 +126,11 @@ static void make_mistakes(void) {
     solve(&system, "auto", "auto", RC_CONTROL_LOAD, -wrong[i]);
   }
   gap[3] = -gap[1] / 0.0;
-  solve(&system, "auto", "auto", RC_CONTROL_DISPLACEMENT, 1);
-  solve(&system, "autp", "auto", RC_CONTROL_DISPLACEMENT, 1);
-  solve(&system, "auto", "../dense", RC_CONTROL_DISPLACEMENT, 1);
+  solve(&system, "auto", "auto", RC_CONTROL_APPROACH, 1);
+  solve(&system, "autp", "auto", RC_CONTROL_APPROACH, 1);
+  solve(&system, "auto", "../dense", RC_CONTROL_APPROACH, 1);
   system.nx = INT64_MAX;
-  solve(&system, "auto", "auto", RC_CONTROL_DISPLACEMENT, 1);
+  solve(&system, "auto", "auto", RC_CONTROL_APPROACH, 1);
   rc_options_create(NULL, &options);
   static const char* const pairs[][2] = {{"tol", "2,5"},     {"tol", "1e-400"},          {"tol", " 1"},
                                          {"threads", "0"},   {"threads", "99999999999"}, {"max_iter", "9223372036854775808"},

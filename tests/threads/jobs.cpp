@@ -28,15 +28,15 @@ std::vector<double> surface() {
 
 const std::vector<Job>& jobs() {
   const std::int32_t half_space = RC_OPERATOR_HALFSPACE, free = RC_BOUNDARY_FREE, periodic = RC_BOUNDARY_PERIODIC;
-  const std::int32_t displacement = RC_CONTROL_DISPLACEMENT, load = RC_CONTROL_LOAD;
+  const std::int32_t approach = RC_CONTROL_APPROACH, load = RC_CONTROL_LOAD;
   static const std::vector<Job> all = {
-      {{{"backend", "fft"}, {"solver", "polonsky-keer"}, {"threads", "2"}}, half_space, free, displacement},
+      {{{"backend", "fft"}, {"solver", "polonsky-keer"}, {"threads", "2"}}, half_space, free, approach},
       {{{"backend", "dense"}, {"solver", "nnls"}, {"kernel", "galerkin"}}, half_space, free, load},
       {{{"backend", "fft"}, {"solver", "polonsky-keer"}}, half_space, periodic, load},
-      {{{"backend", "callback"}, {"solver", "polonsky-keer"}}, RC_OPERATOR_CALLBACK, free, displacement},
-      {{{"backend", "fft"}, {"solver", "nnls"}, {"kernel", "disc"}, {"stiffness", "1"}}, half_space, free, displacement},
+      {{{"backend", "callback"}, {"solver", "polonsky-keer"}}, RC_OPERATOR_CALLBACK, free, approach},
+      {{{"backend", "fft"}, {"solver", "nnls"}, {"kernel", "disc"}, {"stiffness", "1"}}, half_space, free, approach},
       {{{"backend", "dense"}, {"solver", "polonsky-keer"}, {"certify_backend", "fft"}}, half_space, free, load},
-      {{{"backend", "dense"}, {"solver", "nnls"}}, half_space, periodic, displacement},
+      {{{"backend", "dense"}, {"solver", "nnls"}}, half_space, periodic, approach},
       {{{"backend", "fft"}, {"solver", "polonsky-keer"}, {"threads", "2"}, {"fft.precision", "mixed"}, {"kernel", "punch"}},
        half_space,
        free,

@@ -106,8 +106,8 @@ struct Watcher {
 
   static std::int32_t see(const rc_progress* progress, void* user) {
     Watcher& self = *static_cast<Watcher*>(user);
-    self.strayed = self.strayed || std::this_thread::get_id() != self.thread || progress->applications < self.last;
-    self.last = progress->applications;
+    self.strayed = self.strayed || std::this_thread::get_id() != self.thread || progress->products < self.last;
+    self.last = progress->products;
     ++self.calls;
     return 0;
   }
@@ -155,7 +155,7 @@ void another_thread_cancels(void**) {
       rc_contact_cancel(made);
     });
     rc_step step = RC_STEP_INIT;
-    step.control = RC_CONTROL_DISPLACEMENT;
+    step.control = RC_CONTROL_APPROACH;
     step.undeformed_gap = gap.data();
     step.target = 1;
     rc_result result = RC_RESULT_INIT;
@@ -179,7 +179,7 @@ void a_contact_serves_one_thread_and_tells_the_others(void**) {
   together([&](int member) -> std::string {
     for (int round = 0; round < rounds(60); ++round) {
       rc_step step = RC_STEP_INIT;
-      step.control = RC_CONTROL_DISPLACEMENT;
+      step.control = RC_CONTROL_APPROACH;
       step.undeformed_gap = gap.data();
       step.target = 0.2 + 0.1 * member;
       rc_result result = RC_RESULT_INIT;

@@ -4,7 +4,7 @@ import json
 import harness
 from harness import CommandTest, gsf, np, rough, without_gnuplot
 
-PRESS = ["--modulus", "1GPa", "--displacement", "0,1.5e-7"]
+PRESS = ["--modulus", "1GPa", "--approach", "0,1.5e-7"]
 
 
 class Bodies(CommandTest):
@@ -61,11 +61,11 @@ class Bodies(CommandTest):
     def test_resumed_with_another_body(self):
         self.npy(rough(seed=1), "one.npy"), self.npy(rough(seed=2), "other.npy"), self.npy(rough(seed=3), "third.npy")
         common = ["solve", "one.npy", "--pitch", "1um", "--modulus", "1GPa", "--out", "out", "--quiet"]
-        self.run_command(*common, "--against", "other.npy", "--displacement", "1e-7", env=without_gnuplot())
+        self.run_command(*common, "--against", "other.npy", "--approach", "1e-7", env=without_gnuplot())
         (self.folder / "other.npy").rename(self.folder / "moved.npy")
-        done = self.run_command(*common, "--against", "moved.npy", "--displacement", "1e-7,2e-7", "--resume", env=without_gnuplot())
+        done = self.run_command(*common, "--against", "moved.npy", "--approach", "1e-7,2e-7", "--resume", env=without_gnuplot())
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assert_fails(*common, "--against", "third.npy", "--displacement", "1e-7,2e-7", "--resume", says="checksum")
+        self.assert_fails(*common, "--against", "third.npy", "--approach", "1e-7,2e-7", "--resume", says="checksum")
 
     def test_shapes(self):
         ny, nx = 40, 56
@@ -76,7 +76,7 @@ class Bodies(CommandTest):
                             ("cylinder:axis=y,R=0.001", np.sqrt(1e-6 - x**2) - 1e-3 + 0 * y), ("wedge:angle=5deg,axis=y", -np.abs(x) * np.tan(np.radians(5)) + 0 * y),
                             ("wedge:angle=10mrad", -np.abs(y) * np.tan(0.01) + 0 * x)):
             z = base + shape
-            summary, gap, _ = self.solved("surface.npy", "--pitch", "1um,2um", "--shape", text, press=["--modulus", "1GPa", "--displacement", "0"])
+            summary, gap, _ = self.solved("surface.npy", "--pitch", "1um,2um", "--shape", text, press=["--modulus", "1GPa", "--approach", "0"])
             np.testing.assert_allclose(-gap, z - z.max(), atol=1e-9 * np.ptp(z))
             self.assertEqual(summary["input"]["shape"], text)
         # After the form is removed, which would else be the shape's.
@@ -85,7 +85,7 @@ class Bodies(CommandTest):
 
     def test_smooth_sphere_is_hertz(self):
         self.npy(np.zeros((48, 48)))
-        summary, _, _ = self.solved("surface.npy", "--pitch", "1um", "--shape", "sphere:R=1mm", press=["--modulus", "70GPa", "--displacement", "256nm"])
+        summary, _, _ = self.solved("surface.npy", "--pitch", "1um", "--shape", "sphere:R=1mm", press=["--modulus", "70GPa", "--approach", "256nm"])
         self.assertAlmostEqual(summary["steps"][0]["load"] / (4 / 3 * 70e9 * 1e-3**0.5 * 256e-9**1.5), 1, delta=0.01)
 
     def test_shapes_refused(self):

@@ -9,7 +9,7 @@ import harness
 from harness import CommandTest, gsf, np, paraboloid, rough, without_gnuplot
 
 STEP_FIELDS = """status approach load mean_pressure area_fraction contacts candidates stiffness kkt_primal kkt_dual
-    kkt_complementarity kkt_control iterations applications seconds setup_seconds solver backend""".split()
+    kkt_complementarity kkt_control iterations products seconds setup_seconds solver backend""".split()
 INPUT_FIELDS = "file nx ny hx hy modulus boundary control targets options library_version".split()
 
 
@@ -31,7 +31,7 @@ class Answers(CommandTest):
 
     def test_sphere_is_hertz(self):
         radius, modulus, approach = 1e-3, 70e9, 2.56e-7  # contact radius of 16 cells
-        (step,) = self.steps(self.npy(paraboloid(radius=radius)), "--pitch", 1e-6, "--modulus", modulus, "--displacement", approach)
+        (step,) = self.steps(self.npy(paraboloid(radius=radius)), "--pitch", 1e-6, "--modulus", modulus, "--approach", approach)
         self.assertEqual(step["status"], "RC_OK")
         self.assertAlmostEqual(step["load"] / (4 / 3 * modulus * radius**0.5 * approach**1.5), 1, delta=0.01)
         self.assertAlmostEqual(step["stiffness"] / (2 * modulus * (radius * approach) ** 0.5), 1, delta=0.03)
@@ -41,16 +41,16 @@ class Answers(CommandTest):
         self.assertAlmostEqual(pressure.sum() * 1e-12 / step["load"], 1, delta=1e-12)
 
     def test_gap_is_complementary_to_pressure(self):
-        self.steps(self.npy(rough()), "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--displacement", 1.5e-7)
+        self.steps(self.npy(rough()), "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--approach", 1.5e-7)
         pressure, gap = (np.load(self.folder / ("out/%s-1.npy" % name)) for name in ("pressure", "gap"))
         self.assertGreaterEqual(pressure.min(), 0)
         self.assertGreater(gap.min(), -1e-7 * 1.5e-7)
         self.assertLess(np.abs(gap[pressure > 0.01 * pressure.max()]).max(), 1e-7 * 1.5e-7)
 
-    def test_load_fed_back_recovers_the_displacement(self):
+    def test_load_fed_back_recovers_the_approach(self):
         surface = self.npy(rough())
         common = [surface, "--pitch", "1e-6,2e-6", "--modulus", "1e9"]
-        pressed = self.steps(*common, "--displacement", "1e-7:3e-7:3")
+        pressed = self.steps(*common, "--approach", "1e-7:3e-7:3")
         loads = ",".join(repr(step["load"]) for step in pressed)
         for there, back in zip(pressed, self.steps(*common, "--load", loads)):
             self.assertAlmostEqual(back["approach"] / there["approach"], 1, delta=1e-7)
@@ -63,24 +63,24 @@ class Answers(CommandTest):
 
     def test_unit_scales_every_length(self):
         z = rough()
-        (metres,) = self.steps(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--displacement", 1.5e-7)
+        (metres,) = self.steps(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", 1e9, "--approach", 1.5e-7)
         for unit, factor in (("um", 1e6), ("nm", 1e9), ("mm", 1e3), ("pm", 1e12), ("\u00b5m", 1e6)):
             (step,) = self.steps(self.npy(z * factor), "--unit", unit, "--pitch", "%r,%r" % (1e-6 * factor, 2e-6 * factor),
-                                 "--modulus", 1e9, "--displacement", 1.5e-7 * factor)
+                                 "--modulus", 1e9, "--approach", 1.5e-7 * factor)
             self.assertAlmostEqual(step["load"] / metres["load"], 1, delta=1e-7)
             self.assertAlmostEqual(step["approach"] / 1.5e-7, 1, delta=1e-12)
 
     def test_young_and_poisson_make_the_modulus(self):
         surface = self.npy(paraboloid(24))
         for nu in (-0.5, 0, 0.5):
-            self.steps(surface, "--pitch", 1e-6, "--E", 210e9, "--nu", nu, "--displacement", 1e-8)
+            self.steps(surface, "--pitch", 1e-6, "--E", 210e9, "--nu", nu, "--approach", 1e-8)
             given = json.loads((self.folder / "out/summary.json").read_text())["input"]
             self.assertAlmostEqual(given["modulus"] / (210e9 / (1 - nu**2)), 1, delta=1e-14)
 
     def test_targets(self):
         surface = self.npy(paraboloid(24))
         for text, values in (("2", [2]), ("1,3,2", [1, 3, 2]), ("1:3:5", [1, 1.5, 2, 2.5, 3]), ("4:2:2", [4, 2]), ("3:9:1", [3]), ("0", [0])):
-            steps = self.steps(surface, "--pitch", 1, "--unit", "um", "--modulus", 1e9, "--displacement", text)
+            steps = self.steps(surface, "--pitch", 1, "--unit", "um", "--modulus", 1e9, "--approach", text)
             np.testing.assert_allclose([step["approach"] for step in steps], np.array(values) * 1e-6, rtol=1e-14)
 
     def test_summary_names_input_and_results(self):
@@ -111,7 +111,7 @@ class Output(CommandTest):
         return self.solve(self.npy(paraboloid(24)), "--pitch", "1e-6", "--modulus", "1e9", *arguments, **settings)
 
     def test_table_has_a_row_a_step(self):
-        done = self.hertz("--displacement", "1e-8,2e-8")
+        done = self.hertz("--approach", "1e-8,2e-8")
         lines = done.stdout.splitlines()
         self.assertEqual(len(lines), 5)
         self.assertRegex(lines[0], r"surface.npy, 24 x 24 .*1e-06 m x 1e-06 m.*1e\+09")
@@ -122,26 +122,26 @@ class Output(CommandTest):
         self.assertEqual(done.stderr.count("\n"), 2)
 
     def test_the_choice_is_explained(self):
-        done = self.hertz("--displacement", "1e-8", "--explain")
+        done = self.hertz("--approach", "1e-8", "--explain")
         self.assertRegex(done.stderr, r"(?m)^roughcontact: [\w-]+ on [\w-]+: .* s, .* MiB, taken$")
         self.assertIn("admm: by name only", done.stderr)
-        self.assertNotIn("by name only", self.hertz("--displacement", "1e-8").stderr)
+        self.assertNotIn("by name only", self.hertz("--approach", "1e-8").stderr)
 
     def test_quiet_prints_nothing(self):
-        done = self.hertz("--displacement", "1e-8", "--quiet")
+        done = self.hertz("--approach", "1e-8", "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
 
     def test_nothing_is_written_without_out(self):
-        self.hertz("--displacement", "1e-8")
+        self.hertz("--approach", "1e-8")
         self.assertEqual(self.names(), ["surface.npy"])
 
     def test_pitch_of_the_file_gives_way_with_a_note(self):
         surface = self.file("s.gsf", gsf(paraboloid(24), 1e-6, 1e-6))
-        done = self.solve(surface, "--pitch", "3e-6", "--modulus", "1e9", "--displacement", "1e-8", "--quiet")
+        done = self.solve(surface, "--pitch", "3e-6", "--modulus", "1e9", "--approach", "1e-8", "--quiet")
         self.assertRegex(done.stderr, r"^roughcontact: note: --pitch .*1e-06.*\n$")
 
     def test_uncertified_step_is_written_and_marked(self):
-        done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--solver", "polonsky-keer",
+        done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--solver", "polonsky-keer",
                           "--set", "max_iter=1", "--out", "out", code=2, env=without_gnuplot())
         self.assertIn("RC_STOP_MAX_ITER", done.stdout)
         self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
@@ -151,7 +151,7 @@ class Output(CommandTest):
     def test_progress_bar_on_a_terminal(self):
         here, terminal = pty.openpty()
         surface = self.npy(rough(128, 128))
-        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "2e-7"],
+        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--approach", "2e-7"],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=terminal, text=True) as process:
             os.close(terminal)
             shown = read_terminal(here)
@@ -170,11 +170,11 @@ class Output(CommandTest):
             for word in words:
                 self.assertIn(word, done.stdout)
         self.assertRegex(self.run_command("--version").stdout, r"^roughcontact \d+\.\d+\.\d+ \(library ABI \d+, plugin ABI \d+\)\n$")
-        self.assertIn("--displacement", self.run_command("solve", "--help").stdout)
+        self.assertIn("--approach", self.run_command("solve", "--help").stdout)
 
 
     def test_last_line_says_what_was_learned(self):
-        last = self.hertz("--displacement", "1e-8,2e-8").stdout.splitlines()[-1]
+        last = self.hertz("--approach", "1e-8,2e-8").stdout.splitlines()[-1]
         self.assertRegex(last, r"^step 2 of 2: [\d.]+ % of the area carries [\d.]+ uN; largest pressure [\d.]+ MPa$".replace("uN", "\u00b5N"))
         steel = ["--E", "210GPa", "--nu", "0.3", "--pitch", "1um"]
         last = self.solve(self.npy(rough()), *steel, "--pressure", "3GPa").stdout.splitlines()[-1]
@@ -192,27 +192,27 @@ class Output(CommandTest):
         last = self.solve(*yielding, "1TPa").stdout.splitlines()[-1]
         self.assertRegex(last, r"; largest pressure [\d.]+ GPa, below the hardness of 1 TPa$")
         self.assertEqual(self.hertz("--load", "0").stdout.splitlines()[-1], "nothing carries pressure")
-        last = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "2e-7", "--solver", "polonsky-keer", "--set", "max_iter=1", code=2)
+        last = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "2e-7", "--solver", "polonsky-keer", "--set", "max_iter=1", code=2)
         self.assertTrue(last.stdout.splitlines()[-1].startswith("not certified (RC_STOP_MAX_ITER): "))
 
     def test_remarks_are_told(self):
         tilted = rough() + np.linspace(0, 2e-6, 56)
         for quiet in ([], ["--quiet"]):
-            done = self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7,2e-7", *quiet)
+            done = self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--approach", "1e-7,2e-7", *quiet)
             self.assertRegex(done.stderr, r"(?m)^roughcontact: remark: a plane is \d+ % of the heights' variance: level them with --remove plane$")
             self.assertEqual(done.stderr.count("remark"), 1)  # once for both steps
-        for arguments, says in ((["--pressure", "0.5GPa"], "mean pressure 0.5 E*: check the units"), (["--displacement", "1mm"], "approach above the grid's side: check the units"),
+        for arguments, says in ((["--pressure", "0.5GPa"], "mean pressure 0.5 E*: check the units"), (["--approach", "1mm"], "approach above the grid's side: check the units"),
                                 (["--load", "1e-15"], "one point in contact: check the pitch")):
             done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", *arguments)
             self.assertIn("roughcontact: remark: ", done.stderr)
             self.assertIn(says, done.stderr)
         done = self.solve(self.npy(rough()), "--pitch", "1um", "--modulus", "1GPa", "--load", "1e-15,1e-4,1e-15", "--quiet")
         self.assertEqual(done.stderr, 2 * "roughcontact: remark: one point in contact: check the pitch\n")
-        self.assertNotIn("remark", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--displacement", "1e-7", "--remove", "plane").stderr)
+        self.assertNotIn("remark", self.solve(self.npy(tilted), "--pitch", "1um", "--modulus", "1GPa", "--approach", "1e-7", "--remove", "plane").stderr)
 
 
 class WrongInput(CommandTest):
-    GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--displacement": "1e-8"}
+    GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--approach": "1e-8"}
 
     # What replaces or joins the good arguments (None: left out), and the words of the message.
     TABLE = [
@@ -227,15 +227,15 @@ class WrongInput(CommandTest):
         ({"--modulus": None, "--E": "-1", "--nu": "0.3"}, ["--E", "positive"]),
         ({"--modulus": None, "--E": "1e9", "--nu": "0.51"}, ["--nu", "0.51", "(-1, 0.5]"]),
         ({"--modulus": None, "--E": "1e9", "--nu": "-1"}, ["--nu", "(-1, 0.5]"]),
-        ({"--displacement": None}, ["--displacement", "--load", "--pressure"]),
-        ({"--load": "1"}, ["only one", "--displacement", "--load"]),
-        ({"--displacement": "-1e-9"}, ["--displacement", "-1e-9", "negative"]),
-        ({"--displacement": "nan"}, ["--displacement", "nan"]),
-        ({"--displacement": "1,,2"}, ["--displacement", "not a number"]),
-        ({"--displacement": "1:2"}, ["--displacement", "a:b:n"]),
-        ({"--displacement": "1:2:0"}, ["--displacement", "whole number"]),
-        ({"--displacement": "1:2:2.5"}, ["--displacement", "whole number"]),
-        ({"--displacement": "1:2:99999999999"}, ["--displacement", "whole number"]),
+        ({"--approach": None}, ["--approach", "--load", "--pressure"]),
+        ({"--load": "1"}, ["only one", "--approach", "--load"]),
+        ({"--approach": "-1e-9"}, ["--approach", "-1e-9", "negative"]),
+        ({"--approach": "nan"}, ["--approach", "nan"]),
+        ({"--approach": "1,,2"}, ["--approach", "not a number"]),
+        ({"--approach": "1:2"}, ["--approach", "a:b:n"]),
+        ({"--approach": "1:2:0"}, ["--approach", "whole number"]),
+        ({"--approach": "1:2:2.5"}, ["--approach", "whole number"]),
+        ({"--approach": "1:2:99999999999"}, ["--approach", "whole number"]),
         ({"--pitch": None}, ["surface.npy", "pitch"]),
         ({"--pitch": "0"}, ["--pitch", "positive"]),
         ({"--pitch": "1,-1"}, ["--pitch", "-1", "positive"]),
@@ -252,7 +252,7 @@ class WrongInput(CommandTest):
         ({"--set": "tol"}, ["--set", "key=value"]),
         ({"--set": "max_iter=-1"}, ["max_iter"]),
         ({"--nonsense": "1"}, ["--nonsense"]),
-        ({"--boundary": "periodic", "--displacement": "1"}, []),  # beyond the mean plane
+        ({"--boundary": "periodic", "--approach": "1"}, []),  # beyond the mean plane
         ({"--boundary": "periodic", "--kernel": "love"}, []),
     ]
 
@@ -281,7 +281,7 @@ class WrongInput(CommandTest):
 
     def test_failure_in_the_middle_keeps_earlier_steps(self):
         surface = self.npy(rough())
-        done = self.solve(surface, "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--displacement", "1e-7,1", "--out", "out", code=1)
+        done = self.solve(surface, "--pitch", "1e-6", "--modulus", "1e9", "--boundary", "periodic", "--approach", "1e-7,1", "--out", "out", code=1)
         self.assertIn("step 2", done.stderr)
         self.assertEqual(self.names("out"), ["contact-1.png", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
         self.assertEqual(len(json.loads((self.folder / "out/summary.json").read_text())["steps"]), 1)

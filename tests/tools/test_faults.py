@@ -38,7 +38,7 @@ def wait_for(condition, seconds=100):
 class Streams(CommandTest):
     def test_full_output_is_an_error(self):
         surface = self.npy(paraboloid(24))
-        solve = ["solve", surface, *HERTZ, "--displacement", "1e-8"]
+        solve = ["solve", surface, *HERTZ, "--approach", "1e-8"]
         commands = [solve, ["analyze", self.npy(rough(), "rough.npy"), "--pitch", "1e-6"], ["--help"], ["solve", "--help"], ["--version"]]
         commands += [[name] for name in ("backends", "solvers", "kernels", "options", "formats")]
         for command in commands:
@@ -46,7 +46,7 @@ class Streams(CommandTest):
                 done = subprocess.run([harness.COMMAND, *command], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, encoding="utf-8", timeout=60)
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn("roughcontact: cannot write to standard output", done.stderr.splitlines()[-1])
-        self.solve(surface, *HERTZ, "--displacement", "1e-8", "--quiet")
+        self.solve(surface, *HERTZ, "--approach", "1e-8", "--quiet")
 
     def test_any_streams_closed(self):
         surface = self.npy(paraboloid(24))
@@ -55,7 +55,7 @@ class Streams(CommandTest):
                 for quiet in (True, False) if 1 in closed else (True,):
                     with self.subTest([STREAMS[number] for number in closed], quiet=quiet):
                         out = self.folder / "out"
-                        command = [harness.COMMAND, "solve", surface, *HERTZ, "--displacement", "1e-8", "--out", out]
+                        command = [harness.COMMAND, "solve", surface, *HERTZ, "--approach", "1e-8", "--out", out]
                         streams = {name: subprocess.DEVNULL for number, name in enumerate(STREAMS) if number not in closed}
                         code = subprocess.run(command + ["--quiet"] * quiet, cwd=self.folder, preexec_fn=closing(closed), timeout=60, **streams).returncode
                         self.assertEqual(code, 0 if quiet or 1 not in closed else 1)
@@ -73,27 +73,27 @@ class Folder(CommandTest):
 
     def test_a_second_writer_is_refused(self):
         small, out = self.npy(paraboloid(24), "small.npy"), self.folder / "out"
-        first = self.start(self.npy(rough(64, 64)), *HERTZ, "--displacement", "1e-8:4e-7:20000", "--out", "out")
+        first = self.start(self.npy(rough(64, 64)), *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out")
         wait_for(lambda: (out / "pressure-2.npy").exists())
-        second = self.run_command("solve", small, *HERTZ, "--displacement", "1e-8", "--out", "out")
+        second = self.run_command("solve", small, *HERTZ, "--approach", "1e-8", "--out", "out")
         self.assertEqual(second.returncode, 1, second.stderr)
         self.assertRegex(second.stderr, r"^roughcontact: --out: folder .* process %d\b.*\n$" % first.pid)
         first.send_signal(signal.SIGINT)
         self.assertEqual(first.wait(60), 130)
         first.communicate()
         self.assertEqual(json.loads((out / "summary.json").read_text())["input"]["nx"], 64)
-        self.solve(small, *HERTZ, "--displacement", "1e-8", "--out", "out", env=without_gnuplot())
+        self.solve(small, *HERTZ, "--approach", "1e-8", "--out", "out", env=without_gnuplot())
         self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_a_killed_run_leaves_no_lock(self):
         surface, out = self.npy(rough(64, 64)), self.folder / "out"
-        killed = self.start(surface, *HERTZ, "--displacement", "1e-8:4e-7:20000", "--out", "out")
+        killed = self.start(surface, *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out")
         wait_for(lambda: (out / "pressure-2.npy").exists())
         killed.kill()
         killed.communicate()
         (out / ".pressure-7.npy.0123456789abcdef.tmp").write_text("half a file")
         (out / ".mine.0123456789abcdef.tmp").write_text("of the user's own")
-        self.solve(surface, *HERTZ, "--displacement", "1e-8", "--out", "out", env=without_gnuplot())
+        self.solve(surface, *HERTZ, "--approach", "1e-8", "--out", "out", env=without_gnuplot())
         self.assertEqual(self.names("out"), [".mine.0123456789abcdef.tmp", "gap-1.npy", "pressure-1.npy", "steps.csv", "summary.json"])
 
     def test_files_of_others_are_not_overwritten(self):
@@ -103,7 +103,7 @@ class Folder(CommandTest):
                                ("summary.json", "[" * 100000), ("summary.json", '{"input": {"targets": 1}, "steps": [{}]}')):
             with self.subTest(name=name, contents=contents[:50]):
                 self.file("out/" + name, contents)
-                self.assert_fails("solve", surface, *HERTZ, "--displacement", "1e-8,2e-8", "--out", "out", says=["--out", name, "another folder"])
+                self.assert_fails("solve", surface, *HERTZ, "--approach", "1e-8,2e-8", "--out", "out", says=["--out", name, "another folder"])
                 self.assertEqual((self.folder / "out" / name).read_text(), contents)
                 (self.folder / "out" / name).unlink()
 
@@ -115,7 +115,7 @@ class Folder(CommandTest):
         if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", disk], stderr=subprocess.DEVNULL).returncode != 0:
             self.skipTest("no small disk can be mounted")
         try:
-            done = self.run_command("solve", surface, *HERTZ, "--displacement", "1e-7:2e-7:10", "--out", "disk/out", env=without_gnuplot())
+            done = self.run_command("solve", surface, *HERTZ, "--approach", "1e-7:2e-7:10", "--out", "disk/out", env=without_gnuplot())
             self.assertEqual(done.returncode, 1)
             self.assertIn("cannot write", done.stderr)
             out = disk / "out"
@@ -146,7 +146,7 @@ class Signals(CommandTest):
         self.file("gnuplot", "#!/bin/sh\n" + gnuplot)
         (self.folder / "gnuplot").chmod(stat.S_IRWXU)
         surface = self.npy(rough())
-        run = subprocess.Popen([harness.COMMAND, "solve", surface, *HERTZ, "--displacement", "1e-7,2e-7", "--out", "out", "--quiet"], cwd=self.folder,
+        run = subprocess.Popen([harness.COMMAND, "solve", surface, *HERTZ, "--approach", "1e-7,2e-7", "--out", "out", "--quiet"], cwd=self.folder,
                                env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder), preexec_fn=default_signals, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE)
         self.addCleanup(lambda: run.poll() is None and run.kill())

@@ -12,13 +12,13 @@ import time
 import harness
 from harness import CommandTest, gsf, np, paraboloid, rough, without_gnuplot
 
-PRESS = ["--modulus", "1e9", "--displacement", "1.5e-7"]
+PRESS = ["--modulus", "1e9", "--approach", "1.5e-7"]
 
 
 class Reading(CommandTest):
     def gap_of(self, surface, *arguments):
         """The deformed gap at first touch is max(z) - z, so it shows the heights that were read."""
-        self.solve(surface, "--modulus", "1e9", "--displacement", "0", "--out", "out", "--quiet", *arguments, env=without_gnuplot())
+        self.solve(surface, "--modulus", "1e9", "--approach", "0", "--out", "out", "--quiet", *arguments, env=without_gnuplot())
         given = json.loads((self.folder / "out/summary.json").read_text())["input"]
         return np.load(self.folder / "out/gap-1.npy"), (given["hx"], given["hy"])
 
@@ -109,7 +109,7 @@ class Reading(CommandTest):
 class Writing(CommandTest):
     def test_files_of_a_sequence(self):
         z = rough()
-        self.solve(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "deep/out")
+        self.solve(self.npy(z), "--pitch", "1e-6,2e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "deep/out")
         self.assertEqual(self.names("deep/out"), sorted(["history.png", "steps.csv", "summary.json"] + [n % k for k in (1, 2) for n in ("contact-%d.png", "gap-%d.npy", "pressure-%d.npy")]))
         for name in ("gap-1.npy", "pressure-2.npy"):
             array = np.load(self.folder / "deep/out" / name)
@@ -140,13 +140,13 @@ class Writing(CommandTest):
 
     def test_steps_of_an_earlier_run_go(self):
         common = [self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--out", "out"]
-        self.solve(*common, "--displacement", "1e-7,2e-7,3e-7")
+        self.solve(*common, "--approach", "1e-7,2e-7,3e-7")
         self.file("out/pressure-9.npy", "of the user's own")
-        self.solve(*common, "--displacement", "1e-7", env=without_gnuplot())
+        self.solve(*common, "--approach", "1e-7", env=without_gnuplot())
         self.assertEqual(self.names("out"), ["gap-1.npy", "pressure-1.npy", "pressure-9.npy", "steps.csv", "summary.json"])
 
     def test_without_gnuplot_all_but_the_pictures(self):
-        done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,2e-7", "--out", "out", "--quiet",
+        done = self.solve(self.npy(rough()), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,2e-7", "--out", "out", "--quiet",
                           env=without_gnuplot())
         self.assertEqual(done.stderr, "roughcontact: gnuplot not found: contact-K.png not drawn\n")
         self.assertEqual(self.names("out"), ["gap-1.npy", "gap-2.npy", "pressure-1.npy", "pressure-2.npy", "steps.csv", "summary.json"])
@@ -171,7 +171,7 @@ class Writing(CommandTest):
         surface = self.npy(rough(128, 128))
         for number in (signal.SIGINT, signal.SIGTERM):
             out = self.folder / ("out-%d" % number)
-            run = subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-8:4e-7:5000",
+            run = subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8:4e-7:5000",
                                     "--out", out], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=without_gnuplot())
             deadline = time.monotonic() + 100
             while not (out / "pressure-4.npy").exists() and time.monotonic() < deadline:

@@ -43,7 +43,7 @@ class Fuzz(CommandTest):
         for run in range(RUNS):
             name, data = seeds[run % len(seeds)]
             mutated = mutate(data, chance)
-            done = self.run_command("solve", self.file(name, mutated), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-8", "--quiet", timeout=30)
+            done = self.run_command("solve", self.file(name, mutated), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8", "--quiet", timeout=30)
             self.assertIn(done.returncode, codes, (run, mutated, done.stderr))
             codes[done.returncode] += 1
             if done.returncode == 1:

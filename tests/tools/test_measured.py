@@ -30,12 +30,12 @@ class Measured(CommandTest):
                    "--missing", "exclude", env=without_gnuplot(), timeout=3000)
         return json.loads((self.folder / "out/summary.json").read_text())["steps"]
 
-    def test_displacement_and_load_control_agree(self):
+    def test_approach_and_load_control_agree(self):
         for surface in sorted(FOLDER.rglob("*.gsf")):
             with self.subTest(surface.stem):
                 pressures = (slope_of(surface) * p for p in (0.005, 0.05, 0.2))
                 loaded = self.steps(surface, "--pressure", ",".join(map(repr, map(float, pressures))))
-                pressed = self.steps(surface, "--displacement", ",".join(repr(step["approach"]) for step in loaded))
+                pressed = self.steps(surface, "--approach", ",".join(repr(step["approach"]) for step in loaded))
                 back = self.steps(surface, "--load", ",".join(repr(step["load"]) for step in pressed))
                 self.assertEqual({step["status"] for step in loaded + pressed + back}, {"RC_OK"})
                 worst = max(step["kkt_" + kind] for step in loaded + pressed + back for kind in ("primal", "dual", "complementarity", "control"))

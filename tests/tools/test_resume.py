@@ -37,7 +37,7 @@ class Resume(CommandTest):
         super().setUp()
         self.surface = self.npy(rough(32, 40))
 
-    def press(self, targets, out, *arguments, control="--displacement", **settings):
+    def press(self, targets, out, *arguments, control="--approach", **settings):
         return self.solve(self.surface, *PRESS, control, targets, "--out", out, *arguments, env=without_gnuplot(), **settings)
 
     def assert_refused(self, *arguments, says, surface=None):
@@ -47,7 +47,7 @@ class Resume(CommandTest):
 
     def test_a_longer_history_goes_on(self):
         methods = {"auto": [], "nnls": ["--solver", "nnls", "--backend", "dense"], "pk": ["--solver", "polonsky-keer", "--backend", "fft"]}
-        for control, targets in (("--displacement", ["5e-8", "1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "2e5", "1e6", "9e5", "1e4"])):
+        for control, targets in (("--approach", ["5e-8", "1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "2e5", "1e6", "9e5", "1e4"])):
             for name, arguments in methods.items():
                 whole, cut = (self.folder / (name + control + which) for which in ("-whole", "-cut"))
                 self.press(",".join(targets), whole, "--quiet", *arguments, control=control)
@@ -57,7 +57,7 @@ class Resume(CommandTest):
 
     def test_a_plastic_history_goes_on(self):
         yielding = ["--hardness", "2e7", "--solver", "polonsky-keer", "--quiet"]
-        for control, targets in (("--displacement", ["1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "1e6", "9e5", "1e4", "2e6"])):
+        for control, targets in (("--approach", ["1e-7", "2e-7", "1.9e-7", "3e-8", "2.5e-7"]), ("--pressure", ["1e5", "1e6", "9e5", "1e4", "2e6"])):
             whole, cut = (self.folder / (control + which) for which in ("-whole", "-cut"))
             self.press(",".join(targets), whole, *yielding, control=control)
             for steps in range(1, len(targets) + 1):
@@ -72,7 +72,7 @@ class Resume(CommandTest):
             self.assertAlmostEqual(step["plastic_volume"] / added, 1, places=9)
             self.assertTrue((np.load(whole / "indentation-4.npy") == np.load(whole / "indentation-2.npy")).all())
         self.press("1e-7", "out", *yielding)
-        self.assert_refused(*PRESS, "--displacement", "1e-7", "--quiet", says="is of a run with hardness 20000000.0, this one has nothing")
+        self.assert_refused(*PRESS, "--approach", "1e-7", "--quiet", says="is of a run with hardness 20000000.0, this one has nothing")
 
     def test_uncertified_steps_count_as_finished(self):
         few = ["--set", "max_iter=2", "--solver", "polonsky-keer", "--quiet"]
@@ -105,19 +105,19 @@ class Resume(CommandTest):
 
     def test_another_problem_is_refused(self):
         self.press("1e-7,2e-7", "out", "--quiet")
-        good = [*PRESS, "--displacement"]
+        good = [*PRESS, "--approach"]
         self.assert_refused(*good, "1e-7,2.5e-7,3e-7", says=["--resume", "summary.json", "target of step 2"])
         self.assert_refused(*good, "1e-7", says="finished steps 2, this one has 1")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", "--tol", "1e-6", says="tol")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", "--solver", "nnls", says="solver")
-        self.assert_refused("--pitch", "1e-6", "--modulus", "2e9", "--displacement", "1e-7,2e-7,3e-7", says="modulus")
+        self.assert_refused("--pitch", "1e-6", "--modulus", "2e9", "--approach", "1e-7,2e-7,3e-7", says="modulus")
         self.assert_refused(*PRESS, "--load", "1e-7,2e-7,3e-7", says="control")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", surface=self.npy(rough(32, 40, seed=2), "other.npy"), says="checksum")
         self.assert_fails("solve", self.surface, *good, "1e-7", "--resume", says=["--resume", "--out"])
 
     def test_damaged_pressures_are_refused(self):
         self.press("1e-7,2e-7", "out", "--quiet")
-        path, again = self.folder / "out/pressure-2.npy", [*PRESS, "--displacement", "1e-7,2e-7,3e-7"]
+        path, again = self.folder / "out/pressure-2.npy", [*PRESS, "--approach", "1e-7,2e-7,3e-7"]
         whole = np.load(path)
         for wrong in (whole[:-1], np.where(whole > 0, np.nan, whole)):
             np.save(path, wrong)

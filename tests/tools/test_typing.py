@@ -10,7 +10,7 @@ import harness
 from harness import CommandTest, np, paraboloid, rough, without_gnuplot
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "tools" / "completions"
-GOOD = ["--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-8"]
+GOOD = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8"]
 
 
 class Suggestions(CommandTest):
@@ -94,7 +94,7 @@ class Completion(CommandTest):
 
 class Threads(CommandTest):
     def result(self, *arguments, **settings):
-        self.solve(self.npy(rough(96, 128)), "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7,3e-7", "--out", "out", "--quiet", *arguments, **settings)
+        self.solve(self.npy(rough(96, 128)), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,3e-7", "--out", "out", "--quiet", *arguments, **settings)
         summary = json.loads((self.folder / "out/summary.json").read_text())
         for step in summary["steps"]:
             del step["seconds"], step["setup_seconds"]
@@ -111,7 +111,7 @@ class Threads(CommandTest):
     def threads_of(self, *arguments, **settings):
         """Threads that the running command has."""
         surface = self.npy(rough(512, 512))
-        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--displacement", "1e-7:4e-7:40", "--tol", "1e-12", *arguments],
+        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7:4e-7:40", "--tol", "1e-12", *arguments],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **settings) as process:
             process.stderr.readline()  # the first step is solved
             count = len(os.listdir("/proc/%d/task" % process.pid))

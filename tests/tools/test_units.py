@@ -4,7 +4,7 @@ import json
 import harness
 from harness import CommandTest, np, paraboloid, without_gnuplot
 
-GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--displacement": "1e-8"}
+GOOD = {"--pitch": "1e-6", "--modulus": "1e9", "--approach": "1e-8"}
 
 
 def words(options):
@@ -23,13 +23,13 @@ class Units(CommandTest):
     def test_lengths(self):
         for text, metres in (("39nm", 39e-9), ("0.039um", 39e-9), ("0.039\u00b5m", 39e-9), ("0.039\u03bcm", 39e-9), ("39 nm", 39e-9), ("3.9e4pm", 39e-9),
                              ("1mm", 1e-3), ("2m", 2), ("1km", 1e3), ("1Mm", 1e6), ("1Gm", 1e9), ("1Tm", 1e12), ("39e-9", 39e-9)):
-            given, _ = self.input_of(pitch=text, displacement="0")
+            given, _ = self.input_of(pitch=text, approach="0")
             np.testing.assert_allclose((given["hx"], given["hy"]), metres, rtol=1e-15)
-        given, _ = self.input_of(pitch="1um,2000nm", displacement="10nm,0.02um")
+        given, _ = self.input_of(pitch="1um,2000nm", approach="10nm,0.02um")
         np.testing.assert_allclose((given["hx"], given["hy"], *given["targets"]), (1e-6, 2e-6, 1e-8, 2e-8), rtol=1e-15)
 
     def test_a_unit_goes_before_that_of_the_command_line(self):
-        given, _ = self.input_of(unit="mm", pitch="1e-3", displacement="10nm")
+        given, _ = self.input_of(unit="mm", pitch="1e-3", approach="10nm")
         np.testing.assert_allclose((given["hx"], given["targets"][0]), (1e-6, 1e-8), rtol=1e-15)
 
     def test_pressures_and_forces(self):
@@ -37,14 +37,14 @@ class Units(CommandTest):
             np.testing.assert_allclose(self.input_of(modulus=text)[0]["modulus"], 210e9, rtol=1e-15)
             np.testing.assert_allclose(self.input_of(modulus=None, E=text, nu="0")[0]["modulus"], 210e9, rtol=1e-15)
         for text, newtons in (("1mN,2mN", [1e-3, 2e-3]), ("1mN:3mN:3", [1e-3, 2e-3, 3e-3]), ("100uN", [1e-4]), ("0,1mN", [0, 1e-3]), ("1e-9MN", [1e-3])):
-            given, _ = self.input_of(displacement=None, load=text)
+            given, _ = self.input_of(approach=None, load=text)
             np.testing.assert_allclose(given["targets"], newtons, rtol=1e-14)
         self.assertEqual(self.input_of(hardness="20MPa")[0]["hardness"], 20e6)
-        given, step = self.input_of(displacement=None, pressure="5kPa")
+        given, step = self.input_of(approach=None, pressure="5kPa")
         np.testing.assert_allclose((given["targets"][0], step["load"]), (5e3, 5e3 * 24**2 * 1e-12), rtol=1e-9)
 
     def test_milli_and_mega(self):
-        milli, mega = (self.input_of(displacement=None, load=text)[0]["targets"][0] for text in ("2mN", "2e-9MN"))
+        milli, mega = (self.input_of(approach=None, load=text)[0]["targets"][0] for text in ("2mN", "2e-9MN"))
         self.assertAlmostEqual(milli / mega, 1, delta=1e-14)
 
     def test_refused(self):
@@ -58,12 +58,12 @@ class Units(CommandTest):
                 ({"--modulus": "210gpa"}, ["--modulus", "capitals", "expected a pressure", "GPa"]),
                 ({"--modulus": "210nm"}, ["--modulus", "is a length", "expected a pressure"]),
                 ({"--modulus": None, "--E": "210GN", "--nu": "0.3"}, ["--E", "is a force", "expected a pressure"]),
-                ({"--displacement": None, "--load": "5MPa"}, ["--load", "is a pressure", "expected a force", "mN"]),
-                ({"--displacement": None, "--load": "1mN,2"}, ["--load", "1mN", "every number its unit"]),
-                ({"--displacement": None, "--load": "1:2mN:3"}, ["--load", "every number its unit"]),
-                ({"--displacement": None, "--pressure": "5N"}, ["--pressure", "is a force", "expected a pressure"]),
+                ({"--approach": None, "--load": "5MPa"}, ["--load", "is a pressure", "expected a force", "mN"]),
+                ({"--approach": None, "--load": "1mN,2"}, ["--load", "1mN", "every number its unit"]),
+                ({"--approach": None, "--load": "1:2mN:3"}, ["--load", "every number its unit"]),
+                ({"--approach": None, "--pressure": "5N"}, ["--pressure", "is a force", "expected a pressure"]),
                 ({"--hardness": "2kN"}, ["--hardness", "is a force", "expected a pressure"]),
-                ({"--displacement": "10deg"}, ["--displacement", "is an angle", "expected a length"]),
+                ({"--approach": "10deg"}, ["--approach", "is an angle", "expected a length"]),
                 ({"--unit": "MPa"}, ["--unit", "MPa", "nm"])):
             with self.subTest(changes):
                 options = {name: value for name, value in {**GOOD, **changes}.items() if value is not None}

@@ -105,7 +105,7 @@ class Set {
   std::size_t size() const { return points_.size(); }
   rc::ContactSetSolve& solve() { return solve_; }
   double mean() const { return solve_.mean(); }
-  std::int64_t products() const { return op_.applications(); }
+  std::int64_t products() const { return op_.products(); }
   Field multiplied(const double* x) const {
     Field y(size());
     for (std::size_t i = 0; i < size(); ++i)

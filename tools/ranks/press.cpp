@@ -155,7 +155,7 @@ class Run {
       const rc_status status = advance(number, !gap_given_, step.result);
       gap_given_ = true;
       iterations += step.result.iterations;
-      products += step.result.applications;
+      products += step.result.products;
       seconds += step.result.seconds;
       setup += step.result.setup_seconds;
       step.message = status > 0 ? last_message() : "";
@@ -163,7 +163,7 @@ class Run {
       if (more) checkpoint_->write(number, iterations, fields_.pressure);
     }
     step.result.iterations = iterations;
-    step.result.applications = products;
+    step.result.products = products;
     step.result.seconds = seconds;
     step.result.setup_seconds = setup;
     step.measures = measure_rows(ranks_, row_, fields_);

@@ -1,7 +1,7 @@
 """Certified normal contact of rough surfaces on an elastic half-space.
 
     import roughcontact as rc
-    result = rc.solve(heights, pitch=1e-6, modulus=100e9, displacement=1e-6)
+    result = rc.solve(heights, pitch=1e-6, modulus=100e9, approach=1e-6)
 
 Arrays are [ny, nx], x along the last axis; `pitch` is one number or (hx, hy). Any consistent set of units does.
 
@@ -59,10 +59,10 @@ from .result import (
     BatchResult as BatchResult,
     Grid as Grid,
     Level as Level,
-    PathResult as PathResult,
+    HistoryResult as HistoryResult,
     Result as Result,
 )
-from ._solve import path as path, solve as solve
+from ._solve import history as history, solve as solve
 from ._steps import Step as Step
 from .system import HalfSpace as HalfSpace, Matrix as Matrix, Product as Product, System as System, supported as supported
 

@@ -40,7 +40,7 @@ def _plain(value: Any) -> Any:
 
 
 class Answer(Stored):
-    """See `Result`, `PathResult`, `BatchResult`.
+    """See `Result`, `HistoryResult`, `BatchResult`.
 
     steps: names of the axes along which members have one value for each step
     """
@@ -156,7 +156,7 @@ def _unpacked(value: Any, arrays: Any) -> Any:
 
 
 def load(file: Union[str, "os.PathLike[str]"]) -> Any:
-    """The `Result`, `PathResult` or `BatchResult` that `save` has written."""
+    """The `Result`, `HistoryResult` or `BatchResult` that `save` has written."""
     with np.load(file, allow_pickle=False) as arrays:
         if "answer" not in arrays:
             raise ArgumentError(f"{os.fspath(file)} holds no answer of this package")

@@ -30,7 +30,7 @@ from .system import HalfSpace, System
 def batch(
     heights: Any = None,
     *,
-    displacement: Optional[ArrayLike] = None,
+    approach: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
     pressure: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
@@ -54,11 +54,11 @@ def batch(
     context: Optional[Context] = None,
     **keywords: Any,
 ) -> BatchResult:
-    """Solves the histories of many contacts on one grid, each as by `path`: the same bits, whatever the number of threads.
+    """Solves the histories of many contacts on one grid, each as by `history`: the same bits, whatever the number of threads.
 
     heights or undeformed_gap: [contacts, ny, nx], a sequence of `Surface`, or one [ny, nx] for all of them; of heights
         each surface's highest point touches at approach 0 [length]
-    displacement, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
+    approach, load or pressure: [contacts, steps], or one history [steps] for all of them, or one number
     mask: [contacts, ny, nx] or [ny, nx], 0 where a point carries no pressure
     start: [contacts, ny, nx] pressures to begin with [force/length^2]
     keep_pressure: whether to keep the pressures of every contact's last step
@@ -73,8 +73,8 @@ def batch(
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
     system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, hardness)
-    control, values = control_and_target(displacement, load_of(load, pressure, displacement, system))
-    targets = as_doubles(values, "load" if displacement is None else "displacement")
+    control, values = control_and_target(approach, load_of(load, pressure, approach, system))
+    targets = as_doubles(values, "load" if approach is None else "approach")
     targets = np.atleast_1d(targets)
     if targets.ndim > 2:
         raise ShapeError(f"histories have {targets.ndim} axes: [contacts, steps], [steps] or one number")
@@ -99,7 +99,7 @@ def batch(
     out = {name: np.full((n, steps), np.nan) for name in ("load", "approach", "contact_area", "certificate")}
     if stiffness:
         out["stiffness"] = np.full((n, steps), np.nan)
-    whole = {name: np.full((n, steps), -1, np.int64) for name in ("iterations", "applications")}
+    whole = {name: np.full((n, steps), -1, np.int64) for name in ("iterations", "products")}
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 

@@ -17,7 +17,7 @@ class Gradient:
 
     gap: by each value of the undeformed gap, of the grid's shape; by a height it is the opposite, as long as the highest point
         stays where it is
-    target: by the displacement or the load; modulus: by E*, NaN where the system has none
+    target: by the approach or the load; modulus: by E*, NaN where the system has none
     error: the Euclidean norm of what the solves leave wrong in gap is at most this; NaN where no bound is known
     undecided: points neither proven to be in contact nor to be open, whose derivatives are one-sided; -1: nothing is proven
     products: with H

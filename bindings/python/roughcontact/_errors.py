@@ -10,7 +10,7 @@ _BY_STATUS: Dict[int, "Type[RoughContactError]"] = {}
 class RoughContactError(Exception):
     """A call that failed, or with `NotCertifiedError` one that stopped early.
 
-    status: the library's. result: what was finished before (a `Result`, `PathResult` or `BatchResult`), or None.
+    status: the library's. result: what was finished before (a `Result`, `HistoryResult` or `BatchResult`), or None.
     """
 
     default_status = Status.ERR_INTERNAL

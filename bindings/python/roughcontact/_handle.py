@@ -28,7 +28,7 @@ class Progress:
     began."""
 
     iteration: int
-    applications: int
+    products: int
     kkt: float
     seconds: float
 

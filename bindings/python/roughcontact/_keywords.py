@@ -16,8 +16,8 @@ Constant = Union[float, Sequence[float]]
 #: words of the field that are no keywords, and the keywords that mean the same
 _SAME = {
     "force": "load",
-    "approach": "displacement",
-    "indentation": "displacement",
+    "displacement": "approach",
+    "indentation": "approach",
     "young": "E",
     "poisson": "nu",
     "method": "solver",
@@ -85,14 +85,14 @@ def modulus_of(modulus: Optional[float], E: Optional[Constant], nu: Optional[Con
     return float(1 / ((1 - poisson**2) / young).sum())
 
 
-def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], displacement: Optional[ArrayLike], system: System) -> Any:
+def load_of(load: Optional[ArrayLike], pressure: Optional[ArrayLike], approach: Optional[ArrayLike], system: System) -> Any:
     """load, or that of a mean pressure over the whole grid."""
-    refuse_text(load=load, pressure=pressure, displacement=displacement)
+    refuse_text(load=load, pressure=pressure, approach=approach)
     if pressure is None:
         return load
-    for name, other in (("load", load), ("displacement", displacement)):
+    for name, other in (("load", load), ("approach", approach)):
         if other is not None:
-            raise ArgumentError(f"pressure and {name} are both given; exactly one of displacement, load and pressure is needed")
+            raise ArgumentError(f"pressure and {name} are both given; exactly one of approach, load and pressure is needed")
     return np.asarray(pressure, float) * (float(np.prod(system.shape)) * system.pitch[0] * system.pitch[1])
 
 

@@ -20,13 +20,13 @@ class Press:
     """Steps of one system, from any thread, one at a time; each on its surface as given, whatever was pressed before.
 
     system: `HalfSpace`, `Matrix` or `Product`
-    control: "displacement" or "load": what the target is
+    control: "approach" or "load": what the target is
     mask, options: as in `Contact.solve` and `Contact`
     """
 
     def __init__(self, system: System, *, control: str, mask: Optional[ArrayLike] = None, options: Options = None) -> None:
-        if control not in ("displacement", "load"):
-            raise ArgumentError(f"control is {control!r}: 'displacement' or 'load'")
+        if control not in ("approach", "load"):
+            raise ArgumentError(f"control is {control!r}: 'approach' or 'load'")
         self.system, self.control, self._mask, self._options = system, control, mask, options
         self._lock = threading.Lock()
         self._contact: Optional[Contact] = None

@@ -8,12 +8,12 @@ from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, refuse_one_row
 from ._device import device_array
 from ._errors import ArgumentError
 from ._handle import Watch
-from ._history import path_on
+from ._history import history_on
 from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
 from ._maps import as_surface
 from .contact import Contact, control_and_target, gap_and_mask
 from .context import Context, Options
-from .result import PathResult, Result
+from .result import HistoryResult, Result
 from .system import HalfSpace, System
 
 
@@ -58,7 +58,7 @@ def system_for(
 def solve(
     heights: Any = None,
     *,
-    displacement: Optional[float] = None,
+    approach: Optional[float] = None,
     load: Optional[float] = None,
     pressure: Optional[float] = None,
     undeformed_gap: Optional[ArrayLike] = None,
@@ -82,11 +82,11 @@ def solve(
     context: Optional[Context] = None,
     **keywords: Any,
 ) -> Result:
-    """Presses a surface into an elastic half-space. One of displacement, load and pressure is prescribed.
+    """Presses a surface into an elastic half-space. One of approach, load and pressure is prescribed.
 
     heights: a `Surface`, a file (see `read`), a topography of SurfaceTopography, or an array [ny, nx]; the highest point
         touches at approach 0 [length]
-    displacement: approach of the bodies [length]
+    approach: approach of the bodies [length]
     load: normal force [force]
     pressure: load over the area of the grid [force/length^2]
     undeformed_gap: the undeformed gap [ny, nx] instead of heights [length]; also an array on a device, see `Contact.solve`
@@ -117,10 +117,10 @@ def solve(
     system, undeformed_gap, mask = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, devices=True
     )
-    load = load_of(load, pressure, displacement, system)
+    load = load_of(load, pressure, approach, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
-            displacement=displacement,
+            approach=approach,
             load=load,
             undeformed_gap=undeformed_gap,
             mask=mask,
@@ -133,10 +133,10 @@ def solve(
 
 
 @lists_options
-def path(
+def history(
     heights: Any = None,
     *,
-    displacement: Optional[ArrayLike] = None,
+    approach: Optional[ArrayLike] = None,
     load: Optional[ArrayLike] = None,
     pressure: Optional[ArrayLike] = None,
     undeformed_gap: Optional[ArrayLike] = None,
@@ -160,10 +160,10 @@ def path(
     every: int = 1,
     context: Optional[Context] = None,
     **keywords: Any,
-) -> PathResult:
+) -> HistoryResult:
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
-    displacement or load: one value for each step, in any order [length] or [force]
+    approach or load: one value for each step, in any order [length] or [force]
     stiffness: whether to compute dW/dd
     keep_pressure: whether to keep the pressures of all steps
     each: called with (step, `Result`) after every step, on the thread that solves. True ends the path with
@@ -172,11 +172,11 @@ def path(
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
     the others: as in `solve`
     """
-    modulus, options = modulus_of(modulus, E, nu), options_of(path, options, keywords, context)
+    modulus, options = modulus_of(modulus, E, nu), options_of(history, options, keywords, context)
     system, found_gap, mask = system_for(
         heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
     )
-    load = load_of(load, pressure, displacement, system)
+    load = load_of(load, pressure, approach, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
-        control, targets = control_and_target(displacement, load)
-        return path_on(contact, control, targets, found_gap, mask, warm_start, stiffness, keep_pressure, each, check)
+        control, targets = control_and_target(approach, load)
+        return history_on(contact, control, targets, found_gap, mask, warm_start, stiffness, keep_pressure, each, check)

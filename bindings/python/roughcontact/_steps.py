@@ -8,14 +8,14 @@ from ._arrays import Doubles
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """One step of a `PathResult`, under the names there."""
+    """One step of a `HistoryResult`, under the names there."""
 
     target: float
     load: float
     approach: float
     contact_area: float
     certificate: float
-    applications: int
+    products: int
     stiffness: Optional[float]
     pressure: Optional[Doubles]
 

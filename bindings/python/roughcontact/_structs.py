@@ -24,7 +24,7 @@ class rc_step(Sized):
 @struct
 class rc_result(Sized):
     members = """size_t struct_size; doubles p gap; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
-    int64_t iterations applications points candidates modelled contacts;
+    int64_t iterations products points candidates modelled contacts;
     double load approach mean_pressure contact_area energy stiffness kkt_primal kkt_dual kkt_complementarity;
     double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper;
@@ -39,19 +39,19 @@ class rc_accuracy(Sized):
 
 @struct
 class rc_progress(Sized):
-    members = "size_t struct_size; int64_t iteration applications; double kkt seconds"
+    members = "size_t struct_size; int64_t iteration products; double kkt seconds"
 
 
 rc_progress_fn = callback(int32_t, rc_progress, handle)
 
 
-rc_path_fn = callback(int32_t, int64_t, rc_result, handle)
+rc_history_fn = callback(int32_t, int64_t, rc_result, handle)
 
 
 @struct
-class rc_path(Sized):
+class rc_history(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
-    doubles load approach contact_area stiffness certificate; integers applications; rc_path_fn fn; handle user;
+    doubles load approach contact_area stiffness certificate; integers products; rc_history_fn fn; handle user;
     int64_t completed"""
 
 
@@ -71,9 +71,8 @@ rc_batch_progress_fn = callback(int32_t, int64_t, handle)
 class rc_batch(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n steps; doubles targets; int64_t target_stride;
     doubles undeformed_gap; int64_t undeformed_gap_stride; bytes_ mask; int64_t mask_stride;
-    doubles p0 p load approach contact_area stiffness certificate; statuses status;
-    integers iterations applications; rc_batch_fn fn; handle user; int64_t written certified first=-1;
-    rc_batch_progress_fn progress"""
+    doubles p0 p load approach contact_area stiffness certificate; statuses status; integers iterations products;
+    rc_batch_fn fn; handle user; int64_t written certified first=-1; rc_batch_progress_fn progress"""
 
 
 @struct
@@ -96,9 +95,8 @@ class rc_tangent(Sized):
 
 @struct
 class rc_direct(Sized):
-    members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved;
-    int64_t iterations applications contacts; double load energy kkt duality_gap load_lower load_upper;
-    char*160 note"""
+    members = """size_t struct_size; rc_status status=RC_ERR_ARGUMENT; int32_t reserved; int64_t iterations products contacts;
+    double load energy kkt duality_gap load_lower load_upper; char*160 note"""
 
 
 @struct

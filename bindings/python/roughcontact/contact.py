@@ -14,22 +14,22 @@ from ._errors import ArgumentError, ShapeError
 from ._device import DeviceArray, alike, device_array, in_shape, package_of
 from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, tangent_from, tangent_request
 from ._handle import Handle
-from ._history import path_on
+from ._history import history_on
 from ._height_map import Surface
 from ._library import contact_library
 from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
-from .result import Level, PathResult, Result, level_from, result_from
+from .result import Level, HistoryResult, Result, level_from, result_from
 from .system import HalfSpace, System
 
 
-def control_and_target(displacement: Any, load: Any) -> Tuple[int, Any]:
-    if (displacement is None) == (load is None):
-        raise ArgumentError("exactly one of displacement and load is needed")
+def control_and_target(approach: Any, load: Any) -> Tuple[int, Any]:
+    if (approach is None) == (load is None):
+        raise ArgumentError("exactly one of approach and load is needed")
     if load is None:
-        return _constants.RC_CONTROL_DISPLACEMENT, displacement
+        return _constants.RC_CONTROL_APPROACH, approach
     return _constants.RC_CONTROL_LOAD, load
 
 
@@ -108,7 +108,7 @@ class Contact(Handle):
         self,
         heights: Any = None,
         *,
-        displacement: Optional[float] = None,
+        approach: Optional[float] = None,
         load: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
@@ -127,7 +127,7 @@ class Contact(Handle):
             [length]
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step. An array of CuPy, PyTorch or JAX on a
             CUDA device, float64 or float32, is handed over where it is, and the result's arrays are of the same kind there
-        displacement: approach of the bodies [length], or load: normal force [force]
+        approach: approach of the bodies [length], or load: normal force [force]
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
@@ -140,7 +140,7 @@ class Contact(Handle):
         check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its
             status. Status.WITHIN_GOAL never raises
         """
-        control, target = control_and_target(displacement, load)
+        control, target = control_and_target(approach, load)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single, devices=True)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         there = gap_array if isinstance(gap_array, DeviceArray) else None
@@ -171,7 +171,7 @@ class Contact(Handle):
         pressure: ArrayLike,
         heights: Any = None,
         *,
-        displacement: Optional[float] = None,
+        approach: Optional[float] = None,
         load: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
@@ -180,7 +180,7 @@ class Contact(Handle):
         check: bool = True,
     ) -> Result:
         """Certifies given pressures [force/length^2] for this step; nothing is solved. Arguments as in `solve`."""
-        control, target = control_and_target(displacement, load)
+        control, target = control_and_target(approach, load)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         judged = as_doubles(pressure, "pressure", self.system.shape).copy()
         step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array)
@@ -217,7 +217,7 @@ class Contact(Handle):
         pressure, gap: dJ/dp and dJ/dg for pressures and deformed gap, of the system's shape; None: 0
         load, approach: dJ/dload and dJ/dapproach
 
-        Without any, J is the load of a step with given displacement, and the approach of one with given load.
+        Without any, J is the load of a step with given approach, and the approach of one with given load.
         """
         struct, out, inputs = gradient_request(self.system.shape, pressure, gap, load, approach)
         self._differentiate(contact_library().rc_contact_gradient, struct, out, inputs)
@@ -227,7 +227,7 @@ class Contact(Handle):
         """How the answer of the last step, which must be certified, changes with its data.
 
         undeformed_gap: change of the undeformed gap, of the system's shape [length]; None: 0
-        target: change of displacement [length] or load [force]; modulus: of E* [force/length^2]
+        target: change of approach [length] or load [force]; modulus: of E* [force/length^2]
         """
         struct, out, inputs = tangent_request(self.system.shape, undeformed_gap, target, modulus)
         self._differentiate(contact_library().rc_contact_tangent, struct, out, inputs)
@@ -239,11 +239,11 @@ class Contact(Handle):
             status, message, interrupt = self._run(lambda: int(function(self._handle, struct)), (struct, keep))
             self._conclude(status, message, interrupt, None, status != Status.STOP_STALLED)
 
-    def path(
+    def history(
         self,
         heights: Any = None,
         *,
-        displacement: Optional[ArrayLike] = None,
+        approach: Optional[ArrayLike] = None,
         load: Optional[ArrayLike] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
@@ -253,11 +253,11 @@ class Contact(Handle):
         keep_pressure: bool = False,
         each: Optional[Callable[[int, Result], object]] = None,
         check: bool = True,
-    ) -> PathResult:
-        """Solves a loading history; see `roughcontact.path`. Without either, on the surface of the last step."""
+    ) -> HistoryResult:
+        """Solves a loading history; see `roughcontact.history`. Without either, on the surface of the last step."""
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
-        control, targets = control_and_target(displacement, load)
-        return path_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
+        control, targets = control_and_target(approach, load)
+        return history_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

@@ -43,7 +43,7 @@ class DirectResult:
     status: Status
     message: str
     iterations: int
-    applications: int
+    products: int
     contacts: int
     load: float
     energy: float

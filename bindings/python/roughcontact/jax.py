@@ -33,7 +33,7 @@ class Press(_press.Press):
     def __call__(self, undeformed_gap: Any, target: Any, modulus: Any = None) -> Tuple[Any, Any, Any, Any]:
         """Arrays (pressures, deformed gap, load, approach) of the type of undeformed_gap.
 
-        undeformed_gap: of the system's shape [length]; target: displacement [length] or load [force]
+        undeformed_gap: of the system's shape [length]; target: approach [length] or load [force]
         modulus: E* [force/length^2]; None: the system's
         """
         gap = jnp.asarray(undeformed_gap)

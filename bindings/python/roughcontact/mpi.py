@@ -145,7 +145,7 @@ class Contact(OwnsHandle):
     def solve(
         self,
         *,
-        displacement: Optional[float] = None,
+        approach: Optional[float] = None,
         load: Optional[float] = None,
         pressure: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
@@ -161,7 +161,7 @@ class Contact(OwnsHandle):
 
 
         def prepared() -> Any:
-            step = self._step(displacement, load_of(load, pressure, displacement, self.system), undeformed_gap, mask)
+            step = self._step(approach, load_of(load, pressure, approach, self.system), undeformed_gap, mask)
             given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
             return step, np.zeros(self.shape) if want_pressure else None
 
@@ -171,7 +171,7 @@ class Contact(OwnsHandle):
         self,
         pressure: ArrayLike,
         *,
-        displacement: Optional[float] = None,
+        approach: Optional[float] = None,
         load: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
@@ -183,7 +183,7 @@ class Contact(OwnsHandle):
 
         def prepared() -> Any:
             judged = as_doubles(pressure, "pressure", self.shape).copy()
-            return self._step(displacement, load, undeformed_gap, mask), judged
+            return self._step(approach, load, undeformed_gap, mask), judged
 
         return self._run(mpi_library().rc_mpi_contact_certify, prepared, want_gap, check)
 
@@ -198,9 +198,9 @@ class Contact(OwnsHandle):
         if not self._close.alive:
             raise ArgumentError("the contact is closed")
 
-    def _step(self, displacement: Any, load: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
+    def _step(self, approach: Any, load: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
         self._refuse_closed()
-        control, target = control_and_target(displacement, load)
+        control, target = control_and_target(approach, load)
         gap = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", self.shape)
         chosen = as_mask(mask, "mask", self.shape)
         self._keep = gap, chosen

@@ -17,7 +17,7 @@ from ._maps import as_surface
 from ._pictures import COLOURS, GROUND
 from ._status import Status
 from .analysis import Histogram, Patches
-from .result import Grid, PathResult, Result
+from .result import Grid, HistoryResult, Result
 from .surface import PowerLaw, Spectrum
 
 DARK = "#{:02x}{:02x}{:02x}".format(*GROUND)
@@ -66,7 +66,7 @@ def _colours() -> Any:
     return LinearSegmentedColormap.from_list("pressure", COLOURS / 255)
 
 
-def _status(answer: Union[Result, PathResult]) -> str:
+def _status(answer: Union[Result, HistoryResult]) -> str:
     return "certified" if answer.status == Status.OK else answer.status.name
 
 
@@ -112,7 +112,7 @@ def patches(result: Result, found: Optional[Patches] = None, *, ax: Any = None, 
     return ax
 
 
-def history(path: PathResult, *, ax: Any = None, x: str = "approach", y: str = "load", si: bool = True, **how: Any) -> Any:
+def history(path: HistoryResult, *, ax: Any = None, x: str = "approach", y: str = "load", si: bool = True, **how: Any) -> Any:
     """One array of a loading history over another. how: for plot."""
     ax = _axes(ax)
     ax.plot(getattr(path, x), getattr(path, y), **{"marker": "o", "markersize": 3, **how})

@@ -65,7 +65,7 @@ class Result(Answer):
     #: of the solver, all rounds together
     iterations: int
     #: products with H, the certificate's and the stiffness' included
-    applications: int
+    products: int
     points: int
     #: points that can carry pressure at this approach
     candidates: int
@@ -226,10 +226,10 @@ def level_from(struct: rc_level, pressure: Doubles) -> Level:
 
 
 @dataclass(frozen=True, eq=False)
-class PathResult(Steps, Answer):
+class HistoryResult(Steps, Answer):
     """Answers of a loading history. Arrays have one value for each completed step.
 
-    load [force], approach [length], contact_area [length^2], certificate: largest residual, applications: products with H
+    load [force], approach [length], contact_area [length^2], certificate: largest residual, products: products with H
     stiffness: dW/dd [force/length]; None unless asked for
     pressure: [steps, ny, nx] [force/length^2]; None unless asked for
     targets: as given, those of steps that were not completed as well
@@ -242,7 +242,7 @@ class PathResult(Steps, Answer):
     approach: Doubles
     contact_area: Doubles
     certificate: Doubles
-    applications: NDArray[np.int64]
+    products: NDArray[np.int64]
     stiffness: Optional[Doubles]
     pressure: Optional[Doubles]
     grid: Grid
@@ -269,7 +269,7 @@ class PathResult(Steps, Answer):
         return curve(self.approach, self.load)
 
     def __repr__(self) -> str:
-        return f"PathResult({self.status.name}, {self.completed} of {len(self.targets)} steps)"
+        return f"HistoryResult({self.status.name}, {self.completed} of {len(self.targets)} steps)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -277,7 +277,7 @@ class BatchResult(Answer):
     """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
 
     statuses: of every step, see `Status`
-    load [force], approach [length], contact_area [length^2], certificate: largest residual, iterations, applications
+    load [force], approach [length], contact_area [length^2], certificate: largest residual, iterations, products
     stiffness: dW/dd [force/length]; None unless asked for
     pressure: [contacts, ny, nx] of each contact's last step, 0 where it has none [force/length^2]; None unless asked for
     certified: contacts of which every step is certified
@@ -292,7 +292,7 @@ class BatchResult(Answer):
     contact_area: Doubles
     certificate: Doubles
     iterations: NDArray[np.int64]
-    applications: NDArray[np.int64]
+    products: NDArray[np.int64]
     stiffness: Optional[Doubles]
     pressure: Optional[Doubles]
     certified: int

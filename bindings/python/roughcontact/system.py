@@ -184,11 +184,11 @@ def supported(
     """(Status.OK, "") if the solver can run on the backend for this system, else the status that solving would give and the
     reason.
 
-    load: whether the load is prescribed instead of the displacement
+    load: whether the load is prescribed instead of the approach
     """
     library = contact_library()
     struct, callbacks = system.struct()
-    control = _constants.RC_CONTROL_LOAD if load else _constants.RC_CONTROL_DISPLACEMENT
+    control = _constants.RC_CONTROL_LOAD if load else _constants.RC_CONTROL_APPROACH
     with OptionSet(options, context) as handle:
         names = as_text(solver, "solver"), as_text(backend, "backend")
         status = library.rc_pair_supported(context_handle(context), *names, struct, control, handle)

@@ -27,7 +27,7 @@ class Press(_press.Press):
     def __call__(self, undeformed_gap: Any, target: Any, modulus: Any = None) -> Tuple[Any, Any, Any, Any]:
         """Tensors (pressures, deformed gap, load, approach) of the type and on the device of undeformed_gap.
 
-        undeformed_gap: tensor of the system's shape [length]; target: number or tensor, displacement [length] or load [force]
+        undeformed_gap: tensor of the system's shape [length]; target: number or tensor, approach [length] or load [force]
         modulus: number or tensor, E* [force/length^2]; None: the system's
 
         Derivatives are first ones: what `backward` computes cannot be differentiated again.

@@ -48,11 +48,11 @@ def test_histogram():
 
 def test_results_have_them_as_methods(rough):
     mask = rough.heights < 1.5e-7
-    result = rc.solve(rough, modulus=1e9, displacement=8e-8, mask=mask)
+    result = rc.solve(rough, modulus=1e9, approach=8e-8, mask=mask)
     assert result.area().area == pytest.approx(result.contact_area)
     assert result.patches().load.sum() == pytest.approx(result.load)
     joined = rc.analysis.patches(result.pressure, pitch=1e-6, periodic=True, mask=mask)
     assert len(result.patches()) == len(joined)
     assert result.histogram(20).contacts == result.contacts
-    bare = rc.solve(rough, modulus=1e9, displacement=8e-8, want_pressure=False)
+    bare = rc.solve(rough, modulus=1e9, approach=8e-8, want_pressure=False)
     refused(ValueError, "want_pressure", bare.patches)

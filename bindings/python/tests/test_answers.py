@@ -18,7 +18,7 @@ def answers(rough):
     holes[:3, :5] = False
     return (
         rc.solve(rough, modulus=1e9, load=1e-4, mask=holes, want_gap=True),
-        rc.path(rough, modulus=1e9, load=[1e-4, 2e-4, 1e-4], stiffness=True, keep_pressure=True),
+        rc.history(rough, modulus=1e9, load=[1e-4, 2e-4, 1e-4], stiffness=True, keep_pressure=True),
         rc.batch([rough, rough], modulus=1e9, load=[1e-4, 2e-4], keep_pressure=True),
     )
 

@@ -23,19 +23,19 @@ def test_surface_stays_until_another_comes(rough):
     half_space = rc.HalfSpace.under(rough, modulus=1e9)
     with rc.Contact(half_space) as contact:
         mask = rough.heights < 1e-7
-        first = contact.solve(rough, mask=mask, displacement=5e-8)
-        second = contact.solve(displacement=6e-8)
+        first = contact.solve(rough, mask=mask, approach=5e-8)
+        second = contact.solve(approach=6e-8)
         assert np.array_equal(second.grid.mask, mask) and second.pressure[~mask].max() == 0
-        assert contact.solve(rough, displacement=5e-8).grid.mask is None
+        assert contact.solve(rough, approach=5e-8).grid.mask is None
         contact.reset()
-        refused(rc.ArgumentError, "gap", contact.solve, displacement=5e-8)
+        refused(rc.ArgumentError, "gap", contact.solve, approach=5e-8)
     assert first.contacts < second.contacts
 
 
 def test_explicit_start(rough):
     half_space = rc.HalfSpace.under(rough, modulus=1e9)
-    solution = rc.solve(rough, system=half_space, displacement=1e-7, options={"solver": "gp"})
-    again = rc.solve(rough, system=half_space, displacement=1e-7, options={"solver": "gp"}, start=solution.pressure)
+    solution = rc.solve(rough, system=half_space, approach=1e-7, options={"solver": "gp"})
+    again = rc.solve(rough, system=half_space, approach=1e-7, options={"solver": "gp"}, start=solution.pressure)
     assert again.iterations < solution.iterations / 2
 
 
@@ -43,33 +43,33 @@ def test_borrowed_arrays_live_as_long_as_they_are_used(rough):
     half_space = rc.HalfSpace.under(rough, modulus=1e9)
     with rc.Contact(half_space) as contact:
         gap = rough.undeformed_gap()
-        first = contact.solve(undeformed_gap=gap, displacement=5e-8, borrow=True)
+        first = contact.solve(undeformed_gap=gap, approach=5e-8, borrow=True)
         seen = weakref.ref(gap)
         del gap
         gc.collect()
         assert seen() is not None
-        assert np.array_equal(contact.solve(displacement=5e-8, warm_start=False).pressure, first.pressure)
-        contact.solve(rough, displacement=5e-8)
+        assert np.array_equal(contact.solve(approach=5e-8, warm_start=False).pressure, first.pressure)
+        contact.solve(rough, approach=5e-8)
         assert seen() is None
 
 
 def test_certify_judges_pressures(rough):
     half_space = rc.HalfSpace.under(rough, modulus=1e9)
     with rc.Contact(half_space) as contact:
-        answer = contact.solve(rough, displacement=5e-8)
-        assert contact.certify(answer.pressure, rough, displacement=5e-8).certified
+        answer = contact.solve(rough, approach=5e-8)
+        assert contact.certify(answer.pressure, rough, approach=5e-8).certified
         off = answer.pressure.copy()
         off[off.argmax() // 64, off.argmax() % 64] *= 1.01
-        caught = refused(rc.NotCertifiedError, "", contact.certify, off, rough, displacement=5e-8)
+        caught = refused(rc.NotCertifiedError, "", contact.certify, off, rough, approach=5e-8)
         assert caught.status == rc.Status.UNCERTIFIED and caught.result.residual > 1e-4
-        judged = contact.certify(off, rough, displacement=5e-8, check=False, want_gap=True)
+        judged = contact.certify(off, rough, approach=5e-8, check=False, want_gap=True)
     assert np.array_equal(judged.pressure, off) and judged.gap is not None
 
 
 def test_points_without_arrays(rough):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
         assert [len(each) for each in contact.points()] == [0, 0]
-        answer = contact.solve(rough, displacement=5e-8)
+        answer = contact.solve(rough, approach=5e-8)
         index, pressure = contact.points()
     assert np.array_equal(index, np.flatnonzero(answer.pressure)) and np.array_equal(pressure, answer.pressure.ravel()[index])
 
@@ -77,7 +77,7 @@ def test_points_without_arrays(rough):
 def test_the_choice_is_explained(rough):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
         assert contact.explain() == ""
-        answer = contact.solve(rough, displacement=5e-8)
+        answer = contact.solve(rough, approach=5e-8)
         counts, taken, *left = contact.explain().splitlines()
     assert "points may carry pressure" in counts
     assert taken.startswith(f"{answer.solver} on {answer.backend}: ") and taken.endswith(", taken") and left
@@ -85,7 +85,7 @@ def test_the_choice_is_explained(rough):
 
 def test_levels_of_the_cascade(sphere_gap, half_space):
     with rc.Contact(half_space, options={"solver": "cmr", "cmr.levels": 3}) as contact:
-        answer = contact.solve(undeformed_gap=sphere_gap, displacement=3e-7)
+        answer = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
         levels = contact.levels()
     assert answer.levels == len(levels) == 2
     assert [level.pressure.shape for level in levels] == [(16, 16), (32, 32)]
@@ -95,12 +95,12 @@ def test_levels_of_the_cascade(sphere_gap, half_space):
 
 def test_options_can_change(sphere_gap, half_space):
     with rc.Contact(half_space, options={"tol": 1e-4}) as contact:
-        assert contact.solve(undeformed_gap=sphere_gap, displacement=3e-7).tolerance == 1e-4
+        assert contact.solve(undeformed_gap=sphere_gap, approach=3e-7).tolerance == 1e-4
         contact.set_options({"stiffness": 1})
-        answer = contact.solve(displacement=3e-7)
+        answer = contact.solve(approach=3e-7)
         assert answer.tolerance == 1e-4 and answer.stiffness > 0
         refused(rc.OptionError, "kernel", contact.set_options, {"kernel": "disc"})
-        assert contact.solve(displacement=3e-7).stiffness > 0
+        assert contact.solve(approach=3e-7).stiffness > 0
 
 
 def test_closed_contacts_say_so(half_space, sphere_gap):
@@ -108,16 +108,16 @@ def test_closed_contacts_say_so(half_space, sphere_gap):
     contact.close()
     contact.close()
     contact.cancel()
-    for call in (lambda: contact.solve(undeformed_gap=sphere_gap, displacement=1e-7), contact.reset, contact.points):
+    for call in (lambda: contact.solve(undeformed_gap=sphere_gap, approach=1e-7), contact.reset, contact.points):
         refused(rc.ArgumentError, "closed", call)
 
 
 def test_progress_sees_and_stops(rough):
     seen = []
-    how = {"modulus": 1e9, "displacement": 1e-7, "options": {"solver": "gp"}}
+    how = {"modulus": 1e9, "approach": 1e-7, "options": {"solver": "gp"}}
     rc.solve(rough, **how, progress=seen.append)
     assert len(seen) > 5 and [p.iteration for p in seen] == sorted(p.iteration for p in seen)
-    assert seen[-1].kkt < seen[1].kkt and seen[-1].applications > 5
+    assert seen[-1].kkt < seen[1].kkt and seen[-1].products > 5
     fewer = []
     rc.solve(rough, **how, progress=fewer.append, every=5)
     assert 0 < len(fewer) < len(seen)
@@ -132,14 +132,14 @@ def test_exceptions_of_progress_arrive(rough):
 
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
         for _ in range(2):  # and leave the contact usable
-            refused(LookupError, "from inside", contact.solve, rough, displacement=1e-7)
+            refused(LookupError, "from inside", contact.solve, rough, approach=1e-7)
 
 
 def test_a_callback_cannot_use_the_contact_that_calls_it(rough):
     caught = []
 
     def progress(_):
-        for call in (lambda: contact.solve(displacement=1e-7), contact.close, contact.reset):
+        for call in (lambda: contact.solve(approach=1e-7), contact.close, contact.reset):
             try:
                 call()
             except rc.BusyError as error:
@@ -147,20 +147,20 @@ def test_a_callback_cannot_use_the_contact_that_calls_it(rough):
         return True
 
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"solver": "gp"}, progress=progress) as contact:
-        contact.solve(rough, displacement=1e-7, check=False)
+        contact.solve(rough, approach=1e-7, check=False)
     assert caught == [rc.Status.ERR_BUSY] * 3
 
 
 def test_cancel_reaches_the_next_step(rough):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
         contact.cancel()
-        assert contact.solve(rough, displacement=1e-7, check=False).status == rc.Status.STOP_CANCELLED
-        assert contact.solve(rough, displacement=1e-7).certified
+        assert contact.solve(rough, approach=1e-7, check=False).status == rc.Status.STOP_CANCELLED
+        assert contact.solve(rough, approach=1e-7).certified
 
 
 def test_own_matrix_in_every_layout(small_matrix):
     gap = np.linspace(0, 2, 12)
-    expected = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
+    expected = rc.solve(undeformed_gap=gap, approach=1.5, system=rc.Matrix(small_matrix, pitch=1))
     assert expected.certified and 0 < expected.contacts < 12
     product = small_matrix @ expected.pressure + gap - 1.5
     assert np.abs(product[expected.pressure > 0]).max() < 1e-7 and product.min() > -1e-7
@@ -178,13 +178,13 @@ def test_own_matrix_in_every_layout(small_matrix):
         system = rc.Matrix(H, pitch=1)
         if name in ("Fortran", "rows of a wider one", "its columns"):
             assert np.shares_memory(system.H, H), name
-        found = rc.solve(undeformed_gap=gap, displacement=1.5, system=system)
+        found = rc.solve(undeformed_gap=gap, approach=1.5, system=system)
         assert np.allclose(found.pressure, expected.pressure, rtol=1e-6), name
 
 
 def test_own_matrix_with_a_shape(small_matrix):
     gap = np.linspace(0, 2, 12).reshape(3, 4)
-    result = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, shape=(3, 4), pitch=(2.0, 3.0)))
+    result = rc.solve(undeformed_gap=gap, approach=1.5, system=rc.Matrix(small_matrix, shape=(3, 4), pitch=(2.0, 3.0)))
     assert result.pressure.shape == (3, 4) and result.load == pytest.approx(6 * result.pressure.sum())
     refused(rc.ShapeError, "12 x 12.*has 10 points", rc.Matrix, small_matrix, shape=(2, 5), pitch=1)
     refused(rc.ShapeError, "square", rc.Matrix, small_matrix[:5], pitch=1)
@@ -193,8 +193,8 @@ def test_own_matrix_with_a_shape(small_matrix):
 
 def test_own_product(small_matrix):
     gap = np.linspace(0, 2, 12)
-    expected = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
-    result = rc.solve(undeformed_gap=gap, displacement=1.5, system=rc.Product(lambda x: small_matrix @ x, 12, pitch=1))
+    expected = rc.solve(undeformed_gap=gap, approach=1.5, system=rc.Matrix(small_matrix, pitch=1))
+    result = rc.solve(undeformed_gap=gap, approach=1.5, system=rc.Product(lambda x: small_matrix @ x, 12, pitch=1))
     assert result.backend == "callback" and np.allclose(result.pressure, expected.pressure, rtol=1e-6)
     seen = []
 
@@ -202,7 +202,7 @@ def test_own_product(small_matrix):
         seen.append((x.shape, x.flags.writeable))
         return small_matrix.dot(x.ravel()).reshape(3, 4).tolist()
 
-    shaped = rc.solve(undeformed_gap=gap.reshape(3, 4), displacement=1.5, system=rc.Product(flat, (3, 4), pitch=1))
+    shaped = rc.solve(undeformed_gap=gap.reshape(3, 4), approach=1.5, system=rc.Product(flat, (3, 4), pitch=1))
     assert np.allclose(shaped.pressure.ravel(), expected.pressure, rtol=1e-6) and set(seen) == {((3, 4), False)}
 
 
@@ -216,14 +216,14 @@ def test_exceptions_of_products_arrive(small_matrix):
         return small_matrix @ x
 
     with pytest.raises(ZeroDivisionError, match="in the product"):
-        rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(failing, 12, pitch=1))
+        rc.solve(undeformed_gap=np.linspace(0, 2, 12), approach=1.5, system=rc.Product(failing, 12, pitch=1))
     refused(rc.ShapeError, "the product has shape", rc.Contact, rc.Product(lambda x: x[:3], 12, pitch=1))
     refused(TypeError, "real numbers", rc.Contact, rc.Product(lambda x: None, 12, pitch=1))
 
 
 def test_contacts_are_freed(half_space, sphere_gap):
     contact = rc.Contact(half_space, progress=lambda p: None)
-    contact.solve(undeformed_gap=sphere_gap, displacement=1e-7)
+    contact.solve(undeformed_gap=sphere_gap, approach=1e-7)
     seen = weakref.ref(contact)
     del contact
     gc.collect()
@@ -231,7 +231,7 @@ def test_contacts_are_freed(half_space, sphere_gap):
 
 
 def test_modulus_scales_the_load(sphere_gap):
-    how = {"undeformed_gap": sphere_gap, "pitch": PITCH, "displacement": 2e-7}
+    how = {"undeformed_gap": sphere_gap, "pitch": PITCH, "approach": 2e-7}
     loads = [rc.solve(modulus=m, **how).load for m in (MODULUS, 2 * MODULUS)]
     assert loads[1] == pytest.approx(2 * loads[0], rel=1e-7)
 
@@ -239,10 +239,10 @@ def test_modulus_scales_the_load(sphere_gap):
 def test_a_refused_step_keeps_the_mask(rough):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
         mask = rough.heights < 1e-7
-        contact.solve(rough, mask=mask, displacement=5e-8)
-        refused(rc.ArgumentError, "", contact.solve, rough, displacement=np.nan)
-        refused(rc.InfeasibleError, "", contact.path, rough, displacement=[1.0, 2.0])
-        assert np.array_equal(contact.solve(displacement=5e-8).grid.mask, mask)
+        contact.solve(rough, mask=mask, approach=5e-8)
+        refused(rc.ArgumentError, "", contact.solve, rough, approach=np.nan)
+        refused(rc.InfeasibleError, "", contact.path, rough, approach=[1.0, 2.0])
+        assert np.array_equal(contact.solve(approach=5e-8).grid.mask, mask)
 
 
 def test_contacts_that_share_a_product_fail_apart(small_matrix):
@@ -251,9 +251,9 @@ def test_contacts_that_share_a_product_fail_apart(small_matrix):
     gap = np.linspace(0, 2, 12)
     with rc.Contact(product) as first, rc.Contact(product) as second:
         fail.append(True)
-        refused(ZeroDivisionError, "", first.solve, undeformed_gap=gap, displacement=1.5)
+        refused(ZeroDivisionError, "", first.solve, undeformed_gap=gap, approach=1.5)
         fail.clear()
-        assert second.solve(undeformed_gap=gap, displacement=1.5).certified and first.solve(displacement=1.5).certified
+        assert second.solve(undeformed_gap=gap, approach=1.5).certified and first.solve(approach=1.5).certified
 
 
 def test_restored_contact_goes_on_with_the_same_bits(rough):
@@ -261,17 +261,17 @@ def test_restored_contact_goes_on_with_the_same_bits(rough):
     mask = rough.heights < 2e-7
     targets = [4e-8, 8e-8, 8.2e-8, 0.0, 1e-7, 5e-8]
     with rc.Contact(half_space, options={"resumable": 1}) as contact:
-        first = contact.solve(rough, mask=mask, displacement=targets[0])
-        whole = [first] + [contact.solve(displacement=each) for each in targets[1:]]
+        first = contact.solve(rough, mask=mask, approach=targets[0])
+        whole = [first] + [contact.solve(approach=each) for each in targets[1:]]
     steps = [(each.pressure, each.approach, each.load) for each in whole]
     for cut in range(1, len(targets)):
         with rc.Contact(half_space, options={"resumable": 1}) as contact:
             contact.restore(rough, mask=mask, last=steps[cut - 1], before=steps[cut - 2] if cut > 1 else None)
             assert np.array_equal(contact.grid().mask, mask)
             for target, expected in zip(targets[cut:], whole[cut:]):
-                answer = contact.solve(displacement=target)
+                answer = contact.solve(approach=target)
                 assert np.array_equal(answer.pressure, expected.pressure)
-                assert (answer.load, answer.applications) == (expected.load, expected.applications)
+                assert (answer.load, answer.products) == (expected.load, expected.products)
 
 
 def test_restore_refuses_what_no_step_gives(rough):

@@ -9,13 +9,13 @@ import roughcontact as rc
 SHAPE, OPTIONS = (10, 12), {"tol": 1e-12}
 
 
-@pytest.fixture(params=["displacement", "load"])
+@pytest.fixture(params=["approach", "load"])
 def pressed(request):
     """(system, undeformed gap, {control: target})"""
     rng = np.random.default_rng(3)
     gap = rng.random(SHAPE) + 0.05 * (np.arange(12) - 5.5) ** 2
     system = rc.HalfSpace(SHAPE, pitch=(1.0, 0.7), modulus=2.0)
-    target = 1.5 if request.param == "displacement" else 8.0
+    target = 1.5 if request.param == "approach" else 8.0
     return system, gap, request.param, target
 
 
@@ -56,7 +56,7 @@ def test_gradient_and_tangent_are_differences(pressed):
 def test_without_cotangents_it_is_of_load_or_approach(pressed):
     system, gap, control, target = pressed
     change = {"gap": np.random.default_rng(1).standard_normal(SHAPE), "target": 0.0, "modulus": 0.0}
-    slope = slopes(pressed, change)["load" if control == "displacement" else "approach"]
+    slope = slopes(pressed, change)["load" if control == "approach" else "approach"]
     with rc.Contact(system, options=OPTIONS) as contact:
         contact.solve(undeformed_gap=gap, **{control: target})
         assert np.sum(contact.gradient().gap * change["gap"]) == pytest.approx(slope, rel=1e-6)
@@ -74,7 +74,7 @@ def test_refusals(pressed):
 
 def test_a_matrix_has_no_modulus(small_matrix):
     with rc.Contact(rc.Matrix(small_matrix, pitch=1.0)) as contact:
-        result = contact.solve(undeformed_gap=np.linspace(0, 1, 12), displacement=0.5)
+        result = contact.solve(undeformed_gap=np.linspace(0, 1, 12), approach=0.5)
         assert np.isnan(contact.gradient().modulus) and contact.gradient().target > 0
         refused(rc.ArgumentError, "modulus", contact.tangent, modulus=1.0)
     refused(rc.ArgumentError, "HalfSpace", result.conductance, 1.0, 1.0)

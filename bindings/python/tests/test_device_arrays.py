@@ -105,7 +105,7 @@ class Interfaced:
 
 
 def solved(gap, context, **more):
-    arguments = {"pitch": PITCH, "modulus": MODULUS, "displacement": 3e-7, "options": PAIR, "context": context, **more}
+    arguments = {"pitch": PITCH, "modulus": MODULUS, "approach": 3e-7, "options": PAIR, "context": context, **more}
     return rc.solve(undeformed_gap=gap, **arguments)
 
 
@@ -136,8 +136,8 @@ def test_masks_and_starts_go_to_the_device(sphere_gap, context):
 def test_a_contact_keeps_the_gap_of_a_step(half_space, sphere_gap, context):
     with rc.Contact(half_space, options=PAIR, context=context) as contact:
         gap = Exported(sphere_gap)
-        first = contact.solve(undeformed_gap=gap, displacement=3e-7, borrow=True)
-        again = contact.solve(displacement=3e-7, warm_start=False)
+        first = contact.solve(undeformed_gap=gap, approach=3e-7, borrow=True)
+        again = contact.solve(approach=3e-7, warm_start=False)
     assert gap.exports == 1 and isinstance(again.pressure, np.ndarray)
     assert np.array_equal(first.pressure.values, again.pressure)
 
@@ -150,16 +150,16 @@ def test_answers_there_can_be_looked_at(sphere_gap, context, tmp_path):
 
 
 def test_other_functions_copy_them(sphere_gap, context):
-    arguments = {"pitch": PITCH, "modulus": MODULUS, "displacement": [1e-7, 3e-7], "context": context}
-    there = rc.path(undeformed_gap=Exported(sphere_gap), **arguments)
-    assert np.array_equal(there.load, rc.path(undeformed_gap=sphere_gap, **arguments).load)
+    arguments = {"pitch": PITCH, "modulus": MODULUS, "approach": [1e-7, 3e-7], "context": context}
+    there = rc.history(undeformed_gap=Exported(sphere_gap), **arguments)
+    assert np.array_equal(there.load, rc.history(undeformed_gap=sphere_gap, **arguments).load)
 
 
 def test_what_cannot_be_handed_over_is_refused(sphere_gap, context, monkeypatch):
     refused(rc.ArgumentError, "not in C order", solved, Exported(sphere_gap[:, ::2]), context)
     refused(TypeError, "neither float64 nor float32", solved, Exported(sphere_gap.astype(np.int64)), context)
     refused(rc.ShapeError, "has shape", rc.Contact(rc.HalfSpace((8, 8), pitch=1.0, modulus=1.0)).solve,
-            undeformed_gap=Exported(sphere_gap), displacement=1.0)  # fmt: skip
+            undeformed_gap=Exported(sphere_gap), approach=1.0)  # fmt: skip
     monkeypatch.setattr(_device, "BACKENDS", {})
     refused(rc.ArgumentError, "kind 2, which no backend reaches", solved, Exported(sphere_gap), context)
     monkeypatch.setattr(_device, "BACKENDS", {2: b"dense"})

@@ -7,7 +7,7 @@ from conftest import refused
 import roughcontact as rc
 
 SHAPE, OPTIONS = (6, 7), {"tol": 1e-12}
-CONTROLS = {"displacement": 1.1, "load": 6.0}
+CONTROLS = {"approach": 1.1, "load": 6.0}
 GAP = np.random.default_rng(5).random(SHAPE) + 0.05 * (np.arange(7) - 3) ** 2
 SYSTEM = rc.HalfSpace(SHAPE, pitch=(1.0, 0.8), modulus=1.5)
 
@@ -43,13 +43,13 @@ def test_torch_after_another_step():
     torch = pytest.importorskip("torch")
     import roughcontact.torch
 
-    press = roughcontact.torch.Press(SYSTEM, control="displacement", options=OPTIONS)
+    press = roughcontact.torch.Press(SYSTEM, control="approach", options=OPTIONS)
     gap = torch.tensor(GAP, requires_grad=True)
     first = press(gap, 1.1)[2]
     press(gap.detach() * 2, 1.7)
     first.backward()
     with rc.Contact(SYSTEM, options=OPTIONS) as contact:
-        contact.solve(undeformed_gap=GAP, displacement=1.1)
+        contact.solve(undeformed_gap=GAP, approach=1.1)
         np.testing.assert_allclose(gap.grad, contact.gradient().gap, atol=1e-9)
 
 
@@ -103,7 +103,7 @@ def test_a_hardness_leaves_no_trace(control):
 def test_no_cotangents_no_gradient():
     from roughcontact._press import Press
 
-    press = Press(SYSTEM, control="displacement")
+    press = Press(SYSTEM, control="approach")
     pressure, *_ = press.solve(GAP, 1.1)
     none = np.zeros(SHAPE)
     by_gap, by_target, by_modulus = press.pull_back(GAP, 1.1, None, pressure, (none, none, 0.0, 0.0))

@@ -9,7 +9,7 @@ from roughcontact._errors import error_for
 
 CASES = {
     "argument": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "modulus", {"modulus": -1.0}),
-    "not finite": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "not finite", {"displacement": np.inf}),
+    "not finite": (rc.ArgumentError, rc.Status.ERR_ARGUMENT, "not finite", {"approach": np.inf}),
     "shape": (rc.ShapeError, rc.Status.ERR_SHAPE, "gap has shape", {"undeformed_gap": np.zeros((3, 3))}),
     "option": (rc.OptionError, rc.Status.ERR_OPTION, 'did you mean "tol"', {"options": {"tool": 1e-6}}),
     "option's range": (rc.OptionError, rc.Status.ERR_OPTION, "0.1", {"options": {"tol": 1.0}}),
@@ -17,7 +17,7 @@ CASES = {
     "backend": (rc.NoBackendError, rc.Status.ERR_NO_BACKEND, "nonesuch", {"options": {"backend": "nonesuch"}}),
     "solver": (rc.NoSolverError, rc.Status.ERR_NO_SOLVER, "nonesuch", {"options": {"solver": "nonesuch"}}),
     "incompatible": (rc.IncompatibleError, rc.Status.ERR_INCOMPATIBLE, "kernel", {"options": {"kernel": "spectral"}}),
-    "infeasible": (rc.InfeasibleError, rc.Status.ERR_INFEASIBLE, "load", {"displacement": None, "load": -1.0}),
+    "infeasible": (rc.InfeasibleError, rc.Status.ERR_INFEASIBLE, "load", {"approach": None, "load": -1.0}),
     "stopped": (
         rc.NotCertifiedError,
         rc.Status.STOP_MAX_ITER,
@@ -31,7 +31,7 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_statuses_are_exceptions(case, sphere_gap, half_space):
     kind, status, words, change = CASES[case]
-    arguments = {"undeformed_gap": sphere_gap, "displacement": 3e-7, **change}
+    arguments = {"undeformed_gap": sphere_gap, "approach": 3e-7, **change}
     if "modulus" not in change:
         arguments["system"] = half_space
     else:
@@ -44,7 +44,7 @@ def test_statuses_are_exceptions(case, sphere_gap, half_space):
 
 def test_a_product_that_is_not_positive_is_an_arithmetic_error():
     with pytest.raises(rc.NumericError) as caught:
-        rc.solve(undeformed_gap=np.zeros(8), displacement=1.0, system=rc.Product(lambda x: -x, 8, pitch=1))
+        rc.solve(undeformed_gap=np.zeros(8), approach=1.0, system=rc.Product(lambda x: -x, 8, pitch=1))
     assert isinstance(caught.value, ArithmeticError)
 
 
@@ -56,7 +56,7 @@ def test_plugin_that_is_refused(tmp_path, sphere_gap, half_space):
     assert any(level == "warning" and "rcb_broken.so" in message for level, message in said)
     with pytest.raises(rc.PluginError, match="rcb_broken.so"):
         how = {"options": {"backend": "broken"}, "context": context}
-        rc.solve(undeformed_gap=sphere_gap, system=half_space, displacement=1e-7, **how)
+        rc.solve(undeformed_gap=sphere_gap, system=half_space, approach=1e-7, **how)
 
 
 def test_exceptions_are_also_those_of_python():
@@ -81,7 +81,7 @@ def test_every_status_has_its_exception():
 
 
 def test_stopped_answers_can_be_looked_at(sphere_gap, half_space):
-    how = {"undeformed_gap": sphere_gap, "system": half_space, "displacement": 3e-7, "options": {"max_iter": 2, "solver": "gp"}}
+    how = {"undeformed_gap": sphere_gap, "system": half_space, "approach": 3e-7, "options": {"max_iter": 2, "solver": "gp"}}
     result = rc.solve(**how, check=False)
     assert result.status == rc.Status.STOP_MAX_ITER and "after 2 iterations" in result.message and not result.certified
     assert result.load == pytest.approx(4 / 3 * MODULUS * np.sqrt(1e-3) * 3e-7**1.5, rel=0.5)
@@ -91,10 +91,10 @@ def test_stopped_answers_can_be_looked_at(sphere_gap, half_space):
 
 def test_failures_leave_the_contact_as_it_was(sphere_gap, half_space):
     with rc.Contact(half_space) as contact:
-        first = contact.solve(undeformed_gap=sphere_gap, displacement=3e-7)
+        first = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
         for _ in range(3):
-            refused(rc.ArgumentError, "", contact.solve, displacement=float("nan"))
-        assert np.array_equal(contact.solve(displacement=3e-7, warm_start=False).pressure, first.pressure)
+            refused(rc.ArgumentError, "", contact.solve, approach=float("nan"))
+        assert np.array_equal(contact.solve(approach=3e-7, warm_start=False).pressure, first.pressure)
 
 
 @pytest.mark.parametrize("value", [None, [1], 1j])

@@ -107,7 +107,7 @@ def test_a_batch_of_files(tmp_path, rough):
 
 
 def test_missing_points_are_refused_filled_or_left_out(map_file):
-    press = {"modulus": 1e9, "displacement": 1e-9}
+    press = {"modulus": 1e9, "approach": 1e-9}
     refused(rc.ArgumentError, "1 missing points.*missing='fill'", rc.solve, map_file, **press)
     filled, excluded = (rc.solve(map_file, missing=rule, **press) for rule in ("fill", "exclude"))
     assert filled.grid.mask is None and excluded.grid.mask[1, 1] == 0
@@ -146,7 +146,7 @@ def test_other_formats_are_left_to_surface_topography(tmp_path, monkeypatch):
     monkeypatch.setattr(Reader, "physical_sizes", None)
     monkeypatch.setattr(Reader, "unit", None)
     refused(rc.ArgumentError, "does not say its pitch", rc.read, path)
-    assert rc.solve(path, pitch=2e-6, modulus=1e9, missing="fill", displacement=1.0).grid.pitch == (2e-6, 2e-6)
+    assert rc.solve(path, pitch=2e-6, modulus=1e9, missing="fill", approach=1.0).grid.pitch == (2e-6, 2e-6)
     assert rc.read(path, pitch=1, unit="nm").assumed.endswith("lengths without a unit are in nm")
     monkeypatch.setattr(Reader, "nb_grid_pts", (2,))
     refused(rc.ArgumentError, "it holds a profile", rc.read, path, pitch=1)

@@ -9,8 +9,8 @@ HOW = {"modulus": 1e9, "hardness": 2e7}
 
 
 def test_solve_keeps_the_hardness(rough):
-    soft = rc.solve(rough, **HOW, displacement=1e-7, want_gap=True)
-    stiff = rc.solve(rough, modulus=1e9, displacement=1e-7)
+    soft = rc.solve(rough, **HOW, approach=1e-7, want_gap=True)
+    stiff = rc.solve(rough, modulus=1e9, approach=1e-7)
     at_hardness = soft.pressure == HOW["hardness"]
     assert soft.certified and soft.pressure.max() == HOW["hardness"] < stiff.pressure.max() and soft.load < stiff.load
     assert soft.capped == at_hardness.sum() >= soft.proven_capped > 0 and stiff.capped == 0 == stiff.plastic_volume
@@ -20,16 +20,16 @@ def test_solve_keeps_the_hardness(rough):
 def test_histories_keep_the_indentation(rough):
     system = rc.HalfSpace.under(rough, **HOW)
     targets = [6e-8, 1e-7, 5e-8, 1.1e-7]
-    history = rc.path(rough, **HOW, displacement=targets)
-    assert np.array_equal(rc.batch([rough, rough], **HOW, displacement=targets).load, [history.load] * 2)
+    history = rc.history(rough, **HOW, approach=targets)
+    assert np.array_equal(rc.batch([rough, rough], **HOW, approach=targets).load, [history.load] * 2)
     with rc.Contact(system, options={"resumable": 1}) as contact, rc.Contact(system, options={"resumable": 1}) as other:
-        steps = [contact.solve(rough, displacement=target) for target in targets[:3]]
+        steps = [contact.solve(rough, approach=target) for target in targets[:3]]
         assert steps[1].capped > 0 == steps[2].capped and contact.indentation().max() > 0
         last, before = ((step.pressure, step.approach, step.load) for step in (steps[2], steps[1]))
         other.restore(rough, last=last, before=before, indentation=contact.indentation())
         assert np.array_equal(other.indentation(), contact.indentation())
-        end = contact.solve(displacement=targets[3])
-        assert np.array_equal(end.pressure, other.solve(displacement=targets[3]).pressure)
+        end = contact.solve(approach=targets[3])
+        assert np.array_equal(end.pressure, other.solve(approach=targets[3]).pressure)
         assert np.isclose(end.load, history.load[3], rtol=1e-7)
         contact.reset()
         assert not contact.indentation().any()
@@ -37,12 +37,12 @@ def test_histories_keep_the_indentation(rough):
 
 def test_own_operators(small_matrix):
     gap, how = np.linspace(0, 1, 12), {"pitch": 1.0, "hardness": 0.1}
-    matrix = rc.solve(undeformed_gap=gap, system=rc.Matrix(small_matrix, **how), displacement=1)
-    product = rc.solve(undeformed_gap=gap, system=rc.Product(small_matrix.dot, 12, **how), displacement=1)
+    matrix = rc.solve(undeformed_gap=gap, system=rc.Matrix(small_matrix, **how), approach=1)
+    product = rc.solve(undeformed_gap=gap, system=rc.Product(small_matrix.dot, 12, **how), approach=1)
     assert matrix.pressure.max() == 0.1 and matrix.capped > 0 and np.allclose(matrix.pressure, product.pressure, rtol=1e-6)
 
 
 def test_what_is_refused(rough):
-    refused(rc.ArgumentError, "hardness = -1 must be positive", rc.solve, rough, modulus=1e9, hardness=-1, displacement=1e-7)
+    refused(rc.ArgumentError, "hardness = -1 must be positive", rc.solve, rough, modulus=1e9, hardness=-1, approach=1e-7)
     refused(rc.InfeasibleError, "hardness times the area", rc.solve, rough, **HOW, load=1)
     refused(rc.ArgumentError, "hardness and system", rc.solve, rough, system=rc.HalfSpace.under(rough, modulus=1), hardness=1, load=1)

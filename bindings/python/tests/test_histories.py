@@ -11,21 +11,21 @@ import roughcontact as rc
 
 def test_path_is_its_steps(rough):
     targets = [4e-8, 8e-8, 6e-8]
-    history = rc.path(rough, modulus=1e9, displacement=targets, stiffness=True, keep_pressure=True)
+    history = rc.history(rough, modulus=1e9, approach=targets, stiffness=True, keep_pressure=True)
     assert history.completed == 3 and history.status == rc.Status.OK and history.message == ""
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), options={"stiffness": 1}) as contact:
         for k, target in enumerate(targets):
-            step = contact.solve(rough if k == 0 else None, displacement=target)
+            step = contact.solve(rough if k == 0 else None, approach=target)
             assert np.array_equal(step.pressure, history.pressure[k])
-            for name in ("load", "approach", "contact_area", "stiffness", "applications"):
+            for name in ("load", "approach", "contact_area", "stiffness", "products"):
                 assert getattr(step, name) == getattr(history, name)[k]
             assert history.certificate[k] == step.residual
 
 
 def test_path_in_load_control_on_a_kept_contact(rough):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
-        first = contact.path(rough, load=[1e-4, 1e-3])
-        second = contact.path(load=2e-3)
+        first = contact.history(rough, load=[1e-4, 1e-3])
+        second = contact.history(load=2e-3)
     assert np.allclose(first.load, [1e-4, 1e-3], rtol=1e-7) and second.load.shape == (1,)
     assert second.approach[0] > first.approach[1] > first.approach[0]
     assert first.pressure is None and first.stiffness is None
@@ -33,26 +33,26 @@ def test_path_in_load_control_on_a_kept_contact(rough):
 
 def test_each_step_is_seen(rough):
     seen = []
-    history = rc.path(rough, modulus=1e9, displacement=[2e-8, 4e-8], each=lambda k, result: seen.append((k, result)))
+    history = rc.history(rough, modulus=1e9, approach=[2e-8, 4e-8], each=lambda k, result: seen.append((k, result)))
     assert [k for k, _ in seen] == [0, 1]
     assert [result.load for _, result in seen] == list(history.load)
     assert seen[0][1].pressure.sum() < seen[1][1].pressure.sum() and seen[0][1].gap.shape == rough.shape  # copies: they last
 
 
 def test_path_ends_early(rough):
-    how = {"modulus": 1e9, "displacement": [2e-8, 4e-8, 6e-8]}
-    caught = refused(rc.NotCertifiedError, "", rc.path, rough, **how, each=lambda k, result: k == 1)
+    how = {"modulus": 1e9, "approach": [2e-8, 4e-8, 6e-8]}
+    caught = refused(rc.NotCertifiedError, "", rc.history, rough, **how, each=lambda k, result: k == 1)
     assert caught.status == rc.Status.STOP_CANCELLED and caught.result.completed == 2
-    assert rc.path(rough, **how, each=lambda k, result: k == 0, check=False).load.shape == (1,)
-    refused(RuntimeError, "mine", rc.path, rough, **how, each=lambda k, result: (_ for _ in ()).throw(RuntimeError("mine")))
+    assert rc.history(rough, **how, each=lambda k, result: k == 0, check=False).load.shape == (1,)
+    refused(RuntimeError, "mine", rc.history, rough, **how, each=lambda k, result: (_ for _ in ()).throw(RuntimeError("mine")))
 
 
 def test_path_that_fails_keeps_what_was_done(rough):
     with pytest.raises(rc.InfeasibleError, match="step 2") as caught:
-        rc.path(rough, modulus=1e9, displacement=[2e-8, 4e-8, 1.0, 6e-8], keep_pressure=True)
+        rc.history(rough, modulus=1e9, approach=[2e-8, 4e-8, 1.0, 6e-8], keep_pressure=True)
     done = caught.value.result
     assert done.completed == 2 and done.pressure.shape == (2, *rough.shape) and len(done.targets) == 4
-    refused(rc.ArgumentError, "2 axes", rc.path, rough, modulus=1e9, displacement=[[1e-8]])
+    refused(rc.ArgumentError, "2 axes", rc.history, rough, modulus=1e9, approach=[[1e-8]])
 
 
 def surfaces(n):
@@ -66,9 +66,9 @@ def test_batch_is_its_paths(threads):
     answer = rc.batch(each, modulus=1e9, load=loads, stiffness=True, keep_pressure=True, options={"threads": threads})
     assert answer.certified == 5 and answer.first == -1 and np.all(answer.statuses == 0)
     for k, surface in enumerate(each):
-        alone = rc.path(surface, modulus=1e9, load=loads[k], stiffness=True, keep_pressure=True)
+        alone = rc.history(surface, modulus=1e9, load=loads[k], stiffness=True, keep_pressure=True)
         assert np.array_equal(answer.pressure[k], alone.pressure[-1])
-        for name in ("load", "approach", "contact_area", "stiffness", "certificate", "applications"):
+        for name in ("load", "approach", "contact_area", "stiffness", "certificate", "products"):
             assert np.array_equal(getattr(answer, name)[k], getattr(alone, name))
 
 
@@ -88,26 +88,26 @@ def test_batch_shares_surfaces_histories_and_masks():
     shared = rc.batch(undeformed_gap=gaps, load=1e-3, mask=mask, keep_pressure=True, **how)
     own = rc.batch(undeformed_gap=gaps, load=1e-3, mask=np.stack([mask] * 3), keep_pressure=True, **how)
     assert shared.pressure[..., 16:].max() == 0 and np.array_equal(shared.pressure, own.pressure)
-    how.update(undeformed_gap=gaps, displacement=1e-7, options={"solver": "gp"})
+    how.update(undeformed_gap=gaps, approach=1e-7, options={"solver": "gp"})
     cold = rc.batch(keep_pressure=True, **how)
     assert rc.batch(start=cold.pressure, **how).iterations.sum() < cold.iterations.sum() / 2
 
 
 def test_batch_goes_on_after_a_failure():
     each = surfaces(3)
-    displacements = [[5e-8], [1.0], [5e-8]]
-    caught = refused(rc.InfeasibleError, "", rc.batch, each, modulus=1e9, displacement=displacements)
+    approaches = [[5e-8], [1.0], [5e-8]]
+    caught = refused(rc.InfeasibleError, "", rc.batch, each, modulus=1e9, approach=approaches)
     answer = caught.result
     assert list(answer.statuses[:, 0]) == [0, rc.Status.ERR_INFEASIBLE, 0] and answer.first == 1
-    assert np.isnan(answer.load[1, 0]) and answer.load[2, 0] > 0 and answer.applications[1, 0] == -1
-    assert rc.batch(each, modulus=1e9, displacement=displacements, check=False).status == rc.Status.ERR_INFEASIBLE
+    assert np.isnan(answer.load[1, 0]) and answer.load[2, 0] > 0 and answer.products[1, 0] == -1
+    assert rc.batch(each, modulus=1e9, approach=approaches, check=False).status == rc.Status.ERR_INFEASIBLE
 
 
 def test_batch_that_is_refused():
-    caught = refused(rc.ArgumentError, "", rc.batch, surfaces(2), modulus=-1.0, displacement=1e-8)
+    caught = refused(rc.ArgumentError, "", rc.batch, surfaces(2), modulus=-1.0, approach=1e-8)
     assert caught.result is None
     with pytest.raises(rc.ShapeError, match="numbers of contacts differ"):
-        rc.batch(surfaces(2), modulus=1e9, displacement=[[1e-8], [1e-8], [1e-8]])
+        rc.batch(surfaces(2), modulus=1e9, approach=[[1e-8], [1e-8], [1e-8]])
     refused(rc.ShapeError, "differ in shape or pitch", rc.batch, surfaces(1) + [rc.surface.noise((8, 8))], modulus=1e9, load=1)
     with pytest.raises(rc.ShapeError, match="heights or undeformed_gap has shape"):
         rc.batch(undeformed_gap=np.zeros((2, 3, 4)), system=rc.HalfSpace((5, 4), pitch=1, modulus=1), load=1)
@@ -132,13 +132,13 @@ def test_batch_shows_every_step():
 def test_batch_of_products(small_matrix):
     gaps = np.array([np.linspace(0, 2, 12), np.linspace(0, 3, 12)])
     product = rc.Product(lambda x: small_matrix @ x, 12, pitch=1)
-    answer = rc.batch(undeformed_gap=gaps, displacement=1.5, system=product, options={"threads": 2})
-    dense = rc.batch(undeformed_gap=gaps, displacement=1.5, system=rc.Matrix(small_matrix, pitch=1))
+    answer = rc.batch(undeformed_gap=gaps, approach=1.5, system=product, options={"threads": 2})
+    dense = rc.batch(undeformed_gap=gaps, approach=1.5, system=rc.Matrix(small_matrix, pitch=1))
     assert np.allclose(answer.load, dense.load, rtol=1e-6)
 
 
 def test_history_of_a_sphere_follows_hertz(sphere_gap):
     d = np.array([1e-7, 2e-7, 3e-7, 1e-7])
-    history = rc.path(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=d)
+    history = rc.history(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, approach=d)
     assert np.allclose(history.load, 4 / 3 * MODULUS * np.sqrt(1e-3) * d**1.5, rtol=0.03)
     assert history.load[3] == pytest.approx(history.load[0], rel=1e-6)

@@ -20,7 +20,7 @@ CASES = {
     "a fraction": lambda: rc.HalfSpace((2.7, 3.2), **HOW),
     "text": lambda: rc.HalfSpace("44", **HOW),
     "every": lambda: rc.Contact(rc.HalfSpace((4, 4), **HOW), every=2**64 + 1),
-    "every of one call": lambda: rc.solve(undeformed_gap=GAP, displacement=1.0, every=1.5, **HOW),
+    "every of one call": lambda: rc.solve(undeformed_gap=GAP, approach=1.0, every=1.5, **HOW),
     "max_iter": lambda: rc.direct.nnls(np.eye(2), np.ones(2), max_iter=2**64 + 1),
     "levels of the cascade": lambda: rc.direct.cmr(GAP, approach=1.0, levels=2**64 + 2, **HOW),
     "sides of coefficients": lambda: rc.kernel_coefficients("love", 2**64 + 2, 1.0),

@@ -40,7 +40,7 @@ def press_at(iteration):
 
 def test_solve_ends_and_keeps_its_pressures(large):
     start, others = time.monotonic(), threading.active_count()
-    caught = refused(KeyboardInterrupt, "", rc.solve, large, displacement=2.0, progress=press_at(5), **LONG)
+    caught = refused(KeyboardInterrupt, "", rc.solve, large, approach=2.0, progress=press_at(5), **LONG)
     assert time.monotonic() - start < 60
     assert isinstance(caught, rc.Interrupted)
     assert caught.result.status == rc.Status.STOP_CANCELLED and caught.result.pressure.max() > 0
@@ -52,14 +52,14 @@ def test_solve_ends_and_keeps_its_pressures(large):
 def test_contact_can_be_used_afterwards(large):
     system = rc.HalfSpace.under(large, modulus=1.0)
     with rc.Contact(system, options=LONG["options"], progress=press_at(5)) as contact:
-        refused(rc.Interrupted, "", contact.solve, large, displacement=2.0)
+        refused(rc.Interrupted, "", contact.solve, large, approach=2.0)
         contact.set_options({"tol": 1e-4, "solver": "auto", "max_iter": 3})
-        assert contact.solve(displacement=1.0, check=False).status in (rc.Status.STOP_MAX_ITER, rc.Status.OK)
+        assert contact.solve(approach=1.0, check=False).status in (rc.Status.STOP_MAX_ITER, rc.Status.OK)
 
 
 def test_path_keeps_its_steps(large):
     with pytest.raises(rc.Interrupted) as caught:
-        rc.path(large, modulus=1.0, load=np.tile([1e3, 2e3], 5000), each=lambda k, result: press() if k == 2 else None)
+        rc.history(large, modulus=1.0, load=np.tile([1e3, 2e3], 5000), each=lambda k, result: press() if k == 2 else None)
     done = caught.value.result
     assert done.status == rc.Status.STOP_CANCELLED and 3 <= done.completed < 10000
     assert np.all(np.isfinite(done.load)) and np.allclose(done.load, done.targets[: done.completed], rtol=1e-6)
@@ -73,7 +73,7 @@ def test_batch_keeps_its_contacts():
         with pytest.raises(rc.Interrupted) as caught:
             if each is None:
                 timer.start()
-            rc.batch(undeformed_gap=gaps, pitch=1.0, modulus=1.0, displacement=targets, each=each, options={"threads": 2})
+            rc.batch(undeformed_gap=gaps, pitch=1.0, modulus=1.0, approach=targets, each=each, options={"threads": 2})
     timer.join()
     done = caught.value.result
     assert (done.statuses == rc.Status.STOP_CANCELLED).sum() > 4
@@ -94,7 +94,7 @@ def test_products_in_python_end():
         return H @ x
 
     with pytest.raises(rc.Interrupted):
-        rc.solve(undeformed_gap=np.linspace(0, 1, n), displacement=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"])
+        rc.solve(undeformed_gap=np.linspace(0, 1, n), approach=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"])
 
 
 def test_handlers_of_the_caller_are_respected(large):
@@ -109,10 +109,10 @@ def test_handlers_of_the_caller_are_respected(large):
 
     before = signal.signal(signal.SIGINT, lambda *_: heard.append(1))
     try:
-        ended = rc.solve(large, displacement=2.0, check=False, progress=press_at(3), **LONG)
+        ended = rc.solve(large, approach=2.0, check=False, progress=press_at(3), **LONG)
         assert ended.status != rc.Status.STOP_CANCELLED and heard == [1]
         signal.signal(signal.SIGINT, raising)
-        refused(Mine, "", rc.solve, large, displacement=2.0, progress=press_at(3), **LONG)
+        refused(Mine, "", rc.solve, large, approach=2.0, progress=press_at(3), **LONG)
     finally:
         signal.signal(signal.SIGINT, before)
 
@@ -127,11 +127,11 @@ def test_pressing_it_often_does_no_harm(large):
                 started = True
                 for timer in timers:
                     timer.start()
-            rc.solve(large, displacement=2.0, check=False, modulus=1.0, options={**LONG["options"], "time_limit": 0.2})
+            rc.solve(large, approach=2.0, check=False, modulus=1.0, options={**LONG["options"], "time_limit": 0.2})
         except KeyboardInterrupt:
             interrupted += 1
     assert interrupted >= 1
-    assert rc.solve(large, displacement=1.0, modulus=1.0).certified
+    assert rc.solve(large, approach=1.0, modulus=1.0).certified
 
 
 def test_a_handler_that_raises_when_the_call_has_ended_is_not_waited_for():
@@ -164,9 +164,9 @@ def test_a_call_that_is_left_too_early_keeps_what_it_uses(large, monkeypatch):
 
     contact = rc.Contact(rc.HalfSpace.under(large, modulus=1.0), options={**LONG["options"], "max_iter": 20}, progress=progress)
     escape(monkeypatch)
-    refused(KeyboardInterrupt, "", contact.solve, large, displacement=2.0)
+    refused(KeyboardInterrupt, "", contact.solve, large, approach=2.0)
     assert begun.wait(60) and len(workers()) == 1
-    for call in (lambda: contact.solve(displacement=1.0), contact.points, contact.close):
+    for call in (lambda: contact.solve(approach=1.0), contact.points, contact.close):
         refused(rc.BusyError, "", call)
     with pytest.raises(ZeroDivisionError):
         with contact:
@@ -191,20 +191,20 @@ def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kin
         return 2.0 * x
 
     escape(monkeypatch)
-    gap, how = np.linspace(0, 1, 1000), {"displacement": 0.9, "system": rc.Product(product, 1000, pitch=1)}
+    gap, how = np.linspace(0, 1, 1000), {"approach": 0.9, "system": rc.Product(product, 1000, pitch=1)}
     calls = {
         "solve": lambda: rc.solve(undeformed_gap=gap.copy(), options=LONG["options"], **how),
-        "path": lambda: rc.path(undeformed_gap=gap.copy(), **{**how, "displacement": [0.5, 0.7, 0.9] * 9}),
+        "path": lambda: rc.history(undeformed_gap=gap.copy(), **{**how, "approach": [0.5, 0.7, 0.9] * 9}),
         "batch": lambda: rc.batch(undeformed_gap=np.tile(gap, (9, 1)), **how),
         "certify": lambda: [
-            rc.Contact(how["system"]).certify(gap, undeformed_gap=gap, displacement=0.9, check=False) for _ in range(9)
+            rc.Contact(how["system"]).certify(gap, undeformed_gap=gap, approach=0.9, check=False) for _ in range(9)
         ],
     }
     refused(KeyboardInterrupt, "", calls[kind])
     monkeypatch.undo()
     for thread in workers():
         thread.join()
-    assert rc.solve(large, displacement=1.0, modulus=1.0).certified
+    assert rc.solve(large, approach=1.0, modulus=1.0).certified
 
 
 def test_two_signals_at_the_same_time():
@@ -223,13 +223,13 @@ for _ in range(10):
             os.kill(os.getpid(), signal.SIGINT)
             os.kill(os.getpid(), signal.SIGTERM)
     try:
-        rc.solve(large, displacement=2.0, modulus=1.0, progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
+        rc.solve(large, approach=2.0, modulus=1.0, progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
     except BaseException as error:
         kept = error
     for thread in threading.enumerate():
         if thread.name == "roughcontact":
             thread.join()
-assert rc.solve(large, displacement=1.0, modulus=1.0).certified
+assert rc.solve(large, approach=1.0, modulus=1.0).certified
 print("sound")
 """
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)

@@ -22,7 +22,7 @@ def gap(pitch=0.5e-6):
 
 def load(kernel, context, **options):
     with rc.Contact(half_space(), options={"kernel": kernel, "tol": 1e-10, **options}, context=context) as contact:
-        return contact.solve(undeformed_gap=gap(), displacement=0.6e-6)
+        return contact.solve(undeformed_gap=gap(), approach=0.6e-6)
 
 
 def test_the_half_space_by_a_function():
@@ -53,7 +53,7 @@ def test_a_softer_half_space():
     with rc.Contact(
         rc.HalfSpace(SHAPE, pitch=0.5e-6, modulus=1e9, boundary="periodic"), options={"tol": 1e-10}, context=context
     ) as contact:
-        wanted = contact.solve(undeformed_gap=gap(), displacement=0.6e-6)
+        wanted = contact.solve(undeformed_gap=gap(), approach=0.6e-6)
     assert load("soft", context).load == pytest.approx(wanted.load, rel=1e-8)
 
 
@@ -63,7 +63,7 @@ def test_it_outlives_its_context():
     with rc.Contact(half_space(), options={"kernel": "mine", "backend": "fft"}, context=context) as contact:
         del context
         gc.collect()
-        assert contact.solve(undeformed_gap=gap(), displacement=0.6e-6).status == rc.Status.OK
+        assert contact.solve(undeformed_gap=gap(), approach=0.6e-6).status == rc.Status.OK
 
 
 def raising(qx, qy):

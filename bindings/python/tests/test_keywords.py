@@ -22,7 +22,7 @@ def test_options_are_keywords(rough):
     assert rc.solve(rough, **PRESS, tol=None).tolerance == rc.solve(rough, **PRESS).tolerance
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), tol=1e-10, nnls_pivoting="single") as contact:
         assert contact.solve(rough, load=1e-4).tolerance == 1e-10
-    assert rc.path(rough, modulus=1e9, load=[1e-4], tol=1e-9).certificate[0] <= 1e-9
+    assert rc.history(rough, modulus=1e9, load=[1e-4], tol=1e-9).certificate[0] <= 1e-9
     assert rc.batch([rough, rough], **PRESS, threads=2, tol=1e-9).certified == 2
 
 
@@ -32,10 +32,10 @@ def test_options_are_keywords(rough):
         ("modlus", "modulus"),
         ("tolerance", "tol"),
         ("sovler", "solver"),
-        ("dispacement", "displacement"),
+        ("dispacement", "approach"),
         ("max_iters", "max_iter"),
         ("force", "load"),
-        ("approach", "displacement"),
+        ("displacement", "approach"),
     ],
 )
 def test_a_misspelt_keyword_is_answered_by_the_right_one(rough, wrong, right):
@@ -57,7 +57,7 @@ def test_numbers_with_units_are_the_commands(rough, wrong):
 
 
 def test_keywords_that_are_near_nothing_or_given_twice(rough):
-    refused(TypeError, "'xyzzy'; see roughcontact.options", rc.path, rough, xyzzy=1)
+    refused(TypeError, "'xyzzy'; see roughcontact.options", rc.history, rough, xyzzy=1)
     refused(rc.ArgumentError, "tol is given twice", rc.solve, rough, **PRESS, tol=1e-6, options={"tol": 1e-6})
     refused(rc.OptionError, "tol", rc.solve, rough, **PRESS, tol="much")
 
@@ -80,11 +80,11 @@ def test_a_mean_pressure_is_a_load(rough):
     area = rough.heights.size * 1e-12
     found = rc.solve(rough, modulus=1e9, pressure=1e4)
     assert found.load == pytest.approx(1e4 * area) and found.mean_pressure == pytest.approx(1e4)
-    assert rc.path(rough, modulus=1e9, pressure=[1e4, 2e4]).load == pytest.approx([1e4 * area, 2e4 * area])
+    assert rc.history(rough, modulus=1e9, pressure=[1e4, 2e4]).load == pytest.approx([1e4 * area, 2e4 * area])
     assert rc.batch([rough], modulus=1e9, pressure=1e4).load[0, 0] == pytest.approx(1e4 * area)
     refused(rc.ArgumentError, "pressure and load are both given", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
     refused(
-        rc.ArgumentError, "pressure and displacement are both", rc.solve, rough, modulus=1e9, pressure=1e4, displacement=1.0
+        rc.ArgumentError, "pressure and approach are both", rc.solve, rough, modulus=1e9, pressure=1e4, approach=1.0
     )
 
 
@@ -105,7 +105,7 @@ ROW = -np.linspace(-1, 1, 32) ** 2
 @pytest.mark.parametrize(
     "call",
     [
-        lambda pitch: rc.path(ROW, pitch=pitch, modulus=1.0, load=[0.1]),
+        lambda pitch: rc.history(ROW, pitch=pitch, modulus=1.0, load=[0.1]),
         lambda pitch: rc.batch(undeformed_gap=-ROW, pitch=pitch, modulus=1.0, load=0.1),
         lambda pitch: rc.HalfSpace.under(ROW, pitch=pitch, modulus=1.0),
         lambda pitch: rc.surface.analyze(ROW, pitch=pitch),
@@ -126,7 +126,7 @@ def test_everywhere(call):
 
 def test_a_surface_is_pressed_with_its_own_pitch(rough):
     """Neither a pitch that is given nor that of a half-space replaces it."""
-    for call in (rc.solve, rc.path):
+    for call in (rc.solve, rc.history):
         refused(rc.ArgumentError, "surface has its own", call, rough, **PRESS, pitch=2e-6)
     refused(rc.ArgumentError, "surface has its own", rc.batch, [rough], **PRESS, pitch=2e-6)
     for judge in (rc.surface.analyze, rc.surface.psd, rc.plot.heights):
@@ -142,7 +142,7 @@ def test_a_surface_is_pressed_with_its_own_pitch(rough):
 def test_nothing_beside_a_system_is_ignored(rough):
     half_space = rc.HalfSpace.under(rough, modulus=1e9)
     for beside in ({"modulus": 2e9}, {"pitch": 1e-6}, {"boundary": "free"}, {"hardness": 1e9}, {"E": 1e9, "nu": 0.3}):
-        for call in (rc.solve, rc.path, rc.batch):
+        for call in (rc.solve, rc.history, rc.batch):
             refused(rc.ArgumentError, "system are both given", call, rough, system=half_space, load=1e-4, **beside)
     refused(rc.ArgumentError, "does not say its own", rc.solve, rough.heights, pitch=1, unit="um", **PRESS)
 
@@ -194,10 +194,10 @@ def test_help_names_every_keyword_with_its_default():
     text = inspect.getdoc(rc.solve)
     for name in inspect.signature(rc.solve).parameters:
         assert name == "keywords" or re.search(rf"^(E, )?{name}(, nu)?: ", text, re.M), name
-    for name in ("load", "displacement", "pressure", "hardness", "pitch"):
+    for name in ("load", "approach", "pressure", "hardness", "pitch"):
         assert re.search(rf"^{name}: [^\n]*(\n +[^\n]*)?\[(force|length)", text, re.M), f"{name} has no unit"
     known = [spec for spec in rc.options(rc.Context(environment=False)) if spec.key not in ("threads",)]
-    for function in (rc.solve, rc.path, rc.batch):
+    for function in (rc.solve, rc.history, rc.batch):
         lines = dict(re.findall(r"^ +(\w+)=(\S*?)(?: \([^)]*\))?: ", inspect.getdoc(function), re.M))
         for spec in known:
             said = lines[re.sub("[.-]", "_", spec.key)]

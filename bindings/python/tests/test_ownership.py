@@ -26,7 +26,7 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
         sums.append(x.sum())
         return small_matrix @ x
 
-    rc.solve(undeformed_gap=np.linspace(0, 2, 12), displacement=1.5, system=rc.Product(apply, 12, pitch=1))
+    rc.solve(undeformed_gap=np.linspace(0, 2, 12), approach=1.5, system=rc.Product(apply, 12, pitch=1))
     assert [x.sum() for x in kept] == sums and all(x.base is None or x.base.base is None for x in kept)
 
 
@@ -34,14 +34,14 @@ def test_a_product_may_keep_what_it_is_given(small_matrix):
 def test_a_late_cancel_is_not_forgotten(half_space, sphere_gap, between):
     """One that came just after its call had ended must not stop the next solve, whatever is called between."""
     with rc.Contact(half_space) as contact:
-        answer = contact.solve(undeformed_gap=sphere_gap, displacement=3e-7)
+        answer = contact.solve(undeformed_gap=sphere_gap, approach=3e-7)
         contact.cancel()
         contact._late_cancel = True
         if between == "certify":
-            contact.certify(answer.pressure, undeformed_gap=sphere_gap, displacement=3e-7)
+            contact.certify(answer.pressure, undeformed_gap=sphere_gap, approach=3e-7)
         else:
-            contact.path(displacement=[])
-        assert contact.solve(displacement=2e-7, warm_start=False).certified
+            contact.history(approach=[])
+        assert contact.solve(approach=2e-7, warm_start=False).certified
 
 
 def unaligned(array):
@@ -57,10 +57,10 @@ def test_arrays_are_aligned(sphere_gap, small_matrix):
 
 def test_a_batch_of_none_that_is_refused_raises():
     with pytest.raises(rc.OptionError):
-        how = {"displacement": 1.0, "pitch": 1.0, "modulus": 1.0}
+        how = {"approach": 1.0, "pitch": 1.0, "modulus": 1.0}
         rc.batch(undeformed_gap=np.zeros((0, 4, 4)), **how, options={"threads": -5}, check=False)
     with pytest.raises(rc.ArgumentError):
-        rc.batch(undeformed_gap=np.zeros((0, 4, 4)), displacement=1.0, pitch=1.0, modulus=-1.0, check=False)
+        rc.batch(undeformed_gap=np.zeros((0, 4, 4)), approach=1.0, pitch=1.0, modulus=-1.0, check=False)
 
 
 def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monkeypatch):
@@ -75,9 +75,9 @@ def test_the_library_of_the_same_prefix_comes_before_the_systems(tmp_path, monke
 
 def test_borrowed_masks_are_let_go(half_space, sphere_gap):
     with rc.Contact(half_space) as contact:
-        contact.solve(undeformed_gap=sphere_gap, displacement=3e-7, borrow=True)
+        contact.solve(undeformed_gap=sphere_gap, approach=3e-7, borrow=True)
         for _ in range(5):
-            contact.solve(mask=np.ones((64, 64), bool), displacement=3e-7, borrow=True)
+            contact.solve(mask=np.ones((64, 64), bool), approach=3e-7, borrow=True)
         assert len(contact._borrowed) <= 2 and np.shares_memory(contact._borrowed[0][0], sphere_gap)
 
 

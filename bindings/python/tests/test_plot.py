@@ -12,8 +12,8 @@ matplotlib.use("agg")
 def test_every_picture(rough, tmp_path):
     from matplotlib import pyplot
 
-    result = rc.solve(rough, modulus=1e9, displacement=8e-8)
-    history = rc.path(rough, modulus=1e9, displacement=[4e-8, 8e-8])
+    result = rc.solve(rough, modulus=1e9, approach=8e-8)
+    history = rc.history(rough, modulus=1e9, approach=[4e-8, 8e-8])
     figure, axes = pyplot.subplots(2, 3)
     drawn = [
         rc.plot.heights(rough, ax=axes[0, 0]),

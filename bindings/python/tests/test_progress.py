@@ -52,7 +52,7 @@ def test_a_step_counts_iterations(rough, bars):
 
 
 def test_a_path_counts_steps(rough, bars):
-    rc.path(rough, **PRESS, load=[1e-4, 2e-4, 3e-4], progress=True)
+    rc.history(rough, **PRESS, load=[1e-4, 2e-4, 3e-4], progress=True)
     (bar,) = bars
     assert (bar.total, bar.n, bar.unit, bar.open) == (3, 3, " steps", False) and {1, 2, 3} <= set(bar.seen)
 
@@ -68,7 +68,7 @@ def test_a_batch_counts_steps_of_all_contacts(rough, bars):
 def test_a_contact_shows_a_bar_for_each_call(rough, bars):
     with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9), progress=True, solver="gp") as contact:
         contact.solve(rough, load=1e-4)
-        contact.path(load=[2e-4, 3e-4])
+        contact.history(load=[2e-4, 3e-4])
         contact.certify(contact.solve(load=1e-4).pressure, load=1e-4)
     assert [bar.total for bar in bars] == [None, 2, None] and not any(bar.open for bar in bars)
 
@@ -92,5 +92,5 @@ def test_the_bars_of_tqdm(rough, monkeypatch):
     pytest.importorskip("tqdm")
     shown = io.StringIO()
     monkeypatch.setattr(sys, "stderr", shown)
-    rc.path(rough, modulus=1e9, load=[1e-4, 2e-4], progress=True)
+    rc.history(rough, modulus=1e9, load=[1e-4, 2e-4], progress=True)
     assert "2/2" in shown.getvalue() and "residual" in shown.getvalue()

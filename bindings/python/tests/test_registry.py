@@ -42,7 +42,7 @@ def test_contexts_of_ones_own(sphere_gap, half_space):
     refused(rc.NoBackendError, "", rc.Contact, half_space, options={"backend": "fft"}, context=bare)
     with rc.Contact(half_space, options={"backend": "dense"}, context=bare) as contact:
         del bare  # the contact keeps it
-        assert contact.solve(undeformed_gap=sphere_gap, displacement=1e-7).backend == "dense"
+        assert contact.solve(undeformed_gap=sphere_gap, approach=1e-7).backend == "dense"
     said = []
     rc.backends(rc.Context("relative", log=lambda level, message: said.append((level, message))))
     assert said and said[0][0] == "warning" and "relative" in said[0][1]

@@ -9,12 +9,12 @@ from conftest import MODULUS, PITCH, RADIUS
 import roughcontact as rc
 
 
-def hertz_load(displacement):
-    return 4 / 3 * MODULUS * np.sqrt(RADIUS) * displacement**1.5
+def hertz_load(approach):
+    return 4 / 3 * MODULUS * np.sqrt(RADIUS) * approach**1.5
 
 
 def test_load_of_a_sphere_is_hertz(sphere_gap):
-    result = rc.solve(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    result = rc.solve(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, approach=3e-7)
     assert result.certified and result.status == rc.Status.OK
     assert result.load == pytest.approx(hertz_load(3e-7), rel=0.01)
     assert result.contact_area == pytest.approx(np.pi * RADIUS * 3e-7, rel=0.03)
@@ -23,7 +23,7 @@ def test_load_of_a_sphere_is_hertz(sphere_gap):
     assert result.residual <= result.tolerance
 
 
-def test_load_control_finds_the_displacement(sphere_gap):
+def test_load_control_finds_the_approach(sphere_gap):
     result = rc.solve(undeformed_gap=sphere_gap, pitch=PITCH, modulus=MODULUS, load=hertz_load(3e-7))
     assert result.load == pytest.approx(hertz_load(3e-7), rel=1e-7)
     assert result.approach == pytest.approx(3e-7, rel=0.01)
@@ -31,8 +31,8 @@ def test_load_control_finds_the_displacement(sphere_gap):
 
 
 def test_heights_are_gaps_upside_down(sphere_gap):
-    gap = rc.solve(undeformed_gap=sphere_gap - sphere_gap.min(), pitch=PITCH, modulus=MODULUS, displacement=3e-7)
-    heights = rc.solve(-sphere_gap, pitch=PITCH, modulus=MODULUS, displacement=3e-7)
+    gap = rc.solve(undeformed_gap=sphere_gap - sphere_gap.min(), pitch=PITCH, modulus=MODULUS, approach=3e-7)
+    heights = rc.solve(-sphere_gap, pitch=PITCH, modulus=MODULUS, approach=3e-7)
     assert np.array_equal(gap.pressure, heights.pressure)
 
 
@@ -40,20 +40,20 @@ def test_axes_are_rows_and_columns():
     """A ridge along x on cells that are not square: what varies along the last axis has pitch hx."""
     y = np.arange(33) - 16.0
     gap = np.repeat((y**2 / 50)[:, None], 20, axis=1)
-    result = rc.solve(undeformed_gap=gap, pitch=(2.0, 1.0), modulus=1.0, displacement=1.0)
+    result = rc.solve(undeformed_gap=gap, pitch=(2.0, 1.0), modulus=1.0, approach=1.0)
     assert result.pressure.shape == (33, 20)
     assert result.pressure[16].min() > 0 and result.pressure[0].max() == 0
-    turned = rc.solve(undeformed_gap=gap.T, pitch=(1.0, 2.0), modulus=1.0, displacement=1.0)
+    turned = rc.solve(undeformed_gap=gap.T, pitch=(1.0, 2.0), modulus=1.0, approach=1.0)
     assert turned.load == pytest.approx(result.load, rel=1e-7)
     assert np.allclose(turned.pressure.T, result.pressure, atol=1e-6 * result.pressure.max())
 
 
 def test_gap_is_complementary_to_pressure(rough):
-    result = rc.solve(rough, modulus=1e9, displacement=5e-8, want_gap=True)
+    result = rc.solve(rough, modulus=1e9, approach=5e-8, want_gap=True)
     scale = 5e-8
     assert result.gap.min() >= -1e-7 * scale
     assert np.abs(result.gap[result.pressure > 0]).max() <= 1e-7 * scale
-    assert rc.solve(rough, modulus=1e9, displacement=5e-8, want_pressure=False).pressure is None
+    assert rc.solve(rough, modulus=1e9, approach=5e-8, want_pressure=False).pressure is None
 
 
 def test_surface_brings_pitch_and_boundary(rough):
@@ -65,7 +65,7 @@ def test_surface_brings_pitch_and_boundary(rough):
 
 
 def test_options_reach_the_library(sphere_gap, half_space):
-    how = {"system": half_space, "displacement": 3e-7}
+    how = {"system": half_space, "approach": 3e-7}
     result = rc.solve(
         undeformed_gap=sphere_gap, **how, options={"solver": "polonsky-keer", "backend": "fft", "tol": 1e-5, "stiffness": True}
     )
@@ -99,7 +99,7 @@ def directly(system, gap, control, target, pressure):
     return library.rc_solve(buffers[0], buffers[1], None, buffers[2])
 
 
-@pytest.mark.parametrize("control, name, target", [(1, "displacement", 3e-7), (2, "load", 0.5)])
+@pytest.mark.parametrize("control, name, target", [(1, "approach", 3e-7), (2, "load", 0.5)])
 @pytest.mark.parametrize("boundary", ["free", "periodic"])
 def test_same_bits_as_the_c_function(control, name, target, boundary):
     surface = rc.surface.spectral((40, 56), pitch=PITCH, rms_height=2e-7, hurst=0.7)

@@ -17,17 +17,17 @@ LONG = {"solver": "gp", "tol": 1e-14, "max_iter": 10**9}
 
 def test_same_bits_from_every_thread():
     surfaces = [rc.surface.spectral((48, 48), seed=k) for k in range(8)]
-    expected = [rc.solve(s, modulus=1.0, displacement=1.0).pressure for s in surfaces]
+    expected = [rc.solve(s, modulus=1.0, approach=1.0).pressure for s in surfaces]
     with ThreadPoolExecutor(4) as pool:
         for _ in range(3):
-            found = list(pool.map(lambda s: rc.solve(s, modulus=1.0, displacement=1.0).pressure, surfaces))
+            found = list(pool.map(lambda s: rc.solve(s, modulus=1.0, approach=1.0).pressure, surfaces))
             assert all(np.array_equal(a, b) for a, b in zip(found, expected))
 
 
 def test_errors_belong_to_their_threads():
     def fail(k):
         with pytest.raises(rc.OptionError, match=f"unknown_{k}"):
-            rc.solve(undeformed_gap=np.zeros((4, 4)), pitch=1, modulus=1, displacement=1, options={f"unknown_{k}": 1})
+            rc.solve(undeformed_gap=np.zeros((4, 4)), pitch=1, modulus=1, approach=1, options={f"unknown_{k}": 1})
         return True
 
     with ThreadPoolExecutor(4) as pool:
@@ -45,7 +45,7 @@ def test_other_threads_run_during_a_solve():
 
     thread = threading.Thread(target=tick)
     thread.start()
-    rc.solve(large, modulus=1.0, displacement=2.0, check=False, options={**LONG, "time_limit": 0.5})
+    rc.solve(large, modulus=1.0, approach=2.0, check=False, options={**LONG, "time_limit": 0.5})
     stop.set()
     thread.join()
     assert len(ticks) > 10
@@ -65,11 +65,11 @@ def test_a_second_thread_is_told(small_matrix):
         armed.append(True)
         answer = []
         gap = np.linspace(0, 2, 12)
-        how = {"undeformed_gap": gap, "displacement": 1.5, "check": False}
+        how = {"undeformed_gap": gap, "approach": 1.5, "check": False}
         worker = threading.Thread(target=lambda: answer.append(contact.solve(**how)))
         worker.start()
         assert inside.wait(60)
-        for call in (lambda: contact.solve(displacement=1.0), contact.points, contact.close):
+        for call in (lambda: contact.solve(approach=1.0), contact.points, contact.close):
             refused(rc.BusyError, "", call)
         contact.cancel()
         leave.set()

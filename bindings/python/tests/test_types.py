@@ -16,7 +16,7 @@ import roughcontact as rc
 
 surface: rc.Surface = rc.surface.spectral((32, 32), pitch=1e-6, rms_height=1e-7)
 result: rc.Result = rc.solve(surface, E=210e9, nu=0.3, pressure=1e6, tol=1e-8, progress=True)
-loads: List[float] = [step.load for step in rc.path(surface, modulus=1e9, load=[1e-4, 2e-4])]
+loads: List[float] = [step.load for step in rc.history(surface, modulus=1e9, load=[1e-4, 2e-4])]
 upper: float = result.load_upper
 with rc.Contact(rc.HalfSpace.under(rc.read("a.npy", pitch=1), modulus=1e9)) as contact:
     index, pressure = contact.points()

@@ -33,7 +33,7 @@ double relative(double difference, double value) {
 
 // Relative difference of load to the next coarser grid; in load control from the difference of approach and the stiffness.
 double difference(const rc_result& fine, const rc_result& coarse, std::int32_t control) {
-  if (control == RC_CONTROL_DISPLACEMENT) return relative(fine.load - coarse.load, fine.load);
+  if (control == RC_CONTROL_APPROACH) return relative(fine.load - coarse.load, fine.load);
   const double difference = coarse.stiffness * (fine.approach - coarse.approach);
   return std::isfinite(difference) ? relative(difference, fine.load) : std::numeric_limits<double>::infinity();
 }
@@ -144,7 +144,7 @@ AccuracyGoal::Found AccuracyGoal::from_coarse_to_fine(GridContact& given, const 
 void AccuracyGoal::add_work(rc_result& result) const {
   for (const Grid& grid : grids_) {
     result.iterations += grid.result.iterations;
-    result.applications += grid.result.applications;
+    result.products += grid.result.products;
     result.setup_seconds += grid.result.setup_seconds;
   }
 }
@@ -177,7 +177,7 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   result.contact_area = static_cast<double>(p.on.n) * given.system.cell_area();
   if (step.control == RC_CONTROL_LOAD) result.kkt_control = load_imbalance(result.load, step.target);
   result.levels = 0;
-  result.iterations = result.applications = 0;
+  result.iterations = result.products = 0;
   result.setup_seconds = 0;
   add_work(result);
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);

@@ -8,8 +8,8 @@
 #include "contact/grid_contact.h"
 #include "contact/grids/accuracy_goal.h"
 #include "contact/grids/sparse_contact.h"
+#include "contact/step/approach.h"
 #include "contact/step/certified_result.h"
-#include "contact/step/displacement.h"
 #include "core/error.h"
 
 namespace rc {
@@ -65,7 +65,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
   const Workspace& coarse = grid.halved.contact().work();
   // Prescribes the coarser grid's approach in load control, too: the error of the load that belongs to it is what counts.
   rc_step at = RC_STEP_INIT;
-  at.control = RC_CONTROL_DISPLACEMENT;
+  at.control = RC_CONTROL_APPROACH;
   at.target = found.estimate->approach;
   at.warm_start = 0;
   found.status = RC_OK;
@@ -82,7 +82,7 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
       ~Looking() { steps = 0; }
     } looking(work.record.look);
     std::optional<Answer> sparse = sparse_contact(work, given.memory(), at, monitor, found.estimate);
-    answer = sparse ? std::move(*sparse) : at_displacement(work, given.memory(), at, monitor, found.estimate);
+    answer = sparse ? std::move(*sparse) : at_approach(work, given.memory(), at, monitor, found.estimate);
     if (std::any_of(answer.p.begin(), answer.p.end(), [](double p) { return p < 0; })) answer.checked.reset();
     for (double& p : answer.p) p = std::max(0.0, p);
     screened = answer.checked.has_value();

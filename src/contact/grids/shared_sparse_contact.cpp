@@ -60,7 +60,7 @@ template <class Take> void each_own(const Workspace& work, std::size_t n, const 
 // The deformed gap at all points of the rows, by one product of all ranks.
 void write_gap(Workspace& work, const Pressures& own, double compression, const rc_result& result) {
   const TrialSet rows{work.own_points(), {}};
-  Answer answer = prepared(rows, RC_CONTROL_DISPLACEMENT, 1, work);
+  Answer answer = prepared(rows, RC_CONTROL_APPROACH, 1, work);
   answer.op = &work.bound_operator(*answer.choice.backend, rows);
   Deflected found;
   on_all(work.ranks(), [&] {

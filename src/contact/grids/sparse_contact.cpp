@@ -12,7 +12,7 @@
 #include "contact/grid_contact.h"
 #include "contact/grids/grid_pyramid.h"
 #include "contact/grids/screening.h"
-#include "contact/step/displacement.h"
+#include "contact/step/approach.h"
 #include "contact/step/load_control.h"
 #include "contact/step/problem_services.h"
 #include "contact/step/target.h"
@@ -243,7 +243,7 @@ std::optional<Estimate> coarse_estimate(const Workspace& work, const rc_step& st
   if (!answer) {
     if ((choice || half.surface.tiles()) && (halvings > 1 || !dense)) return std::nullopt;
     answer = at.control == RC_CONTROL_LOAD ? at_load(half, {}, at, watch, std::move(coarser))
-                                           : at_displacement(half, {}, at, watch, std::move(coarser));
+                                           : at_approach(half, {}, at, watch, std::move(coarser));
   }
   const std::int64_t contacts = count_positive(answer->p);
   if (contacts == 0) return std::nullopt;

@@ -43,9 +43,8 @@ struct Request {
   Request(const rc_batch& batch, std::int64_t n_points) : given(batch), points(n_points) {
     if (given.n < 0) fail(RC_ERR_ARGUMENT, "rc_batch.n = ", given.n, " must be >= 0");
     if (given.steps < 0) fail(RC_ERR_ARGUMENT, "rc_batch.steps = ", given.steps, " must be >= 0");
-    if (given.control != RC_CONTROL_DISPLACEMENT && given.control != RC_CONTROL_LOAD)
-      fail(RC_ERR_ARGUMENT, "rc_batch.control = ", given.control,
-           " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+    if (given.control != RC_CONTROL_APPROACH && given.control != RC_CONTROL_LOAD)
+      fail(RC_ERR_ARGUMENT, "rc_batch.control = ", given.control, " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
     given.target_stride = resolved_stride(given.target_stride, given.steps, given.n, "target_stride", "steps");
     given.undeformed_gap_stride = resolved_stride(given.undeformed_gap_stride, points, given.n, "undeformed_gap_stride", "nx*ny");
     given.mask_stride = resolved_stride(given.mask_stride, points, given.n, "mask_stride", "nx*ny");
@@ -82,7 +81,7 @@ struct Request {
     put(given.certificate, at, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
     put(given.status, at, result.status);
     put(given.iterations, at, result.iterations);
-    put(given.applications, at, result.applications);
+    put(given.products, at, result.products);
   }
   // Steps from `k` on have no answer.
   void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
@@ -90,7 +89,7 @@ struct Request {
     none.status = status;
     none.load = none.approach = none.contact_area = none.stiffness = nan;
     none.kkt_primal = nan;  // std::max keeps a NaN that comes first, so the certificate is NaN
-    none.iterations = none.applications = -1;
+    none.iterations = none.products = -1;
     for (; k < given.steps; ++k) write(i, k, none);
   }
 

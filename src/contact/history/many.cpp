@@ -118,7 +118,7 @@ std::optional<rc_result> ManySolve::result(const rc_many_answer& answer, std::in
   result.kkt_complementarity = certificate.complementarity;
   result.kkt_control = certificate.control;
   result.iterations = answer.iterations;
-  result.applications = answer.products;
+  result.products = answer.products;
   return result;
 }
 

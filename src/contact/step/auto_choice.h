@@ -16,7 +16,7 @@ namespace rc {
 
 // What is known of a step before it is solved.
 struct StepFacts {
-  std::int32_t control = RC_CONTROL_DISPLACEMENT;
+  std::int32_t control = RC_CONTROL_APPROACH;
   std::int64_t candidates = 0;  // points of the trial set
   std::int64_t box = 0;         // points of its bounding box
   double tol = 0;

@@ -174,7 +174,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.points = system.points();
   result.contacts = contacts;
   result.load = sum * area;
-  const bool given = step.control == RC_CONTROL_DISPLACEMENT;
+  const bool given = step.control == RC_CONTROL_APPROACH;
   const double limit = given ? step.target : surface.limit_of(compression);
   result.candidates = system.positive ? surface.extent_below(limit).n : surface.included_points();
   result.approach = given ? step.target : surface.included_points() > 0 ? surface.lowest() + compression : 0;
@@ -198,7 +198,7 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
 void count_work(const Workspace& work, const Monitor& monitor, rc_result& result) {
   result.iterations = monitor.iterations();
   result.levels = work.solver_grids.current();
-  result.applications = work.applications() - work.record.applications_before;
+  result.products = work.products() - work.record.products_before;
   result.setup_seconds = work.record.setup_seconds;
   result.seconds = std::max(0.0, monitor.seconds() - result.setup_seconds);
 }
@@ -331,7 +331,7 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
   if (trial.n == work.own_points() || work.ranks()) trial = {work.own_points(), {}};
   Answer answer;
   if (loaded) {
-    answer = prepared(trial, RC_CONTROL_DISPLACEMENT, 1, work);
+    answer = prepared(trial, RC_CONTROL_APPROACH, 1, work);
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     for (std::int64_t i = 0; i < trial.n; ++i) answer.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
     answer.op->field(answer.p, product);

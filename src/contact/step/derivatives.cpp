@@ -41,7 +41,7 @@ void check_finite(double value, const char* name) {
 class Linearised {
  public:
   Linearised(Workspace& work, const Memory& memory, const Monitor& monitor)
-      : work_(work), monitor_(monitor), before_(work.applications()), loaded_(memory.last.pressures.positive(work.team())) {
+      : work_(work), monitor_(monitor), before_(work.products()), loaded_(memory.last.pressures.positive(work.team())) {
     if (work.record.certified == 0)
       fail(RC_ERR_ARGUMENT,
            "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",
@@ -70,7 +70,7 @@ class Linearised {
   bool included(std::size_t i) const { return work_.surface.included(i); }
   double unit() const { return system().length_per_pressure; }
   std::int64_t undecided() const { return work_.record.undecided; }
-  std::int64_t products() const { return work_.applications() - before_; }
+  std::int64_t products() const { return work_.products() - before_; }
 
   // Values given for all points: NaN counts where no mask excludes the point.
   void check(const double* values, const char* name) const {

@@ -1,4 +1,4 @@
-// Load control: a trial set that surely holds the contact set, and for solvers that only know displacement control an iteration
+// Load control: a trial set that surely holds the contact set, and for solvers that only know approach control an iteration
 // on the approach.
 #include "contact/step/load_control.h"
 
@@ -57,7 +57,7 @@ rc_status balance_load(Answer& answer, double load, double shift, double first, 
     double unused = 0;
     answer.compression = d - shift;
     const double depth = std::max(answer.compression, 1e-3 * d), physical = lowest + answer.compression * answer.length_unit;
-    const rc_status solved = run_solver(RC_CONTROL_DISPLACEMENT, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
+    const rc_status solved = run_solver(RC_CONTROL_APPROACH, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
     // Pressures of less than the accuracy asked for still tell where the load is.
     if (solved != RC_OK && solved != RC_STOP_STALLED && solved != RC_UNCERTIFIED) return solved;
     double sum = 0;
@@ -156,7 +156,7 @@ Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monit
     }
     if (direct && !work.ranks() && answer.status == RC_STOP_STALLED &&
         (work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
-      // A solver whose own load control goes in circles may still do displacement control.
+      // A solver whose own load control goes in circles may still do approach control.
       handed_over = true;
       continue;
     }

@@ -31,12 +31,12 @@ class Monitor {
   }
 
   // Called once an iteration by a solver, which counts from 0 at each of its calls.
-  rc_status poll(std::int64_t iteration, double kkt, std::int64_t applications) {
+  rc_status poll(std::int64_t iteration, double kkt, std::int64_t products) {
     if (iteration > iteration_) ++iterations_;
     iteration_ = iteration;
     if (progress_.function && iterations_ >= next_report_) {
       next_report_ = iterations_ + progress_.every;
-      const rc_progress report{sizeof(rc_progress), iterations_, applications, kkt, seconds()};
+      const rc_progress report{sizeof(rc_progress), iterations_, products, kkt, seconds()};
       if (progress_.function(&report, progress_.user) != 0) return RC_STOP_CANCELLED;
     }
     if (const rc_status status = ask(); status != RC_OK) return status;

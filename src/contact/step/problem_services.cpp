@@ -11,7 +11,7 @@
 
 namespace rc {
 
-// rc_history and rc_problem, and the state that their callbacks need.
+// rc_kept_steps and rc_problem, and the state that their callbacks need.
 struct BoundHistory : OwnHistory {
   KeptHistory* all;
   const rc_solver* by;
@@ -98,18 +98,18 @@ rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
   if (const Ranks* const ranks = run.work.ranks()) {
     // One rank's clock stops all of them, at the same iteration. That of the most iterations is the same on all.
     ++ranks->counts().iterations;
-    const rc_status mine = run.monitor.poll(iteration, kkt, run.op.applications());
+    const rc_status mine = run.monitor.poll(iteration, kkt, run.op.products());
     if (mine != RC_STOP_MAX_ITER) ranks->ask_stop(mine);
     if (ranks->stop() != RC_OK) return ranks->stop();
     if (mine == RC_STOP_MAX_ITER) return mine;
   } else if (const Ranks* const alike = run.work.alike()) {
     return contained([&] {
       ++alike->counts().iterations;
-      const std::vector<rc_status> all = alike->of_each(run.monitor.poll(iteration, kkt, run.op.applications()));
+      const std::vector<rc_status> all = alike->of_each(run.monitor.poll(iteration, kkt, run.op.products()));
       const rc_status stop = *std::max_element(all.begin(), all.end());
       return stop == RC_OK && iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : stop;
     });
-  } else if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.applications()); status != RC_OK) {
+  } else if (const rc_status status = run.monitor.poll(iteration, kkt, run.op.products()); status != RC_OK) {
     return status;
   }
   return iteration >= bound(problem).most_iterations ? RC_STOP_MAX_ITER : RC_OK;
@@ -118,7 +118,7 @@ rc_status poll(const rc_problem* problem, std::int64_t iteration, double kkt) {
 rc_status coarse(const rc_problem* problem, rc_coarse* request) {
   // An older solver's struct may lack the members after p.
   rc_coarse today{};
-  today.control = RC_CONTROL_DISPLACEMENT;
+  today.control = RC_CONTROL_APPROACH;
   today.keep = 1;
   std::memcpy(&today, request, std::min(request->struct_size, sizeof today));
   return contained([&] {
@@ -142,7 +142,7 @@ void note(const rc_problem* problem, const char* text) {
   });
 }
 
-void keep(const rc_history* history, void* object, void (*destroy)(void*)) {
+void keep(const rc_kept_steps* history, void* object, void (*destroy)(void*)) {
   const BoundHistory& own = *static_cast<const BoundHistory*>(history);
   try {
     own.all->own = {own.by, std::shared_ptr<void>(object, destroy)};
@@ -172,7 +172,7 @@ rc_status solve(const rc_solver& solver, BoundProblem& problem, double* p, doubl
 rc_status inner_solve(const BoundProblem& outer, const char* name, std::span<const std::int64_t> a, double tol, double* p,
                       double* product) {
   SolverRun& run = outer.run;
-  if (outer.control != RC_CONTROL_DISPLACEMENT) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs displacement control");
+  if (outer.control != RC_CONTROL_APPROACH) fail(RC_ERR_INCOMPATIBLE, "a solver inside a solver needs approach control");
   const auto inside = static_cast<std::int64_t>(a.size());
   const StepFacts facts{.candidates = inside, .box = inside, .tol = tol};
   const rc_solver& solver = std::string_view(name) == "auto"
@@ -336,7 +336,7 @@ rc_status SolverRun::operator()(std::int32_t control, std::span<const double> u,
   }
   if (history_ && work.keeps_history && grid.nx > 0 && !work.ranks()) {
     const bool as_given = !warms_up(solver, work.options);
-    problem.kept = {{{.struct_size = sizeof(rc_history),
+    problem.kept = {{{.struct_size = sizeof(rc_kept_steps),
                       .last = as_given ? history_->last.of(solver) : nullptr,
                       .before = as_given ? history_->before.of(solver) : nullptr,
                       .ahead = history_->ahead,

@@ -24,7 +24,7 @@ class SolverRun {
   // its solver keeps of its answer. All four must outlive it.
   SolverRun(Workspace& work, const Answer& answer, Monitor& monitor, KeptHistory* history = nullptr);
 
-  // Displacement control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
+  // Approach control: w = H p - u, residual relative to 1. Load control: w = H p - u - d, relative to d + max u.
   // p and d: start in, answer out. `approach`: the grid's. u may be empty for a solver that reads the gap.
   // Throws Error for a status < 0.
   rc_status operator()(std::int32_t control, std::span<const double> u, double load, double tol, double approach,

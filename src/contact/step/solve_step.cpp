@@ -5,7 +5,7 @@
 
 #include "contact/grids/shared_sparse_contact.h"
 #include "contact/grids/sparse_contact.h"
-#include "contact/step/displacement.h"
+#include "contact/step/approach.h"
 #include "contact/step/load_control.h"
 #include "core/error.h"
 
@@ -33,7 +33,7 @@ Answer answer_of(Workspace& work, const Memory& memory, const rc_step& step, Mon
   std::optional<Estimate> estimate = nearer;
   if (std::optional<Answer> sparse = sparse_contact(work, memory, step, monitor, estimate)) return std::move(*sparse);
   return step.control == RC_CONTROL_LOAD ? at_load(work, memory, step, monitor, std::move(estimate))
-                                         : at_displacement(work, memory, step, monitor, std::move(estimate));
+                                         : at_approach(work, memory, step, monitor, std::move(estimate));
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 namespace rc {
 
 void check_target(const rc_step& step, const Workspace& work, const StepSurface& surface) {
-  const bool by_load = step.control == RC_CONTROL_LOAD, by_displacement = step.control == RC_CONTROL_DISPLACEMENT;
-  if (!by_load && !by_displacement)
-    fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.control, " is neither RC_CONTROL_DISPLACEMENT (1) nor RC_CONTROL_LOAD (2)");
+  const bool by_load = step.control == RC_CONTROL_LOAD, by_approach = step.control == RC_CONTROL_APPROACH;
+  if (!by_load && !by_approach)
+    fail(RC_ERR_ARGUMENT, "rc_step.control = ", step.control, " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
   if (!std::isfinite(step.target)) fail(RC_ERR_ARGUMENT, "rc_step.target = ", step.target, " is not finite");
   if (by_load && step.target < 0)
     fail(RC_ERR_INFEASIBLE, "load = ", step.target,
@@ -23,7 +23,7 @@ void check_target(const rc_step& step, const Workspace& work, const StepSurface&
   if (by_load && step.target > most * (1 + 8 * std::numeric_limits<double>::epsilon()))
     fail(RC_ERR_INFEASIBLE, "load = ", step.target, " is more than hardness times the area of the ", surface.included_points(),
          " points that may carry pressure, ", most, "; prescribe less load, or allow more points");
-  if (by_displacement && !work.system.capped() && work.system.periodic() && surface.whole() &&
+  if (by_approach && !work.system.capped() && work.system.periodic() && surface.whole() &&
       beyond_mean_plane(step.target - surface.lowest(), surface.mean_height()))
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
@@ -49,7 +49,7 @@ double compression_of(const rc_step& step, const Workspace& work) {
 // The scale follows from the problem alone: an answer must not set the scale that it is judged by. Periodic, load control: in
 // full contact the compression may vanish under any load. The scale is then at least a quarter of mean pressure times
 // length_per_pressure, or what the kernel deflects a cell by if that is less; the library's kernels deflect it by more, if it is
-// up to 100 times as long as wide. Periodic, displacement control: gaps under pressure as large as the mean gap would leave the
+// up to 100 times as long as wide. Periodic, approach control: gaps under pressure as large as the mean gap would leave the
 // load open, so tol times the scale is half of it at most.
 double residual_scale(const rc_step& step, const Workspace& work, double compression) {
   const System& system = work.system;

@@ -20,7 +20,7 @@ void clip(const Problem& problem, Vector& p);
 // Moves v to the nearest point of { 0 <= p <= cap } or, in load control, of { 0 <= p <= cap, sum p = load }.
 void project(const Problem& problem, Vector& v);
 // Load control: scales the p below the cap to the load, again for those that meet the cap; a p of zeros becomes the load spread
-// evenly. Where they cannot bear the load, p is projected. Displacement control: does nothing.
+// evenly. Where they cannot bear the load, p is projected. Approach control: does nothing.
 void scale_to_load(const Problem& problem, Vector& p);
 
 }  // namespace rc

@@ -186,7 +186,7 @@ template <Machine M, class Poll> class HaarIteration {
     stretch();
   }
 
-  // Replaces the pressures by their multiple of least energy, whose product is known. By displacement the steps find that
+  // Replaces the pressures by their multiple of least energy, whose product is known. By approach the steps find that
   // multiple last. Without a cut it would spoil conjugate directions.
   constexpr void stretch() {
     if (!cut_any_ || task_.by_load || keeps_load_ || task_.periodic_mean > 0 || capped()) return;
@@ -249,7 +249,7 @@ template <Machine M, class Poll> class HaarIteration {
     raise(change);
   }
 
-  // Newton's step of the datum in displacement control: the datum must become the deflection that the added mean causes.
+  // Newton's step of the datum in approach control: the datum must become the deflection that the added mean causes.
   constexpr void deflect(double pending, double sum) {
     const double excess = excess_.factor(), missing = mean_ * (now_.load - excess * pending) - datum_, depth = 1 + datum_;
     stiffening_.correct(missing, true, last_ < settled);
@@ -259,7 +259,7 @@ template <Machine M, class Poll> class HaarIteration {
     raise(change);
   }
 
-  // Displacement control by the load: the next load to keep, once the datum of the present one is known.
+  // Approach control by the load: the next load to keep, once the datum of the present one is known.
   constexpr void seek() {
     if (now_.largest > known * std::abs(datum_)) return;
     kept_load_ = sought_.next(datum_, kept_load_);
@@ -421,7 +421,7 @@ template <Machine M, class Poll> class HaarIteration {
   double violation_ = infinite;  // at the last bound, relative to the largest compenetration
   KnownLoads loads_;
   NewtonSlope excess_{1 / most_excess(), most_excess()};       // slope of the load over the trees' slope
-  NewtonSlope stiffening_{least_stiffening, most_stiffening};  // correction of the datum's slope in displacement control
+  NewtonSlope stiffening_{least_stiffening, most_stiffening};  // correction of the datum's slope in approach control
   SoughtLoad sought_;
   HaarProgress progress_;
   int rises_ = 0;  // troubles

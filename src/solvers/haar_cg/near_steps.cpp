@@ -116,7 +116,7 @@ void NearSteps::keep(std::span<const double> p) {
 
 // H p of a start that is made of two steps, whose products are known. Pressures that would have been negative are not.
 bool NearSteps::know_product(std::span<const double> p, std::vector<double>& product) const {
-  const rc_history& history = *problem_.history();
+  const rc_kept_steps& history = *problem_.history();
   if (!history.last || !history.before) return false;
   const Kept &last = *static_cast<const Kept*>(history.last), &before = *static_cast<const Kept*>(history.before);
   if (last.p.size() != p.size() || before.p.size() != p.size() || problem_.grid()->index) return false;

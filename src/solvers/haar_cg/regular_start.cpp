@@ -89,7 +89,7 @@ std::optional<double> upper_of_two(const Problem& problem, std::int64_t n) {
   return std::max(first, second.value_or(first));
 }
 
-// The upper points alone, with equal pressures: in displacement control those of least energy.
+// The upper points alone, with equal pressures: in approach control those of least energy.
 bool press_upper(const Problem& problem, double upper, std::span<double> p) {
   Vector found(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) found[i] = problem.compenetration(static_cast<std::int64_t>(i)) == upper ? 1.0 : 0.0;

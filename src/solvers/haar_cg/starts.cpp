@@ -78,7 +78,7 @@ bool start_nested(const Problem& problem, const CoarseSolver& solver, std::span<
   request.factor = 2;
   request.undeformed_gap = coarse.gap.data();
   request.mask = coarse.mask.empty() ? nullptr : coarse.mask.data();
-  request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_DISPLACEMENT;
+  request.control = problem.load_control() ? RC_CONTROL_LOAD : RC_CONTROL_APPROACH;
   request.approach = grid.approach;
   request.load = problem.load() * problem.pressure_unit() * grid.hx * grid.hy;
   request.solver = solver.name;

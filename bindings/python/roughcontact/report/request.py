@@ -16,7 +16,7 @@ CURVE_POINTS, CURVE_SPAN = 10, 100.0  # of the history up to a single target, an
 
 @dataclass(frozen=True)
 class Request:
-    """control, targets: "displacement", "load" or "pressure", and its values; curve: whether only the last target was asked
+    """control, targets: "approach", "load" or "pressure", and its values; curve: whether only the last target was asked
     for, and the others lead up to it; pitch: in `unit`; modulus: E*; material: what it was made of, in words"""
 
     file: str
@@ -70,7 +70,7 @@ def parser() -> Parser:
     made.add_argument("--hardness", metavar="H", help="largest pressure; above it the surface yields")
     made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n; or")
     made.add_argument("--pressure", metavar="TARGETS", help="mean pressure; or")
-    made.add_argument("--displacement", metavar="TARGETS", help="approach from first touch")
+    made.add_argument("--approach", metavar="TARGETS", help="approach from first touch")
     made.add_argument("--tol", metavar="TOL", help="largest relative residual of a certified step")
     made.add_argument(
         "--accuracy", metavar="GOAL", help="relative error that the load may have: a coarser grid is solved where that will do"
@@ -115,10 +115,10 @@ def _elasticity(given: Any) -> Tuple[float, str]:
 
 
 def _loading(given: Any, unit: float) -> Tuple[str, List[float], bool]:
-    kinds = {"displacement": ("length", unit), "load": ("force", 1.0), "pressure": ("pressure", 1.0)}
+    kinds = {"approach": ("length", unit), "load": ("force", 1.0), "pressure": ("pressure", 1.0)}
     asked = [name for name in kinds if getattr(given, name) is not None]
     if not asked:
-        raise ArgumentError("what to press with is missing, give --displacement, --load or --pressure")
+        raise ArgumentError("what to press with is missing, give --approach, --load or --pressure")
     if len(asked) > 1:
         raise ArgumentError(f"give only one of --{asked[0]} and --{asked[1]}")
     found = targets("--" + asked[0], getattr(given, asked[0]), *kinds[asked[0]])

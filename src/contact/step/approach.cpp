@@ -1,4 +1,4 @@
-#include "contact/step/displacement.h"
+#include "contact/step/approach.h"
 
 #include <utility>
 
@@ -8,8 +8,7 @@
 
 namespace rc {
 
-Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
-                       std::optional<Estimate> nearer) {
+Answer at_approach(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, std::optional<Estimate> nearer) {
   TrialSet trial = trial_below(step.target, work);
   const double depth = compression_of(step, work);
   Answer answer = prepared(trial, step.control, depth, work);

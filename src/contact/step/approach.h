@@ -11,7 +11,7 @@
 namespace rc {
 
 // nearer: the estimate of a coarser grid.
-Answer at_displacement(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
-                       std::optional<Estimate> nearer = std::nullopt);
+Answer at_approach(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor,
+                   std::optional<Estimate> nearer = std::nullopt);
 
 }  // namespace rc

@@ -8,6 +8,6 @@
 namespace rc {
 
 // `completed` counts the steps whose outputs are written. Throws Error with the step's number.
-rc_status solve_path(Contact& contact, const rc_path& path, std::int64_t& completed);
+rc_status solve_history(Contact& contact, const rc_history& history, std::int64_t& completed);
 
 }  // namespace rc

@@ -1,5 +1,5 @@
 ! Presses a rough surface and lets it go again in one call, then solves a small matrix with a direct routine.
-program loading_path
+program loading_history
   use, intrinsic :: iso_fortran_env, only: error_unit
   use roughcontact
   implicit none
@@ -18,7 +18,7 @@ contains
     integer, parameter :: n = 64, steps = 9
     real(c_double), target :: gap(n, n), targets(steps), load(steps), area(steps)
     type(c_ptr) :: contact
-    type(rc_path) :: path
+    type(rc_history) :: history
     integer :: ix, iy, k
 
     do iy = 1, n
@@ -27,14 +27,14 @@ contains
       end do
     end do
     targets = [(0.1e-6_c_double * min(k, 10 - k), k=1, steps)]
-    path = rc_path(control=RC_CONTROL_DISPLACEMENT, n=steps, targets=c_loc(targets), undeformed_gap=c_loc(gap), &
+    history = rc_history(control=RC_CONTROL_APPROACH, n=steps, targets=c_loc(targets), undeformed_gap=c_loc(gap), &
       load=c_loc(load), contact_area=c_loc(area))
     contact = c_null_ptr
     status = rc_contact_create(rc_system(nx=n, ny=n, hx=1e-6_c_double, hy=1e-6_c_double, modulus=70e9_c_double), c_null_ptr, &
       contact)
-    if (status == RC_OK) status = rc_contact_solve_path(contact, path)
+    if (status == RC_OK) status = rc_contact_solve_history(contact, history)
     call rc_contact_destroy(contact)
-    do k = 1, int(path%completed)
+    do k = 1, int(history%completed)
       print '(a, f4.2, a, f8.4, a, es10.3, a)', 'approach ', 1e6 * targets(k), ' um, load ', load(k), ' N, area ', area(k), ' m^2'
     end do
   end function

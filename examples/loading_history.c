@@ -10,7 +10,7 @@ static int32_t report(int64_t step, const rc_result* result, void* user) {
   (void)user;
   printf("step %d: approach %.2f um, load %.4f N, %lld points touch\n", (int)step, 1e6 * result->approach, result->load,
          (long long)result->contacts);
-  return 0; /* anything else ends the path */
+  return 0; /* anything else ends the history */
 }
 
 static rc_status press_and_release(void) {
@@ -23,18 +23,18 @@ static rc_status press_and_release(void) {
   system.nx = system.ny = N;
   system.hx = system.hy = 1e-6;
   system.modulus = 70e9;
-  rc_path path = RC_PATH_INIT;
-  path.control = RC_CONTROL_DISPLACEMENT;
-  path.n = STEPS;
-  path.targets = targets;
-  path.undeformed_gap = gap;
-  path.load = load;
-  path.stiffness = stiffness;
-  path.fn = report;
+  rc_history history = RC_HISTORY_INIT;
+  history.control = RC_CONTROL_APPROACH;
+  history.n = STEPS;
+  history.targets = targets;
+  history.undeformed_gap = gap;
+  history.load = load;
+  history.stiffness = stiffness;
+  history.fn = report;
 
   rc_contact* contact = NULL;
   rc_status status = rc_contact_create(&system, NULL, &contact);
-  if (status == RC_OK) status = rc_contact_solve_path(contact, &path);
+  if (status == RC_OK) status = rc_contact_solve_history(contact, &history);
   rc_contact_destroy(contact);
   if (status == RC_OK) printf("stiffness at the top: %.4e N/m\n", stiffness[4]);
   return status;
