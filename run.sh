@@ -1,18 +1,46 @@
 #!/usr/bin/env bash
-# ./run.sh [SURFACE] [OPTIONS of roughcontact solve]
-# Installs what is missing, builds the command, and presses SURFACE against a flat. Without SURFACE: a rubber seal on lapped steel. With
-# SURFACE and without OPTIONS: three loads, E* = 100 GPa, heights and pitch in micrometres (pitch 1) if the file does not say. SURFACE
-# is levelled unless OPTIONS has a --remove (none: as it is). With --out DIR and --resume among the OPTIONS a history that was
-# interrupted goes on. If Python has Jinja2 and Plotly, a page with all of it is written beside the pictures.
+# ./run.sh [SURFACE] [OPTIONS of roughcontact solve] [--page]
+#
+# Installs what is missing, builds the command, and presses SURFACE against a flat. Without SURFACE: a rubber seal on lapped steel.
+#
+# What OPTIONS leave out has a default: E* = 100 GPa (seal: E = 10 MPa, nu = 0.5); the mean pressures 50 MPa, 500 MPa and 2 GPa
+# (seal: 20, 50 and 100 kPa); --remove plane; heights and pitch in micrometres and a pitch of 1, if the file cannot say them;
+# --out build-run/demo/out. --page also writes report.html there, which needs Jinja2, NumPy and Plotly for Python.
+# With --out DIR and --resume an interrupted history goes on. All options: roughcontact solve --help, docs/command-line.md.
 set -euo pipefail
 root=$(cd "$(dirname "$0")" && pwd)
 build=$root/build-run
 
+options=()
+page=no
+for word in "$@"; do
+  case $word in
+    --help | -h) sed -n '2,/^set/ { /^#/ { s/^# \{0,1\}//; p } }' "$root/run.sh"; exit 0 ;;
+    --page) page=yes ;;
+    *) options+=("$word") ;;
+  esac
+done
+surface=
+if [ ${#options[@]} -gt 0 ] && [[ ${options[0]} != -* ]]; then surface=${options[0]}; options=("${options[@]:1}"); fi
+asked=${#options[@]}
+
+# given: whether one of these options is among OPTIONS.
+given() {
+  local name option
+  for option in ${options[@]+"${options[@]}"}; do
+    for name in "$@"; do [ "${option%%=*}" != "$name" ] || return 0; done
+  done
+  return 1
+}
+
 # Only what the command needs; all backends and libraries, as the Python package has them, if OPTIONS name one.
 targets=(roughcontact_command rcb_fft)
-case "$*" in *--backend* | *--solver* | *certify_backend*) targets+=(roughcontact_python) ;; esac
-page=no
-! python3 -c 'import jinja2, numpy, plotly' 2>/dev/null || { page=yes; targets+=(roughcontact_formats roughcontact_surface); }
+case " ${options[*]-}" in *\ --backend* | *\ --solver* | *certify_backend*) targets+=(roughcontact_python) ;; esac
+if [ $page = yes ]; then
+  python3 -c 'import importlib.util as u, sys; sys.exit(not all(map(u.find_spec, ("jinja2", "numpy", "plotly"))))' ||
+    { echo "--page needs packages of Python: pip install jinja2 numpy plotly (Debian: in a venv)" >&2; exit 1; }
+  targets+=(roughcontact_formats roughcontact_surface)
+fi
 
 # progress: shows the percentages of a build's output: on a terminal in one line, elsewhere in a line for each ten percent.
 progress() {
@@ -32,8 +60,10 @@ progress() {
 
 # up_to_date: whether the last build had these targets, and no file that it may have read has changed since it began.
 up_to_date() {
-  [ -e "$build/built" ] && [ "$(cat "$build/built")" = "${targets[*]}" ] &&
-    [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,formats,include,mpi,packaging,pkgconfig,src,surface,tools} -newer "$build/built" -print -quit)" ]
+  local target
+  [ -e "$build/built" ] || return 1
+  for target in "${targets[@]}"; do [[ " $(<"$build/built") " == *" $target "* ]] || return 1; done
+  [ -z "$(find "$root"/{CMakeLists.txt,CMakePresets.json,backends,bindings,cmake,formats,include,mpi,packaging,pkgconfig,src,surface,tools} -newer "$build/built" -print -quit)" ]
 }
 
 if ! up_to_date; then
@@ -49,52 +79,66 @@ if ! up_to_date; then
   mv "$build/started.new" "$build/built"
 fi
 
-surface=
-if [ $# -gt 0 ] && [[ $1 != -* ]]; then surface=$1; shift; fi
-options=("$@")
-[[ -z $surface || " ${options[*]} " =~ \ --remove[\ =] ]] || options+=(--remove plane)
 demo=no
+given --approach --load --pressure --area && pressed=yes || pressed=no
+given --modulus --E --nu && elastic=yes || elastic=no
 if [ -z "$surface" ]; then
   surface=$build/demo/steel.gsf
-  mkdir -p "$build/demo"
-  "$build/bin/roughcontact" generate spectral --output "$surface" --size 512 --pitch 1um --rolloff 128um --shortest 8um --rms-slope 0.05
-  options+=(--boundary periodic)
-  [ $# -gt 0 ] || { demo=yes; options+=(--E 10MPa --nu 0.5 --pressure '20kPa,50kPa,100kPa'); }
-elif [ $# = 0 ]; then
-  options+=(--modulus 1e11 --pressure '5e7,5e8,2e9')
+  if [ ! -e "$surface" ] || [ "$build/bin/roughcontact" -nt "$surface" ]; then
+    mkdir -p "$build/demo"
+    "$build/bin/roughcontact" generate spectral --output "$surface" --size 512 --pitch 1um --rolloff 128um --shortest 8um --rms-slope 0.05
+  fi
+  [ "$asked" -gt 0 ] || demo=yes
+  [ $elastic = yes ] || options+=(--E 10MPa --nu 0.5)
+  [ $pressed = yes ] || options+=(--pressure '20kPa,50kPa,100kPa')
+else
+  given --remove || options+=(--remove plane)
+  [ $elastic = yes ] || options+=(--modulus 1e11)
+  [ $pressed = yes ] || options+=(--pressure '5e7,5e8,2e9')
   case $surface in
-    *.npy | *.txt | *.csv | *.tsv | *.dat | *.asc) options+=(--unit um --pitch 1) ;;
-    *.xyz) options+=(--unit um) ;;
+    *.npy | *.txt | *.csv | *.tsv | *.dat | *.asc | *.xyz) given --unit || options+=(--unit um) ;;
+  esac
+  case $surface in
+    *.npy | *.txt | *.csv | *.tsv | *.dat | *.asc) given --pitch || options+=(--pitch 1) ;;
   esac
 fi
-out=$build/demo/out
-for ((i = 0; i < ${#options[@]} - 1; ++i)); do
-  [ "${options[i]}" != --out ] || out=${options[i + 1]}
+given --out || options+=(--out "$build/demo/out")
+for ((i = 0; i < ${#options[@]}; ++i)); do
+  case ${options[i]} in
+    --out) out=${options[i + 1]-} ;;
+    --out=*) out=${options[i]#--out=} ;;
+  esac
 done
-[[ " ${options[*]} " == *" --out "* ]] || options+=(--out "$out")
 
 status=0
 "$build/bin/roughcontact" solve "$surface" "${options[@]}" || status=$?
-for picture in "$out"/contact-*.png; do
-  [ ! -e "$picture" ] || [ $status = 1 ] || echo "picture: $picture"
+[ $status = 0 ] || [ $status = 2 ] || exit $status
+for picture in "$out"/{contact-*,history}.png; do
+  [ ! -e "$picture" ] || echo "picture: $picture"
 done
 
+# loads: those that were found for --area, as a list.
+loads() {
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^load /) at = i } NR > 1 { printf "%s%s", (NR > 2 ? "," : ""), $at }' "$out/steps.csv"
+}
+
 # The page takes the options that say what is pressed and how; those of the folder are the command's alone.
-asked=()
-for ((i = 0; i < ${#options[@]}; ++i)); do
-  case ${options[i]} in
-    --out) i=$((i + 1)) ;;
-    --out=* | --resume | --quiet | --explain) ;;
-    *) asked+=("${options[i]}") ;;
-  esac
-done
-if [ $status = 1 ] || [ $status -gt 2 ]; then
-  :
-elif [ $page = yes ]; then
+if [ $page = yes ]; then
+  told=()
+  for ((i = 0; i < ${#options[@]}; ++i)); do
+    case ${options[i]} in
+      --out) i=$((i + 1)) ;;
+      --out=* | --resume | --quiet | --explain | --no-maps) ;;
+      --area) i=$((i + 1)); told+=(--load "$(loads)") ;;
+      --area=*) told+=(--load "$(loads)") ;;
+      *) told+=("${options[i]}") ;;
+    esac
+  done
   PYTHONPATH=$root/bindings/python ROUGHCONTACT_LIBRARY=$build/lib/libroughcontact.so \
-    python3 -m roughcontact report "$surface" "${asked[@]}" --out "$out/report.html" >/dev/null && echo "page: $out/report.html" || true
+    python3 -m roughcontact report "$surface" "${told[@]}" --out "$out/report.html" >/dev/null || [ $? = 2 ] || exit 1
+  echo "page: $out/report.html"
 else
-  echo "for a page with all of this, which opens in a browser: pip install jinja2 plotly (Debian: in a venv), and run it again"
+  echo "For an HTML report: the same with --page"
 fi
 if [ $demo = yes ] && [ $status = 0 ]; then
   echo "How much of a rubber seal (E = 10 MPa) touches lapped steel (rms height 0.44 um)?"

@@ -30,7 +30,7 @@ class Scene:
 
     @property
     def system(self):
-        return rc.HalfSpace(self.gap.shape, pitch=self.pitch, modulus=self.modulus)
+        return rc.HalfSpace(self.gap.shape, pitch=self.pitch, modulus=self.modulus, boundary='free')
 
     def but(self, **changes):
         return replace(self, **changes)

@@ -54,7 +54,7 @@ def solve(file, n, slope, share, threads, interpreter, want_pressure=False):
     gap = np.memmap(file, np.float32, 'r', shape=(n, n))
     options = {'tol': 1e-4, 'threads': threads, 'fft.precision': 'single'}
     begun, before = time.perf_counter(), cpu_seconds()
-    with rc.Contact(rc.HalfSpace(shape=(n, n), pitch=1.0, modulus=1.0), options=options) as contact:
+    with rc.Contact(rc.HalfSpace(shape=(n, n), pitch=1.0, modulus=1.0, boundary='free'), options=options) as contact:
         result = contact.solve(undeformed_gap=gap, single=True, borrow=True, load=share * slope * n**2 / math.sqrt(2 * math.pi),
                                want_pressure=want_pressure, check=False)
     peak = peak_memory() - interpreter

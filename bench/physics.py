@@ -60,7 +60,7 @@ class Pressed:
 
     def at(self, pressure, distributions):
         result = self.contact.solve(load=pressure * RMS_SLOPE, undeformed_gap=self.gap, borrow=True, check=False)
-        area, cells = result.area(), result.patches().cells
+        area, cells = result.measure_area(), result.find_patches().cells
         row = {**record_of(result), 'area': area.area, 'corrected_area': area.corrected_area, 'perimeter': area.perimeter,
                'mean_gap': (self.mean - result.approach) / self.rms_height}
         if math.isfinite(result.stiffness):  # over E* times slope and nominal area, as the pressure is

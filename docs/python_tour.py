@@ -46,14 +46,14 @@ result = rc.solve(surface, modulus=modulus, load=load)
 print(result)
 print(
     f"{result.contact_area / area:.1%} of the area touches, proven: between {result.area_lower / area:.1%} and "
-    f"{result.area_upper / area:.1%}; corrected for the grid {result.area().corrected_area / area:.1%}"
+    f"{result.area_upper / area:.1%}; corrected for the grid {result.corrected_area / area:.1%}"
 )
 figure, ax = plt.subplots(figsize=(4.6, 3.8))
 rc.plot.pressure(result, ax=ax)
 save(figure, "pressure")
 
 # %% The patches it touches on
-patches = result.patches()
+patches = result.find_patches()
 print(
     f"{len(patches)} patches, half of the load on "
     f"{np.searchsorted(np.cumsum(np.sort(patches.load)[::-1]), load / 2) + 1} of them"

@@ -28,6 +28,7 @@ int main(void) {
   for (int k = 0; k < STEPS; ++k) targets[k] = 0.5 * (k + 1);
 
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = 1e-6;
   system.modulus = 70e9;

@@ -67,7 +67,7 @@ def pressed(contact, gap, approaches):
 def fit(texture, approaches, wanted, iterations):
     """(parameters, misfits): the misfit is the rms of the loads' errors over the largest wanted load."""
     misfits = []
-    system = rc.HalfSpace(texture.sphere.shape, pitch=texture.pitch, modulus=MODULUS)
+    system = rc.HalfSpace(texture.sphere.shape, pitch=texture.pitch, modulus=MODULUS, boundary="free")
     with rc.Contact(system, options={"tol": 1e-7}) as contact:
 
         def objective(parameters):
@@ -101,7 +101,7 @@ def drawn(texture, gap, approach, sigma, length, samples, seed=1):
     filtered = np.exp(-(wave[0][:, None] ** 2 + wave[1] ** 2) * length**2 / 4)  # the root of the correlation's spectrum
     filtered /= np.sqrt(np.mean(filtered**2))
     loads = []
-    system = rc.HalfSpace(gap.shape, pitch=texture.pitch, modulus=MODULUS)
+    system = rc.HalfSpace(gap.shape, pitch=texture.pitch, modulus=MODULUS, boundary="free")
     with rc.Contact(system, options={"tol": 1e-7}) as contact:
         for _ in range(samples):
             noise = np.fft.ifft2(np.fft.fft2(rng.standard_normal(filtered.shape)) * filtered).real[:ny, :nx]
@@ -142,7 +142,7 @@ def main():
 
     texture = Texture(given.points)
     approaches = DEEPEST * np.arange(1, STEPS + 1) / STEPS
-    system = rc.HalfSpace(texture.sphere.shape, pitch=texture.pitch, modulus=MODULUS)
+    system = rc.HalfSpace(texture.sphere.shape, pitch=texture.pitch, modulus=MODULUS, boundary="free")
     hertz = rc.solve(undeformed_gap=texture.sphere, system=system, approach=DEEPEST).load
     wanted = 0.9 * hertz * (approaches / DEEPEST) ** EXPONENT
     parameters, misfits = fit(texture, approaches, wanted, given.iterations)

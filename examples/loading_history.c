@@ -20,6 +20,7 @@ static rc_status press_and_release(void) {
   for (int k = 0; k < STEPS; ++k) targets[k] = 0.1e-6 * (k < 5 ? k + 1 : STEPS - k);
 
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = 1e-6;
   system.modulus = 70e9;

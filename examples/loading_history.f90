@@ -30,8 +30,8 @@ contains
     history = rc_history(control=RC_CONTROL_APPROACH, n=steps, targets=c_loc(targets), undeformed_gap=c_loc(gap), &
       load=c_loc(load), contact_area=c_loc(area))
     contact = c_null_ptr
-    status = rc_contact_create(rc_system(nx=n, ny=n, hx=1e-6_c_double, hy=1e-6_c_double, modulus=70e9_c_double), c_null_ptr, &
-      contact)
+    status = rc_contact_create(rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=1e-6_c_double, hy=1e-6_c_double, &
+    modulus=70e9_c_double), c_null_ptr, contact)
     if (status == RC_OK) status = rc_contact_solve_history(contact, history)
     call rc_contact_destroy(contact)
     do k = 1, int(history%completed)

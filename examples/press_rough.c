@@ -29,6 +29,7 @@ int main(void) {
   printf("two halvings of the grid are %strustworthy: %s\n", advice.trustworthy ? "" : "not ", advice.reason);
 
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   rc_step step = RC_STEP_INIT;
   step.control = RC_CONTROL_APPROACH;
   rc_result result = RC_RESULT_INIT;

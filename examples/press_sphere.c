@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   }
 
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = h;
   system.modulus = 230e9;

@@ -20,7 +20,7 @@ program press_sphere
       gap(ix, iy) = h**2 * ((ix - (n + 1) / 2.0_c_double)**2 + (iy - (n + 1) / 2.0_c_double)**2) / (2 * radius)
     end do
   end do
-  system = rc_system(nx=n, ny=n, hx=h, hy=h, modulus=230e9_c_double)
+  system = rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=h, hy=h, modulus=230e9_c_double)
   step = rc_step(control=RC_CONTROL_APPROACH, target=1e-6_c_double, undeformed_gap=c_loc(gap))
   backend = 'auto'
   if (command_argument_count() > 0) call get_command_argument(1, backend)

@@ -39,7 +39,8 @@ program progress
   end do
   call rcf_options_create(options)
   call rcf_options_set_text(options, RC_OPT_SOLVER, 'polonsky-keer')
-  call rcf_contact_create(contact, rc_system(nx=n, ny=n, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double), options)
+  call rcf_contact_create(contact, rc_system(boundary=RC_BOUNDARY_FREE, nx=n, ny=n, hx=1.0_c_double, hy=1.0_c_double, &
+    modulus=1.0_c_double), options)
   call rcf_options_destroy(options)
   call rcf_contact_on_progress(contact, c_funloc(look), c_loc(mine))
 

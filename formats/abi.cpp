@@ -90,7 +90,7 @@ template <class Read> void read_into(const rc_surface_read_spec* given, rc_surfa
   file.hx = has_pitch ? unit * spec.hx : surface.hx.value_or(0);
   file.hy = has_pitch ? unit * spec.hy : surface.hy.value_or(0);
   file.missing = count_missing(surface);
-  file.periodic = surface.periodic ? 1 : 0;
+  file.periodic = surface.periodic ? *surface.periodic : -1;
   put(surface.format, file.format);
   put(assumptions(surface, spec, has_pitch && surface.hx && surface.hy), file.assumed);
   auto heights = std::make_unique<std::vector<double>>(std::move(surface.heights));

@@ -1,5 +1,6 @@
 // Gwyddion Simple Field: a text header of "Name = value" lines, NUL bytes up to a multiple of four (at least one), then XRes*YRes
-// little-endian float32 heights, rows from top to bottom. XReal and YReal are the size of the whole field.
+// little-endian float32 heights, rows from top to bottom. XReal and YReal are the size of the whole field. Gwyddion keeps
+// lines that it does not know; "Periodic = 1" (0) is this project's own: the surface repeats (does not).
 #include <cmath>
 #include <map>
 #include <string>
@@ -48,10 +49,14 @@ std::optional<double> pitch(const Header& header, std::string_view key, std::int
   const auto entry = header.find(key);
   if (entry == header.end()) return std::nullopt;
   const double size = finite_number(key, entry->second);
-  const double step = size * unit / static_cast<double>(points);
-  if (!(step > 0 && std::isfinite(step)))
-    throw Error(std::string(key) + " " + in_quotes(entry->second) + " is not a positive length");
-  return step;
+  return file_length(std::string(key) + " over the points", size * unit / static_cast<double>(points));
+}
+
+std::optional<bool> repeats(const Header& header) {
+  const auto text = text_of(header, "Periodic");
+  if (text.empty()) return std::nullopt;
+  if (text != "0" && text != "1") throw Error("Periodic " + in_quotes(text) + " is neither 0 nor 1");
+  return text == "1";
 }
 
 }  // namespace
@@ -79,6 +84,7 @@ Surface read_gsf(std::string_view file, double unit) {
   surface.hx = pitch(header, "XReal", surface.nx, lateral);
   surface.hy = pitch(header, "YReal", surface.ny, lateral);
 
+  surface.periodic = repeats(header);
   const double vertical = file_unit("ZUnits", vertical_unit, unit);
   surface.heights.reserve(data.size() / sizeof(float));
   for (std::size_t at = 0; at < data.size(); at += sizeof(float)) {

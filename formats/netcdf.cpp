@@ -33,17 +33,29 @@ bool x_is_slow(const Variable& heights) {
               ", x and y are needed");
 }
 
+// Coordinates may be rounded, but not be spaced unevenly.
+void check_even(const std::vector<double>& places, std::string_view axis) {
+  constexpr double most_off = 1e-2;  // of the pitch
+  const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!(std::abs(places[i] - places.front() - step * static_cast<double>(i)) <= most_off * std::abs(step)))
+      throw Error("the coordinates along " + std::string(axis) +
+                  " are not evenly spaced; interpolate the heights on a regular grid");
+  }
+}
+
 // From the size of the whole map, or from the first and the last coordinate.
 std::optional<double> pitch(const NetcdfFile& file, std::string_view axis, std::int64_t points, double unit) {
   const Variable* const variable = file.find(axis);
   if (!variable) return std::nullopt;
   const double metres = file_unit("the unit of " + std::string(axis), unit_of(variable), unit);
-  const std::string name = "the pitch along " + std::string(axis);
+  const std::string name = join("the pitch along ", axis);
   if (const auto length = netcdf_number(variable, "length"))
     return file_length(name, metres * *length / static_cast<double>(points));
   const auto coordinates = netcdf_numbers(variable->type, variable->values, name);
   if (points < 2 || std::ssize(coordinates) != points) return std::nullopt;
-  return file_length(name, metres * (coordinates.back() - coordinates.front()) / static_cast<double>(points - 1));
+  check_even(coordinates, axis);
+  return file_length(name, metres * std::abs(coordinates.back() - coordinates.front()) / static_cast<double>(points - 1));
 }
 
 }  // namespace
@@ -78,7 +90,8 @@ Surface read_netcdf(std::string_view file, double unit) {
       surface.heights.push_back(value == fill || value == other_fill ? missing_height : scale * value + offset);
     }
   }
-  surface.periodic = netcdf_number(netcdf.find("x"), "periodic").value_or(0) != 0;
+  const auto along_x = netcdf_number(netcdf.find("x"), "periodic"), along_y = netcdf_number(netcdf.find("y"), "periodic");
+  if (along_x || along_y) surface.periodic = along_x.value_or(0) != 0 && along_y.value_or(0) != 0;
   surface.names_unit = !lateral_unit.empty();
   return surface;
 }

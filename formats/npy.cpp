@@ -2,6 +2,8 @@
 // data.
 #include "formats/npy.h"
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -95,21 +97,33 @@ template <class Number> double load(const char* bytes, std::endian order) {
   return static_cast<double>(stored_number<Number>(bytes, order));
 }
 
+// IEEE 754 binary16: a sign, 5 bits of exponent, 10 of the fraction.
+double load_half(const char* bytes, std::endian order) {
+  const auto bits = stored_number<std::uint16_t>(bytes, order);
+  const int exponent = bits >> 10 & 31, fraction = bits & 1023;
+  double size = exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
+  if (exponent == 31) size = fraction == 0 ? std::numeric_limits<double>::infinity() : missing_height;
+  return bits >> 15 ? -size : size;
+}
+
 struct NumberType {
   std::string_view code;
   std::size_t size;
   double (*load)(const char* bytes, std::endian order);
 };
 constexpr NumberType number_types[] = {
-    {"f4", 4, load<float>}, {"f8", 8, load<double>}, {"i2", 2, load<std::int16_t>}, {"i4", 4, load<std::int32_t>}};
+    {"f2", 2, load_half},           {"f4", 4, load<float>},         {"f8", 8, load<double>},       {"i1", 1, load<std::int8_t>},
+    {"i2", 2, load<std::int16_t>},  {"i4", 4, load<std::int32_t>},  {"i8", 8, load<std::int64_t>}, {"u1", 1, load<std::uint8_t>},
+    {"u2", 2, load<std::uint16_t>}, {"u4", 4, load<std::uint32_t>}, {"u8", 8, load<std::uint64_t>}};
 
 const NumberType& number_type(std::string_view descr) {
-  if (descr.size() == 3 && std::string_view("<>=").find(descr[0]) != std::string_view::npos) {
+  if (descr.size() == 3 && std::string_view("<>=|").find(descr[0]) != std::string_view::npos) {
     for (const auto& type : number_types) {
       if (type.code == descr.substr(1)) return type;
     }
   }
-  throw Error("data type " + in_quotes(descr) + " cannot be read, known are f4, f8, i2 and i4");
+  throw Error("data type " + in_quotes(descr) + (descr == "|b1" ? " is truth values, not heights" : " cannot be read") +
+              "; known are f2, f4, f8, i1 to i8 and u1 to u8, into which astype() of NumPy converts");
 }
 
 std::endian byte_order(char mark) {

@@ -26,12 +26,16 @@ Surface read_plu(std::string_view file, double unit);
 Surface read_sdf(std::string_view file, double unit);
 Surface read_sur(std::string_view file, double unit);
 Surface read_text(std::string_view file, double unit);
+Surface read_text_or_points(std::string_view file, double unit);  // read_xyz where the columns look like points
 Surface read_x3p(std::string_view file, double unit);
 Surface read_xyz(std::string_view file, double unit);
 
-// Whether a matrix of three columns is rather a list of points x, y, z: x and y lie on a regular grid, no two at the same node,
-// and at least half of its nodes have a point.
-bool looks_like_points(const Surface& matrix);
+// Tells three heights of a map from points x, y, z.
+enum class Columns { heights, points, unclear };
+Columns kind_of_columns(const std::vector<double>& rows);
+
+// For messages on files that no reader here reads. The Python package hands over files if a message contains it.
+inline constexpr std::string_view other_readers = "Gwyddion and the Python package SurfaceTopography read more formats";
 
 // Throws unless nx, ny >= 1 and `available` bytes hold nx*ny numbers; returns their size in bytes.
 std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
@@ -39,9 +43,10 @@ std::size_t data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_nu
 // The same where nothing may follow the data.
 void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t available);
 
-// How many bytes may be unpacked from a file of that size. Measured heights are taken to shrink to a sixty-fourth at most
-// (deflate shrinks zeros to a thousandth), but the smallest file may hold any map up to 4096 x 4096.
-constexpr std::uint64_t most_unpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 27) + 64 * file_size; }
+// How many bytes may be unpacked from a file of that size, and the most that its heights may take as doubles. Measured heights
+// are taken to shrink to a sixty-fourth at most (deflate shrinks zeros to a thousandth), but the smallest file may hold any map
+// up to 2048 x 2048.
+constexpr std::uint64_t most_unpacked(std::uint64_t file_size) { return (std::uint64_t{1} << 25) + 64 * file_size; }
 
 // Throws unless nx, ny >= 1 and a packed file of that size may hold nx*ny numbers; returns their size in bytes.
 std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size);

@@ -41,6 +41,34 @@ constexpr Format formats[] = {
     {"container", "zip archive of contact.engineering", ".zip", zip_has_netcdf, "pitch and mostly unit", read_container},
 };
 
+struct Foreign {
+  std::string_view begin, name;
+};
+
+// Files that instruments and programs give suffixes such as .dat and .asc, or that have other suffixes of their own.
+constexpr Foreign foreign_formats[] = {
+    {"\x88\x1b\x03\x6f", "MetroPro file (Zygo)"},
+    {"\x88\x1b\x03\x70", "MetroPro file (Zygo)"},
+    {"\x88\x1b\x03\x71", "MetroPro file (Zygo)"},
+    {"Wyko ASCII", "Wyko ASCII file (Veeco, Bruker)"},
+    {{"\1\0Directory", 11}, "Wyko OPD file (Veeco, Bruker)"},
+    {"VCA DATA", "OPDx file (Bruker)"},
+    {"\\*File list", "NanoScope file (Bruker)"},
+    {"\\*Force file list", "NanoScope file (Bruker)"},
+    {"VK4_", "VK4 file (Keyence)"},
+    {"VK6", "VK6 file (Keyence)"},
+    {"AliconaImaging", "AL3D file (Alicona)"},
+    {"GWYP", "file of Gwyddion (.gwy)"},
+    {"GWYO", "file of Gwyddion (.gwy)"},
+    {"\x89HDF", "HDF5 file (NetCDF-4 among them, which \"nccopy -k cdf5\" converts)"},
+    {"MATLAB 5.0", "file of MATLAB (.mat)"},
+    {"\x89PNG", "picture (PNG), which has no heights"},
+    {"\xff\xd8\xff", "picture (JPEG), which has no heights"},
+    {{"II*\0", 4}, "picture (TIFF)"},
+    {{"MM\0*", 4}, "picture (TIFF)"},
+    {"\x1f\x8b", "file packed by gzip: unpack it first"},
+};
+
 }  // namespace
 
 std::span<const Format> surface_formats() { return formats; }
@@ -57,6 +85,10 @@ const Format& named_format(std::string_view name) {
 const Format& recognised_format(std::string_view file, std::string_view extension) {
   const auto by_contents = [&](const Format& f) { return f.matches && f.matches(file); };
   if (const auto found = std::ranges::find_if(formats, by_contents); found != std::end(formats)) return *found;
+
+  const auto foreign = std::ranges::find_if(foreign_formats, [&](const Foreign& f) { return file.starts_with(f.begin); });
+  if (foreign != std::end(foreign_formats) && extension != ".nc")
+    throw Error("the file is a " + std::string(foreign->name) + "; " + std::string(other_readers));
 
   const auto by_extension = [&](const Format& f) {
     const auto all = split(f.extensions, ' ');

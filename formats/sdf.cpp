@@ -10,6 +10,7 @@
 #include "formats/error.h"
 #include "formats/numbers.h"
 #include "formats/readers.h"
+#include "formats/text_rows.h"
 #include "formats/wording.h"
 
 namespace rc::formats {
@@ -32,22 +33,20 @@ using SdfHeader = std::map<std::string, std::string_view>;  // keys in lower cas
 // Cuts the lines up to the one with '*' off the file.
 SdfHeader take_sdf_header(std::string_view& file) {
   SdfHeader header;
-  for (std::string_view line = file.substr(0, file.find('\n')); trimmed(line) != "*"; line = file.substr(0, file.find('\n'))) {
-    if (line.size() == file.size() || header.size() > 1000 || line.size() > longest_sdf_header)
+  for (std::size_t before = file.size();; before = file.size()) {
+    const auto line = take_line(file);
+    if (line == "*") return header;
+    if (file.empty() || header.size() > 1000 || before - file.size() > longest_sdf_header)
       throw Error("the header has no end: a line \"*\" is missing; the file is truncated or damaged");
-    file.remove_prefix(line.size() + 1);
     const auto equals = line.find('=');
-    if (trimmed(line).empty() || trimmed(line).starts_with(';')) continue;
-    if (equals == std::string_view::npos && !header.empty())
-      throw Error("header line " + in_quotes(trimmed(line)) + " has no '='");
+    if (line.empty() || line.starts_with(';')) continue;
+    if (equals == std::string_view::npos && !header.empty()) throw Error("header line " + in_quotes(line) + " has no '='");
     if (equals == std::string_view::npos) {
-      header["magic"] = trimmed(line);
+      header["magic"] = line;
     } else {
       header[lower_case(trimmed(line.substr(0, equals)))] = trimmed(line.substr(equals + 1));
     }
   }
-  file.remove_prefix(std::min(file.find('\n'), file.size()));
-  return header;
 }
 
 std::string_view entry(const SdfHeader& header, const std::string& key) {

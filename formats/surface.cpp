@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "formats/encoding.h"
 #include "formats/error.h"
 #include "formats/readers.h"
 #include "formats/registry.h"
@@ -87,7 +88,7 @@ void check_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_num
 }
 
 std::size_t packed_data_size(std::int64_t nx, std::int64_t ny, std::size_t bytes_per_number, std::size_t file_size) {
-  const std::uint64_t most = most_unpacked(file_size) / bytes_per_number;
+  const std::uint64_t most = most_unpacked(file_size) / std::max(bytes_per_number, sizeof(double));
   if (nx >= 1 && ny >= 1 && static_cast<std::uint64_t>(ny) > most / static_cast<std::uint64_t>(nx)) {
     throw Error("the header says " + std::to_string(nx) + " x " + std::to_string(ny) + " points, more than the " +
                 std::to_string(most) + " that are unpacked from a file of " + std::to_string(file_size) +
@@ -104,8 +105,11 @@ double file_unit(std::string_view key, std::string_view name, double unit) {
 }
 
 double file_length(std::string_view key, double metres) {
-  if (metres > 0 && std::isfinite(metres)) return metres;
-  throw Error(format("%s is %g m, not a positive length", std::string(key).c_str(), metres));
+  constexpr double least = 1e-18, most = 1e9;  // beyond these a header is damaged
+  if (metres >= least && metres <= most) return metres;
+  throw Error(
+      format("%s is %g m, %s", std::string(key).c_str(), metres,
+             metres > 0 && std::isfinite(metres) ? "which no surface has; the header is damaged" : "not a positive length"));
 }
 
 Surface read_surface(const fs::path& path, double unit, const std::optional<std::string>& format) {
@@ -116,13 +120,12 @@ Surface read_surface(const fs::path& path, double unit, const std::optional<std:
 Surface read_surface(std::string_view file, const fs::path& name, double unit, const std::optional<std::string>& format) {
   const Format* const named = format ? &named_format(*format) : nullptr;
   return of_file(name, [&] {
-    const Format& chosen = named ? *named : recognised_format(file, lower_case_extension(name));
-    Surface surface = chosen.read(file, unit);
-    surface.format = chosen.name;
-    if (!named && surface.format == "text" && looks_like_points(surface)) {
-      throw Error("three columns that look like x, y, z: give the format xyz, or text for a map of 3 x " +
-                  std::to_string(surface.ny));
-    }
+    std::string converted;
+    const std::string_view plain = decoded(file, converted);
+    const Format& chosen = named ? *named : recognised_format(plain, lower_case_extension(name));
+    const bool guessed = !named && chosen.read == read_text;
+    Surface surface = guessed ? read_text_or_points(plain, unit) : chosen.read(plain, unit);
+    if (surface.format.empty()) surface.format = chosen.name;
     for (double& z : surface.heights) {
       if (!std::isfinite(z)) z = missing_height;
     }

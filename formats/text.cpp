@@ -1,12 +1,12 @@
 // A matrix of numbers, one row a line, separated by semicolons (as in MIRCO's input), commas or white space; "bad" and the like
-// are missing. Lines that begin with '#' are comments, of which those of a Gwyddion export are understood: "# Width: 10.00 um",
-// "# Height: 10.00 um" (of the whole field) and "# Value units: m". Of the header of phase-shifting interferometers "pixel
-// size=1e-6 m" and "height conversion factor (-> m)=1e-8" are.
+// are missing. Lines that begin with '#' are comments. What comments and lines before the first row say of sizes, lengths and
+// units is in text_header.cpp. Blank lines or another header divide a file into maps, of which the first is read.
+#include <algorithm>
 #include <string>
 
 #include "formats/error.h"
-#include "formats/numbers.h"
 #include "formats/readers.h"
+#include "formats/text_header.h"
 #include "formats/text_rows.h"
 #include "formats/wording.h"
 
@@ -14,94 +14,122 @@ namespace rc::formats {
 
 namespace {
 
-struct Comments {
-  std::optional<double> width, height;         // metres
-  std::optional<double> pixel, height_factor;  // metres
-  std::string_view value_units;
+struct TextMatrix {
+  TextHeader header;
+  std::int64_t nx = 0, rows = 0;
+  std::vector<double> values;
+  std::vector<std::int64_t> blocks;  // rows between blank lines
+  bool more_headers = false;         // another map follows
+  bool comma_pairs = true;           // every row is like "1,5"
 };
-
-// "10.00 um" in metres.
-double length(std::string_view key, std::string_view text, double unit) {
-  const auto gap = text.find_first_of(" \t");
-  const double value = finite_number(key, text.substr(0, gap));
-  const auto name = gap == std::string_view::npos ? std::string_view{} : trimmed(text.substr(gap));
-  const double metres = value * file_unit(key, name, unit);
-  if (!(metres > 0)) throw Error(std::string(key) + " " + in_quotes(text) + " is not a positive length");
-  return metres;
-}
-
-void read_comment(std::string_view line, double unit, Comments& comments) {
-  const auto colon = line.find(':');
-  if (colon == std::string_view::npos) return;
-  const auto key = trimmed(line.substr(0, colon)), value = trimmed(line.substr(colon + 1));
-  if (key == "Width") comments.width = length(key, value, unit);
-  if (key == "Height") comments.height = length(key, value, unit);
-  if (key == "Value units") comments.value_units = value;
-}
-
-// Reads a line "key=value" before the first row. The size and the unit of the raw data follow from the rows and the factor.
-bool read_header_line(std::string_view line, double unit, Comments& comments) {
-  const auto equals = line.find('=');
-  if (equals == std::string_view::npos) return false;
-  const auto key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
-  if (key == "pixel size") comments.pixel = length(key, value, unit);
-  if (key == "height conversion factor (-> m)") comments.height_factor = length(key, value, 1);
-  return key == "h" || key == "pixel size" || key == "data unit" || key == "height conversion factor (-> m)";
-}
 
 std::string not_a_number(std::string_view field, std::int64_t row) {
   field = trimmed(field);
   if (field.empty()) return "the field is empty; write nan where a point is missing";
   const bool word = (field[0] >= 'A' && field[0] <= 'Z') || (field[0] >= 'a' && field[0] <= 'z') || field[0] == '"';
-  const bool header = row == 1 && word;
   return in_quotes(field) + " is not a number" +
-         (header ? "; if the line names columns, delete it or put '#' before it" : " (the decimal mark is a point)");
+         (row == 1 && word ? "; if the line names columns, delete it or put '#' before it" : "");
 }
 
-std::size_t append_row(std::string_view line, std::int64_t row, std::vector<double>& heights) {
-  std::size_t column = 0;
+std::int64_t append_row(std::string_view line, std::int64_t row, std::vector<double>& values) {
+  std::int64_t column = 0;
   for (const auto field : row_fields(line)) {
     ++column;
-    const auto value = is_missing_mark(field) ? missing_height : to_number(field);
+    const auto value = is_missing_mark(field) ? missing_height : field_number(field);
     if (!value) {
       throw Error("row " + std::to_string(row) + ", column " + std::to_string(column) + ": " + not_a_number(field, row));
     }
-    heights.push_back(*value);
+    values.push_back(*value);
   }
   return column;
 }
 
-}  // namespace
-
-Surface read_text(std::string_view file, double unit) {
-  if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);  // byte order mark
-
-  Surface surface;
-  Comments comments;
+TextMatrix parse_matrix(std::string_view file) {
+  check_text(file);
+  TextMatrix matrix;
+  bool after_blank = false, other_header = false;
   while (!file.empty()) {
     const auto line = take_line(file);
-    if (line.empty()) continue;
-    if (line.starts_with('#')) {
-      read_comment(line.substr(1), unit, comments);
+    if (line.empty() || line == "\x1a") {  // DOS ended files with the latter
+      after_blank = true;
       continue;
     }
-    if (surface.ny == 0 && read_header_line(line, unit, comments)) continue;
-    ++surface.ny;
-    const auto columns = static_cast<std::int64_t>(append_row(line, surface.ny, surface.heights));
-    if (surface.ny == 1) surface.nx = columns;
-    if (columns != surface.nx || columns == 0) {
-      throw Error("row " + std::to_string(surface.ny) + " has " + std::to_string(columns) + " values, expected " +
-                  std::to_string(std::max<std::int64_t>(surface.nx, 1)) + " as in row 1");
+    if (line.starts_with('#')) {
+      TextHeader next;
+      const bool begins_map = (matrix.rows == 0 ? matrix.header : next).read_comment(trimmed(line.substr(1)));
+      other_header |= begins_map && matrix.rows > 0;
+      continue;
     }
+    matrix.more_headers = other_header;
+    if (other_header) break;
+    if (matrix.rows == 0 && matrix.header.read_line(line)) continue;
+    if (after_blank || matrix.blocks.empty()) matrix.blocks.push_back(0);
+    const std::int64_t row = ++matrix.rows, columns = append_row(line, row, matrix.values);
+    if (row == 1) matrix.nx = columns;
+    matrix.comma_pairs &=
+        columns == 2 && line.find(',') != std::string_view::npos && line.find_first_of(" .;\t") == std::string_view::npos;
+    if (columns != matrix.nx || columns == 0) {
+      throw Error("row " + std::to_string(row) + (after_blank && row > 1 ? ", after a blank line," : "") + " has " +
+                  std::to_string(columns) + " values, expected " + std::to_string(std::max<std::int64_t>(matrix.nx, 1)) +
+                  " as in row 1" + (after_blank && row > 1 ? "; give a file with one map" : ""));
+    }
+    ++matrix.blocks.back();
+    after_blank = false;
   }
-  if (surface.ny == 0) throw Error("the file has no numbers");
+  if (matrix.rows == 0) throw Error("the file has no numbers");
+  return matrix;
+}
 
-  const double vertical = comments.height_factor ? *comments.height_factor : file_unit("Value units", comments.value_units, unit);
-  surface.names_unit = comments.height_factor || !comments.value_units.empty();
-  for (double& z : surface.heights) z *= vertical;
-  surface.hx = surface.hy = comments.pixel;
-  if (comments.width) surface.hx = *comments.width / static_cast<double>(surface.nx);
-  if (comments.height) surface.hy = *comments.height / static_cast<double>(surface.ny);
+// The rows of the first map.
+std::int64_t rows_of_first(const TextMatrix& matrix) {
+  const auto& blocks = matrix.blocks;
+  if (matrix.header.rows == matrix.rows || std::ranges::all_of(blocks, [](std::int64_t rows) { return rows == 1; }))
+    return matrix.rows;
+  const bool alike = std::ranges::all_of(blocks, [&](std::int64_t rows) { return rows == blocks.front(); });
+  if (alike || matrix.header.rows == blocks.front()) return blocks.front();
+  throw Error(
+      format("blank lines divide the %lld rows into %zu blocks, the first of %lld: one map or several? Remove the blank "
+             "lines, or give a file with one map",
+             static_cast<long long>(matrix.rows), blocks.size(), static_cast<long long>(blocks.front())));
+}
+
+Surface first_map(TextMatrix&& matrix, double unit) {
+  Surface surface;
+  surface.nx = matrix.nx;
+  surface.ny = rows_of_first(matrix);
+  surface.heights = std::move(matrix.values);
+  surface.heights.resize(static_cast<std::size_t>(surface.nx * surface.ny));
+  if (matrix.more_headers) surface.note = "the first of several maps in the file is read";
+  if (surface.ny < matrix.rows)
+    surface.note = "the first of " + std::to_string(matrix.blocks.size()) + " maps, which blank lines divide, is read";
+  matrix.header.apply(unit, surface);
+  return surface;
+}
+
+}  // namespace
+
+Surface read_text(std::string_view file, double unit) { return first_map(parse_matrix(file), unit); }
+
+Surface read_text_or_points(std::string_view file, double unit) {
+  TextMatrix matrix = parse_matrix(file);
+  if (matrix.comma_pairs && !matrix.header.of_matrix())
+    throw Error(
+        "each row is one number with a decimal comma, which is a profile, or two whole numbers: give the format text for a map "
+        "of 2 x " +
+        std::to_string(matrix.rows));
+  const bool three = matrix.nx == 3 && !matrix.header.of_matrix();
+  const Columns kind = three ? kind_of_columns(matrix.values) : Columns::heights;
+  if (kind == Columns::heights) return first_map(std::move(matrix), unit);
+  const std::string otherwise = "give the format text for a map of 3 x " + std::to_string(matrix.rows);
+  Surface surface;
+  try {
+    surface = read_xyz(file, unit);
+  } catch (const Error& error) {
+    throw Error("three columns that look like x, y, z: " + std::string(error.what()) + "; or " + otherwise);
+  }
+  if (kind == Columns::unclear) throw Error("three columns: give the format xyz if they are x, y, z; or " + otherwise);
+  surface.format = "xyz";
+  surface.note = "three columns are taken as x, y, z; " + otherwise;
   return surface;
 }
 

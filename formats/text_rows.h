@@ -1,19 +1,27 @@
 // Lines of numbers.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace rc::formats {
 
-// Cuts the first line off the text and returns it without white space at its ends.
+// Cuts the first line off the text and returns it without white space at its ends. A line ends with LF, CR LF or CR.
 std::string_view take_line(std::string_view& text);
 
-// The fields of a line: separated by semicolons if it has one, else by commas, else by white space. A line has one kind of
-// separator, so that "1,5 2,5" with decimal commas fails as a number instead of being read as three.
+// The fields of a line: separated by semicolons if it has one, else by commas, else by white space. Commas are decimal marks if
+// white space separates the fields and each comma stands within one ("1,5 2,5").
 std::vector<std::string_view> row_fields(std::string_view line);
 
-// Whether the text marks a point that was not measured: nan, bad, no data, asterisks; in upper or lower case.
+// The number in a field: quotes around it, a decimal comma and Fortran's exponents (1.0D-06) are understood.
+std::optional<double> field_number(std::string_view field);
+
+// Whether the text marks a point that was not measured: nan, bad, no data, asterisks, dashes and the like, in upper or lower
+// case.
 bool is_missing_mark(std::string_view text);
+
+// Throws an Error if the file is no text.
+void check_text(std::string_view file);
 
 }  // namespace rc::formats

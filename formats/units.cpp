@@ -21,6 +21,9 @@ std::optional<double> prefix_factor(std::string_view prefix) {
 }
 
 std::optional<double> metres_per(std::string_view unit) {
+  for (const std::string_view angstrom : {"\xc3\x85", "\xe2\x84\xab", "\xc5"}) {
+    if (unit == angstrom) return 1e-10;
+  }
   if (!unit.ends_with('m')) return std::nullopt;
   unit.remove_suffix(1);
   return prefix_factor(unit);

@@ -18,10 +18,12 @@ namespace {
 
 using pugi::xml_node;
 
-// The parsed document takes 40 to 128 bytes for each tag and attribute: a gigabyte or two.
 constexpr std::uint64_t longest_xml = std::uint64_t{1} << 28, small_xml = std::uint64_t{1} << 22;
 constexpr std::uint64_t most_xml_ratio = 32;  // lists of heights shrink to a tenth
-constexpr std::ptrdiff_t most_marks = std::ptrdiff_t{1} << 24;
+
+// The parsed document takes 40 to 128 bytes for each tag and attribute, of which a height in a list has two, in some packed
+// bytes.
+constexpr std::uint64_t few_marks = std::uint64_t{1} << 19, most_marks = std::uint64_t{1} << 24, marks_per_byte = 4;
 
 constexpr std::size_t least_width = 2, largest_width = 8;  // bytes of a number
 constexpr std::uint64_t slack = 1024;                      // bytes after the bits of valid points
@@ -76,28 +78,31 @@ HeightAxis height_axis(const xml_node& axes) {
     throw Error("CZ/DataType " + in_quotes(type) + " is not known, known are I, L, F and D");
   const auto increment = text_of(axes, "CZ/Increment"), offset = text_of(axes, "CZ/Offset");
   HeightAxis axis{type[0], 1, 0};
-  if (!increment.empty()) axis.increment = finite_number("CZ/Increment", increment);
+  if (!increment.empty()) axis.increment = file_length("CZ/Increment", finite_number("CZ/Increment", increment));
   if (!offset.empty()) axis.offset = finite_number("CZ/Offset", offset);
-  if (!(axis.increment > 0)) throw Error("CZ/Increment " + in_quotes(increment) + " is not a positive length");
   return axis;
 }
 
 // Bounds the number of tags and attributes before the document is parsed, which takes many times its length.
-void check_marks(std::string_view xml) {
-  const auto marks = std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; });
-  if (marks <= most_marks) return;
-  throw Error("main.xml has " + std::to_string(marks) + " tags and attributes, at most " + std::to_string(most_marks) +
-              " can be read; store the heights in a binary file");
+void check_marks(std::string_view xml, std::uint64_t file_size) {
+  const auto marks = static_cast<std::uint64_t>(std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; }));
+  const std::uint64_t most = std::min(most_marks, few_marks + marks_per_byte * file_size);
+  if (marks <= most) return;
+  throw Error("main.xml has " + std::to_string(marks) + " tags and attributes, at most " + std::to_string(most) +
+              " can be read of a file of that size; store the heights in a binary file");
 }
 
 // Paths in main.xml are relative to it.
-std::size_t linked_entry(const std::vector<std::string>& names, const std::string& folder, std::string_view link) {
+std::size_t linked_entry(const std::vector<std::string>& names, const std::string& folder, std::string_view given) {
+  std::string slashes{given};
+  std::ranges::replace(slashes, '\\', '/');
+  std::string_view link = slashes;
   while (link.starts_with("./") || link.starts_with('/')) link.remove_prefix(link.starts_with('/') ? 1 : 2);
   const std::string path = folder + std::string(link);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == path) return i;
   }
-  throw Error("main.xml names the data file " + in_quotes(link) + ", which is not in the archive");
+  throw Error("main.xml names the data file " + in_quotes(given) + ", which is not in the archive");
 }
 
 // One bit a point, the lowest first; 0: missing.
@@ -149,7 +154,7 @@ Surface read_x3p(std::string_view file, double) {
   const std::string folder = path.substr(0, path.size() - std::string_view("main.xml").size());
 
   std::string xml = archive.contents(main, std::min(longest_xml, small_xml + most_xml_ratio * file.size()));
-  check_marks(xml);
+  check_marks(xml, file.size());
   pugi::xml_document document;  // it keeps pointers into `xml`
   if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed) {
     throw Error(std::string("main.xml is not XML: ") + parsed.description() + " at byte " + std::to_string(parsed.offset));

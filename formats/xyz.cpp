@@ -6,7 +6,6 @@
 #include <string>
 
 #include "formats/error.h"
-#include "formats/numbers.h"
 #include "formats/readers.h"
 #include "formats/regular_grid.h"
 #include "formats/text_rows.h"
@@ -23,22 +22,23 @@ struct Points {
   std::vector<double> x, y, z;
 };
 
-bool begins_with_number(std::string_view line) { return line.find_first_of("0123456789+-.") == 0; }
+bool begins_with_number(std::string_view line) { return line.find_first_of("0123456789+-.\"") == 0; }
 
 double coordinate(std::string_view text, std::int64_t line, const char* name) {
-  const auto value = to_number(text);
+  const auto value = field_number(text);
   if (value && std::isfinite(*value)) return *value;
-  throw Error(format("line %lld: %s %s is not a finite number (the decimal mark is a point)", static_cast<long long>(line), name,
-                     in_quotes(trimmed(text)).c_str()));
+  throw Error(
+      format("line %lld: %s %s is not a finite number", static_cast<long long>(line), name, in_quotes(trimmed(text)).c_str()));
 }
 
 Points parse_points(std::string_view file) {
+  check_text(file);
   Points points;
   std::int64_t number = 0;
   while (!file.empty()) {
     const auto line = take_line(file);
     ++number;
-    if (line.empty() || line.starts_with('#')) continue;
+    if (line.empty() || line.starts_with('#') || line == "\x1a") continue;
     if (points.x.empty() && !begins_with_number(line)) continue;
     const auto parts = row_fields(line);
     const bool no_data = parts.size() == 4 && is_missing_mark(std::string(parts[2]) + " " + std::string(parts[3]));
@@ -53,37 +53,7 @@ Points parse_points(std::string_view file) {
   return points;
 }
 
-// Whether every coordinate is a number.
-bool all_finite(const std::vector<double>& coordinates) {
-  return std::ranges::all_of(coordinates, [](double value) { return std::isfinite(value); });
-}
-
 }  // namespace
-
-bool looks_like_points(const Surface& matrix) {
-  constexpr std::int64_t fewest = 4;  // of a grid of 2 x 2
-  if (matrix.nx != 3 || matrix.ny < fewest) return false;
-  std::vector<double> x, y;
-  for (std::size_t i = 0; i < matrix.heights.size(); i += 3) {
-    x.push_back(matrix.heights[i]);
-    y.push_back(matrix.heights[i + 1]);
-  }
-  if (!all_finite(x) || !all_finite(y)) return false;
-  const std::int64_t most_nodes = 2 * matrix.ny;
-  try {
-    const GridAxis along_x = find_grid_axis(x, most_nodes, "x"), along_y = find_grid_axis(y, most_nodes, "y");
-    if (along_y.count > most_nodes / along_x.count) return false;
-    std::vector<bool> taken(static_cast<std::size_t>(along_x.count * along_y.count));
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const auto node = static_cast<std::size_t>(along_y.index[i] * along_x.count + along_x.index[i]);
-      if (taken[node]) return false;
-      taken[node] = true;
-    }
-    return true;
-  } catch (const Error&) {
-    return false;  // no grid
-  }
-}
 
 Surface read_xyz(std::string_view file, double unit) {
   const Points points = parse_points(file);

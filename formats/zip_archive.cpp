@@ -49,7 +49,7 @@ ZipArchive::ZipArchive(std::string_view bytes) {
   const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const char* const name = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_GUESS);
-    names_.emplace_back(name ? name : "");
+    std::ranges::replace(names_.emplace_back(name ? name : ""), '\\', '/');  // as writers on Windows separate folders
   }
 }
 
@@ -76,6 +76,7 @@ std::string ZipArchive::contents(std::size_t entry, std::uint64_t most) const {
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> stream{zip_fopen_index(archive_.get(), entry, 0), zip_fclose};
   if (!stream) throw Error(where + " cannot be read: " + zip_strerror(archive_.get()));
   std::string bytes;
+  bytes.reserve(stat.size);
   char block[1 << 16];
   zip_int64_t count = 0;
   while ((count = zip_fread(stream.get(), block, sizeof block)) > 0) {

@@ -62,6 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const double gap[] = {0, 0.5, 0.25, 1};
     double p[4] = {7, 7, 7, 7};
     rc_system system = RC_SYSTEM_INIT;
+    system.boundary = RC_BOUNDARY_FREE;
     system.nx = system.ny = 2;
     system.hx = system.hy = system.modulus = 1;
     rc_step step = RC_STEP_INIT;

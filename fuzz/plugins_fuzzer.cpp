@@ -70,6 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double gap[] = {0, 1};
   double p[] = {7, 7};
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = 2;
   system.ny = 1;
   system.hx = system.hy = system.modulus = 1;

@@ -7,6 +7,7 @@ set -euo pipefail
 wheel=$(realpath "$1")
 . "$(dirname "$0")/clean_system.sh"
 clean_system python3-venv
+mount -t proc proc "$root/proc"  # the loader asks it where a program lies
 
 version=$(inside python3 -c 'import sys; print("%d.%d" % sys.version_info[:2])')
 mkdir "$root/wheels"
@@ -18,5 +19,6 @@ left=$(inside find / -xdev \( -name 'libfftw*' -o -name 'libgsl*' -o -name 'libc
 quietly inside python3 -m venv /venv
 quietly inside /venv/bin/pip install --no-index --find-links /wheels roughcontact
 cp "$source/packaging/bare.py" "$source/fuzz/corpus/archive/x3p_valid" "$root/root"
+inside /venv/bin/roughcontact backends | grep -q "^fft " || fail "the command does not work"
 inside /venv/bin/python /root/bare.py /root/x3p_valid dense fft split cholmod
 echo "the wheel works beside Python and NumPy alone"

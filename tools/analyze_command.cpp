@@ -58,7 +58,7 @@ Analysis make_analysis(const AnalyzeArguments& arguments) {
       arguments.approach ? read_positive("--approach", *arguments.approach, Dimension::length, unit_of(arguments.surface)).si()
                          : 0;
   a.input = read_input(arguments.surface, false);
-  a.periodic = arguments.periodic;
+  a.periodic = arguments.periodic || a.input.surface.periodic.value_or(false);
 
   rc_surface_map map = RC_SURFACE_MAP_INIT;
   map.nx = a.input.surface.nx;

@@ -14,7 +14,7 @@ constexpr const char* solve_help = R"(
 Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit, as are
 the lengths of files that name no unit), Pa and N. Results are in m, Pa and N.
 
-A target is a number, a list a,b,c or a range a:b:n of n points. The highest point of the surface touches first; the approach is
+A target is a number, a list a,b,c, a range a:b:n of n points or a:b:nlog of n points with equal ratios. The highest point of the surface touches first; the approach is
 counted from there. E* is E/(1-nu^2), or with
 --E2 and --nu2 1/((1-nu^2)/E + (1-nu2^2)/E2).
 
@@ -27,12 +27,16 @@ Command solve_command(SolveArguments& arguments) {
   add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
   add_other_body(solve, arguments.surface);
   solve.add("Surface", {{"--shape", &arguments.surface.shape, "SHAPE",
-                         "Added: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"}});
+                         "Add a nominal shape: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"}});
   add_loading(solve, arguments);
-  add_method(solve, arguments, "Threads; all cores that the process may use");
-  solve.add("Output",
-            {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
-             {"--write", &arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5"}});
+  solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, 10%: the load that gives it is found"}});
+  add_method(solve, arguments,
+             "Number of threads (default: one for each 16384 points, up to the cores that the process may use)");
+  solve.add(
+      "Output",
+      {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
+       {"--no-maps", &arguments.no_maps, "", "Only summary.json, steps.csv and history.png: no arrays, no pictures of steps"},
+       {"--write", &arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5"}});
   add_resume(solve, arguments);
   solve.add("Output", {{"--explain", &arguments.explain, "", "Say why auto chose its solver and backend"}});
   add_quiet(solve, arguments);
@@ -60,20 +64,20 @@ Command generate_command(GenerateArguments& arguments) {
   };
   const Setting settings[] = {
       {"", {"--output", &arguments.output, "FILE", "File to write, .npy or .gsf"}},
-      {"spectral sphere waves pyramids noise", {"--size", &arguments.size, "N or NX,NY", "Points, 256"}},
-      {"rmd", {"--levels", &arguments.levels, "K", "2^K points a side, 8"}},
+      {"spectral sphere waves pyramids noise", {"--size", &arguments.size, "N or NX,NY", "Grid points (default 256)"}},
+      {"rmd", {"--levels", &arguments.levels, "K", "2^K points a side (default 8)"}},
       {"rmd", {"--stage", &arguments.stage, "S", "The coarser grid of 2^S points a side of the same surface"}},
-      {"", {"--pitch", &arguments.pitch, "H or HX,HY", "Cell size, 1 (rmd: of the finest grid)"}},
+      {"", {"--pitch", &arguments.pitch, "H or HX,HY", "Cell size (default 1; rmd: of the finest grid)"}},
       {"", {"--unit", &arguments.unit, "UNIT", "Unit of .npy files and of lengths without one: m (default), mm, um, nm, pm"}},
-      {"rmd spectral noise", {"--seed", &arguments.seed, "N", "Number of the surface, 1"}},
-      {"rmd spectral", {"--hurst", &arguments.hurst, "H", "Hurst exponent, 0.7 (rmd) or 0.8 (spectral)"}},
-      {"rmd spectral noise", {"--rms-height", &arguments.rms_height, "LENGTH", "rms height, 1 (rmd, noise)"}},
-      {"spectral", {"--rms-slope", &arguments.rms_slope, "SLOPE", "rms slope, 0.1 without --rms-height"}},
-      {"spectral", {"--longest", &arguments.longest, "LENGTH", "Longest wavelength; the surface's size"}},
-      {"spectral", {"--rolloff", &arguments.roll_off, "LENGTH", "Wavelength above which the spectrum is flat; none"}},
-      {"spectral", {"--shortest", &arguments.shortest, "LENGTH", "Shortest wavelength; two pitches"}},
+      {"rmd spectral noise", {"--seed", &arguments.seed, "N", "Random seed (default 1)"}},
+      {"rmd spectral", {"--hurst", &arguments.hurst, "H", "Hurst exponent (default 0.7 for rmd, 0.8 for spectral)"}},
+      {"rmd spectral noise", {"--rms-height", &arguments.rms_height, "LENGTH", "rms height (default 1 for rmd and noise)"}},
+      {"spectral", {"--rms-slope", &arguments.rms_slope, "SLOPE", "rms slope (default 0.1 without --rms-height)"}},
+      {"spectral", {"--longest", &arguments.longest, "LENGTH", "Longest wavelength (default: the surface's size)"}},
+      {"spectral", {"--rolloff", &arguments.roll_off, "LENGTH", "Wavelength above which the spectrum is flat (default: none)"}},
+      {"spectral", {"--shortest", &arguments.shortest, "LENGTH", "Shortest wavelength (default: two pitches)"}},
       {"sphere", {"--radius", &arguments.radius, "LENGTH", "Radius"}},
-      {"waves pyramids", {"--height", &arguments.height, "LENGTH", "Amplitude of waves, height of pyramids, 1"}},
+      {"waves pyramids", {"--height", &arguments.height, "LENGTH", "Amplitude of waves, height of pyramids (default 1)"}},
       {"waves pyramids", {"--period", &arguments.period, "P or PX,PY", "Period; 0: none along this direction"}},
       {"rmd", {"--vertices", &arguments.vertices, "", "All 2^K + 1 points a side"}},
       {"rmd", {"--additions", &arguments.additions, "", "Random additions to all points at every stage"}},

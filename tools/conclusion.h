@@ -1,4 +1,4 @@
-// What a finished run has shown, in one line.
+// Steps in one line: what was asked, what was reached, what it shows.
 #pragma once
 
 #include <string>
@@ -8,7 +8,11 @@
 
 namespace cli {
 
-// "step 3 of 3: 11.3 % of the area carries 131 N; largest pressure 37 GPa, above the hardness of any steel: ..."
+// "load 62.5 uN" of this step, from 0 on, and the value that the answer has instead: "109 uN".
+std::string asked(const Problem& problem, std::size_t step);
+std::string reached(const Problem& problem, const StepRecord& step);
+
+// "step 3 of 3: contact area 11.3 % at 131 N; largest pressure 37 GPa; warning: above the hardness of any steel, ..."
 std::string conclusion(const Problem& problem, const StepRecord& last);
 
 }  // namespace cli

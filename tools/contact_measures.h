@@ -1,10 +1,10 @@
-// What a step's pressures and gaps look like, beyond what the library's result has.
+// What a step's pressures look like, beyond what the library's result has.
 #pragma once
+
+#include <roughcontact/analysis.h>
 
 #include <cstdint>
 #include <vector>
-
-#include "percolation.h"
 
 namespace cli {
 
@@ -17,14 +17,12 @@ struct Fields {
 };
 
 struct ContactMeasures {
-  double max_pressure = 0;    // [Pa]
-  double mean_gap = 0;        // of the points that are not excluded [m]
   double corrected_area = 0;  // less what partly touching cells add [m^2]
   std::int64_t patches = 0;   // connected across edges
   double largest_patch = 0;   // its area [m^2]
-  Crossing contact, gap;
+  rc_crossing crosses = RC_CROSSING_INIT;
 };
 
-ContactMeasures measure(const Problem& problem, const Fields& fields);
+ContactMeasures measure(const Problem& problem, const std::vector<double>& pressure);
 
 }  // namespace cli

@@ -1,7 +1,6 @@
 #include "cores.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 
 #include "numbers.h"
@@ -9,11 +8,15 @@
 
 namespace cli {
 
-int usable_cores() {
-  constexpr std::int64_t most = 1024;  // of option threads
-  std::int64_t cores = rc_platform::usable_cores();
-  if (const char* const limit = std::getenv("OMP_THREAD_LIMIT")) cores = std::min(cores, to_integer(limit).value_or(cores));
-  return static_cast<int>(std::clamp<std::int64_t>(cores, 1, most));
+int default_threads(std::int64_t points) {
+  constexpr std::int64_t most = 1024, points_each = 16384;  // of option threads; fewer points gain nothing
+  std::int64_t cores = std::min<std::int64_t>(rc_platform::usable_cores(), most);
+  for (const char* const name : {"OMP_THREAD_LIMIT", "OMP_NUM_THREADS"}) {
+    const char* const text = std::getenv(name);
+    const std::int64_t limit = text ? to_integer(text).value_or(0) : 0;
+    if (limit > 0) cores = std::min(cores, limit);
+  }
+  return static_cast<int>(std::max<std::int64_t>(1, std::min(cores, points / points_each)));
 }
 
 }  // namespace cli

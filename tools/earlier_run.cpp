@@ -20,8 +20,8 @@ std::string_view take_part(std::string_view& place) {
 void add_to_step(const JsonEntry& entry, std::string_view field, EarlierStep& step) {
   const auto* const text = std::get_if<std::string>(&entry.value);
   if (field == "/status" && text) step.status = *text;
-  if (field == "/approach") step.approach = number_in(entry.value, 0);
-  if (field == "/load") step.load = number_in(entry.value, 0);
+  if (field == "/approach") step.approach = number_in(entry.value, step.approach);
+  if (field == "/load") step.load = number_in(entry.value, step.load);
   step.fields.push_back(entry);
 }
 
@@ -39,6 +39,7 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
   if (!entries) return std::nullopt;
   EarlierRun run;
   std::string step_now;
+  bool in_order = true;
   for (const JsonEntry& entry : *entries) {
     std::string_view rest = entry.place;
     const std::string_view room = take_part(rest);
@@ -48,14 +49,18 @@ std::optional<EarlierRun> read_earlier_run(const std::string& text) {
       run.input.push_back(entry);
     } else if (room == "steps" && !rest.empty()) {
       const std::string_view step = take_part(rest);
-      if (step != step_now) run.steps.emplace_back();
+      if (step != step_now) {
+        in_order = in_order && step == std::to_string(run.steps.size());
+        run.steps.emplace_back();
+      }
       step_now = step;
       add_to_step(entry, rest, run.steps.back());
     } else if (const auto* const count = std::get_if<std::int64_t>(&entry.value); room == "removing" && count && *count >= 0) {
       run.removing = static_cast<std::size_t>(*count);
     }
   }
-  const bool ours = told(run.input, "/input/library_version") != "nothing" && !run.targets.empty();
+  const bool complete = std::all_of(run.steps.begin(), run.steps.end(), [](const EarlierStep& step) { return step.complete(); });
+  const bool ours = told(run.input, "/input/library_version") != "nothing" && !run.targets.empty() && complete && in_order;
   return ours ? std::optional{std::move(run)} : std::nullopt;
 }
 

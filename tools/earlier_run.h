@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,10 +15,11 @@ namespace cli {
 
 struct EarlierStep {
   std::string status;
-  double approach = 0, load = 0;
+  double approach = std::numeric_limits<double>::quiet_NaN(), load = approach;
   std::vector<JsonEntry> fields;  // all fields of the step
 
   bool certified() const { return status == "RC_OK" || status == "RC_WITHIN_GOAL"; }
+  bool complete() const { return !status.empty() && (!certified() || (std::isfinite(approach) && std::isfinite(load))); }
 };
 
 struct EarlierRun {

@@ -9,7 +9,7 @@
 
 namespace cli {
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".roughcontact.lock") {
+FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / name) {
   using State = rc_platform::LockFile::State;
   const char* const cause = std::strerror(errno);
   const std::string where = "--out: folder " + in_quotes(folder.string());

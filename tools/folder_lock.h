@@ -10,6 +10,8 @@ namespace cli {
 
 class FolderLock {
  public:
+  static constexpr const char* name = ".roughcontact.lock";  // of the file
+
   // Throws an Error that names the process that holds the lock. If the file system has no locks, reports that and goes on.
   explicit FolderLock(const std::filesystem::path& folder);
 

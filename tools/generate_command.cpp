@@ -118,6 +118,7 @@ Surface self_affine(const GenerateArguments& arguments, double unit) {
   spec.rms_height = length_or("--rms-height", arguments.rms_height, unit, 0);
   spec.rms_slope = arguments.rms_height ? 0 : arguments.rms_slope ? positive_number("--rms-slope", *arguments.rms_slope) : 0.1;
   spec.fixed_amplitudes = arguments.fixed_amplitudes ? 1 : 0;
+  surface.periodic = true;
   check_surface(rc_surface_spectral(&spec, make_room(surface)));
   return surface;
 }
@@ -148,6 +149,7 @@ Surface shape(const std::string& kind, const GenerateArguments& arguments, doubl
     spec.period_y = lengths.back().in(unit);
     if (spec.period_x < 0 || spec.period_y < 0) throw Error("--period: " + in_quotes(*arguments.period) + " is negative");
   }
+  surface.periodic = kind != "sphere";
   check_surface(rc_surface_shape(&spec, make_room(surface)));
   return surface;
 }

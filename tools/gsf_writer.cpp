@@ -14,6 +14,7 @@ void write_gsf(std::FILE* file, const Surface& surface) {
   header += format("XRes = %lld\nYRes = %lld\n", static_cast<long long>(surface.nx), static_cast<long long>(surface.ny));
   header += format("XReal = %.17g\nYReal = %.17g\nXYUnits = m\nZUnits = m\n", *surface.hx * static_cast<double>(surface.nx),
                    *surface.hy * static_cast<double>(surface.ny));
+  if (surface.periodic) header += format("Periodic = %d\n", *surface.periodic ? 1 : 0);
   header.append(4 - header.size() % 4, '\0');
   std::fwrite(header.data(), 1, header.size(), file);
   for (const double z : surface.heights) {

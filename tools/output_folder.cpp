@@ -27,6 +27,7 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(fs::absolute(path).lexi
   if (!rc_platform::may_write_into(path_)) {
     throw Error("--out: folder " + in_quotes(path.string()) + " is not writable: " + std::strerror(errno));
   }
+  refuse_special(FolderLock::name);
   lock_.emplace(path_);
 }
 
@@ -40,7 +41,15 @@ void OutputFolder::write(const std::string& name, const std::function<bool(std::
   write_whole_file(path_ / name, fill);
 }
 
+void OutputFolder::refuse_special(const std::string& name) const {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path_ / name, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return;
+  throw Error("--out: " + in_quotes((path_ / name).string()) + " is no regular file: move it away, or give another folder");
+}
+
 std::string OutputFolder::read(const std::string& name) const {
+  refuse_special(name);
   std::ifstream stream{path_ / name, std::ios::binary};
   return {std::istreambuf_iterator<char>{stream}, {}};
 }

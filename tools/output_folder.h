@@ -24,7 +24,9 @@ class OutputFolder {
   // `fill` writes the contents; if it throws or returns false, the file is not made.
   void write(const std::string& name, const std::function<bool(std::FILE*)>& fill);
 
-  // The whole contents of a file in the folder; "" if there is none.
+  // Throws if that name in the folder is of anything but a regular file: to open a pipe may take for ever.
+  void refuse_special(const std::string& name) const;
+  // The whole contents of a file in the folder; "" if there is none. Throws as refuse_special() does.
   std::string read(const std::string& name) const;
   std::vector<std::string> names() const;
   std::filesystem::path path(const std::string& name) const { return path_ / name; }

@@ -44,6 +44,24 @@ std::vector<std::string> given_commands(const CLI::App& app) {
   return names;
 }
 
+// The parser's own text has neither the values of an option nor what is to be given instead.
+std::string misuse(const Command& command, const std::vector<std::string>& words) {
+  for (const Option& option : command.options) {
+    const std::string name = option.name;
+    const auto given =
+        std::ranges::count_if(words, [&](const std::string& word) { return word.substr(0, word.find('=')) == name; });
+    const bool single = !std::holds_alternative<std::vector<std::string>*>(option.target);
+    if (single && given > 1) {
+      const bool several = std::string_view(option.type) == "TARGETS";
+      return name + (given == 2 ? " is given twice" : format(" is given %d times", static_cast<int>(given))) +
+             (several ? ", give several steps as a,b,c" : "");
+    }
+    if (given > 0 && words.back() == name && !std::holds_alternative<bool*>(option.target))
+      return name + " has no value, expected " + option.type;
+  }
+  return "";
+}
+
 std::string refusal(const CLI::App& app, const Command& command, const std::vector<std::string>& words,
                     const CLI::ParseError& error) {
   const Command* at = &command;
@@ -54,6 +72,9 @@ std::string refusal(const CLI::App& app, const Command& command, const std::vect
   }
   const std::string see = "; see " + place + " --help";
 
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    if (const std::string said = misuse(*at, words); !said.empty()) return said + see;
+  }
   const std::vector<std::string> extra = app.remaining(true);
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) || dynamic_cast<const CLI::RequiredError*>(&error);
   const auto found =

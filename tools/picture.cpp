@@ -48,7 +48,7 @@ std::string title(const Picture& picture, const Layout& layout) {
   };
   const std::string forces = "load " + with_prefix(r.load, "N") + "    mean pressure " + with_prefix(r.mean_pressure, "Pa");
   const std::string lengths = "approach " + with_prefix(r.approach, "m") +
-                              format("    contact area %.3g %%", 100 * picture.step.area_fraction()) + margin;
+                              format("    contact area %.3g %%", 100 * picture.step.result.area_fraction) + margin;
   const std::string head = line(10, format("step %d of %zu, %s", picture.step.number, picture.steps, status), 28,
                                 picture.step.good() ? "black" : contact_colour.text());
   if (!layout.narrow()) return head + line(11, forces + "    " + lengths, 60, "black");

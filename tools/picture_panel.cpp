@@ -10,7 +10,7 @@ namespace cli {
 namespace {
 
 // Lengths in pixels.
-constexpr double usual_side = 800, longest_side = 1200, shortest_side = 80;
+constexpr double usual_side = 520, longest_side = 1000, shortest_side = 80;
 constexpr double left_margin = 115, right_margin = 150, top_margin = 56, bottom_margin = 78;
 constexpr double head = 84, line_height = 32, title_height = 24;
 constexpr double room_for_title = 740, room_for_half = 450;  // of a panel

@@ -1,5 +1,7 @@
 #include "problem.h"
 
+#include <algorithm>
+
 #include "choices.h"
 #include "error.h"
 #include "numbers.h"
@@ -35,8 +37,9 @@ double contact_modulus(const SolveArguments& arguments) {
   return other ? 1 / (1 / first + 1 / plane_modulus("2", arguments.young2, arguments.poisson2)) : first;
 }
 
-int32_t boundary(const std::optional<std::string>& name) {
-  return name && choice("--boundary", *name, boundary_names) == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
+int32_t named_boundary(const Text& name) {
+  if (!name) return 0;
+  return choice("--boundary", *name, boundary_names) == 1 ? RC_BOUNDARY_PERIODIC : RC_BOUNDARY_FREE;
 }
 
 void set_targets(const SolveArguments& arguments, double unit, Problem& problem) {
@@ -48,7 +51,8 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
   };
   const Control controls[] = {{"approach", arguments.approach, Dimension::length, unit},
                               {"load", arguments.load, Dimension::force, 1},
-                              {"pressure", arguments.pressure, Dimension::pressure, 1}};
+                              {"pressure", arguments.pressure, Dimension::pressure, 1},
+                              {"area", arguments.area, Dimension::share, 1}};
 
   for (const auto& [name, text, dimension, alone] : controls) {
     if (!text) continue;
@@ -56,6 +60,8 @@ void set_targets(const SolveArguments& arguments, double unit, Problem& problem)
     problem.control = name;
     problem.targets = parse_targets("--" + problem.control, *text, dimension, alone);
   }
+  if (problem.control == "area" && std::ranges::max(problem.targets) > 1)
+    throw Error("--area: " + in_quotes(*arguments.area) + " is more than the whole, give a share as 10% or 0.1");
   if (problem.control.empty()) throw Error("what to press with is missing, give --approach, --load or --pressure");
 }
 
@@ -77,6 +83,26 @@ void set_options(const SolveArguments& arguments, Problem& problem) {
   }
 }
 
+// A unit left out or a prefix mistaken: "150" for 150 MPa. The library has no units and cannot know.
+void doubt_pressures(const SolveArguments& arguments, SurfaceInput& input) {
+  struct Doubt {
+    const char* option;
+    const Text& text;
+    double least;  // [Pa]; the softest gels and solids have more
+  };
+  const Doubt doubts[] = {{"--E", arguments.young, 1e2},
+                          {"--E2", arguments.young2, 1e2},
+                          {"--modulus", arguments.modulus, 1e2},
+                          {"--hardness", arguments.hardness, 1e6}};
+  for (const auto& [option, text, least] : doubts) {
+    if (!text) continue;
+    const double value = read_positive(option, *text, Dimension::pressure).si();
+    if (value < least)
+      input.notes.push_back(std::string("remark: ") + option + " is " + with_prefix(value, "Pa") + ", below " +
+                            with_prefix(least, "Pa") + ": check its unit, a number alone is in Pa");
+  }
+}
+
 }  // namespace
 
 int32_t Problem::step_control() const { return control == "approach" ? RC_CONTROL_APPROACH : RC_CONTROL_LOAD; }
@@ -92,21 +118,44 @@ Problem problem_without_surface(const SolveArguments& arguments) {
   const double unit = unit_of(arguments.surface);
   problem.system.modulus = contact_modulus(arguments);
   if (arguments.hardness) problem.system.hardness = read_positive("--hardness", *arguments.hardness, Dimension::pressure).si();
-  problem.system.boundary = boundary(arguments.boundary);
+  problem.system.boundary = named_boundary(arguments.boundary);
   set_targets(arguments, unit, problem);
   set_options(arguments, problem);
   return problem;
+}
+
+void settle_boundary(Problem& problem) {
+  int32_t& boundary = problem.system.boundary;
+  SurfaceInput& input = problem.input;
+  const std::optional<bool> periodic = input.surface.periodic;
+  if (boundary != 0) return;
+  if (!input.shape.empty()) {
+    boundary = RC_BOUNDARY_FREE;
+  } else if (periodic == false) {
+    boundary = RC_BOUNDARY_FREE;
+    input.notes.emplace_back(
+        "note: boundary free, the file says that the surface does not repeat; --boundary periodic if it is a sample of a larger "
+        "one");
+  } else {
+    boundary = RC_BOUNDARY_PERIODIC;
+    if (periodic) return;
+    input.notes.emplace_back(
+        "note: boundary periodic, the map is taken as a sample of a larger surface; --boundary free if the body ends at its "
+        "edges");
+  }
 }
 
 Problem make_problem(const SolveArguments& arguments) {
   Problem problem = problem_without_surface(arguments);
   problem.options.insert(problem.options.begin(), {RC_OPT_STIFFNESS, "1"});
   problem.input = read_input(arguments.surface, true);
+  doubt_pressures(arguments, problem.input);
   const Surface& surface = problem.input.surface;
   problem.system.hx = *surface.hx;
   problem.system.hy = *surface.hy;
   problem.system.nx = surface.nx;
   problem.system.ny = surface.ny;
+  settle_boundary(problem);
   return problem;
 }
 

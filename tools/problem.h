@@ -18,11 +18,12 @@ inline constexpr std::string_view boundary_names[] = {"free", "periodic"};
 struct SolveArguments {
   SurfaceArguments surface;
   std::optional<std::string> young, poisson, young2, poisson2, modulus, hardness;
-  std::optional<std::string> approach, load, pressure;
+  std::optional<std::string> approach, load, pressure, area;
   std::optional<std::string> boundary, kernel, solver, backend, tol, threads;
   std::vector<std::string> set;  // key=value
   std::optional<std::string> out, write;
   bool resume = false;
+  bool no_maps = false;
   bool explain = false;
   bool quiet = false;
 };
@@ -30,8 +31,8 @@ struct SolveArguments {
 struct Problem {
   SurfaceInput input;
   rc_system system;
-  std::string control;                                       // "approach", "load" or "pressure"
-  std::vector<double> targets;                               // of the control; lengths in metres
+  std::string control;                                       // "approach", "load", "pressure" or "area"
+  std::vector<double> targets;                               // of the control; lengths in metres, areas as shares
   std::vector<std::pair<std::string, std::string>> options;  // of the library, later ones win
 
   // The control and target for the library, which has no control by mean pressure: it becomes a load.
@@ -39,7 +40,10 @@ struct Problem {
   double step_target(std::size_t step) const;
 };
 
-// All but the surface and the size of the grid.
+// The boundary, if --boundary is not given: free with a --shape; else as the file says; else periodic, with a note.
+void settle_boundary(Problem& problem);
+
+// All but the surface, the size of the grid and a boundary that is not named.
 Problem problem_without_surface(const SolveArguments& arguments);
 
 // Throws an Error at the first argument that is wrong; the surface is read last.

@@ -1,7 +1,9 @@
 #include "run_folder.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 #include <utility>
 
@@ -13,8 +15,8 @@
 
 namespace cli {
 
-std::string step_name(const char* stem, std::size_t number, const char* extension) {
-  return format("%s-%zu.%s", stem, number, extension);
+std::string step_name(const char* stem, std::size_t number, const char* extension, std::size_t steps) {
+  return format("%s-%0*zu.%s", stem, static_cast<int>(std::to_string(steps).size()), number, extension);
 }
 
 namespace {
@@ -25,20 +27,24 @@ constexpr const char* table_name = "steps.csv";
 // Whether a file of this name is of the whole history.
 bool of_all_steps(std::string_view name) { return name == summary_name || name == history_name || name == table_name; }
 
-std::vector<std::string> step_names(std::size_t number) {
-  std::vector<std::string> names = {step_name("pressure", number, "npy"), step_name("gap", number, "npy"),
-                                    step_name("indentation", number, "npy"), step_name("contact", number, "png")};
-  for (const char* extension : step_extensions) names.push_back(step_name("step", number, extension));
-  return names;
-}
+// The name of a step's file in its parts: "pressure-03.npy".
+struct StepName {
+  std::string stem;
+  std::size_t number;  // 0: it is not of a step
+  std::string extension;
+};
 
-// The number of the step that a file of this name belongs to; 0: of none.
-std::size_t step_of(const std::string& name) {
-  const auto dash = name.find('-');
-  if (dash == std::string::npos) return 0;
-  const std::size_t number = std::strtoull(name.c_str() + dash + 1, nullptr, 10);
-  const auto names = step_names(number);
-  return std::find(names.begin(), names.end(), name) != names.end() ? number : 0;
+StepName parts_of(const std::string& name) {
+  constexpr std::pair<std::string_view, std::string_view> maps[] = {
+      {"pressure", "npy"}, {"gap", "npy"}, {"indentation", "npy"}, {"contact", "png"}};
+  const auto dash = name.find('-'), dot = name.find('.');
+  if (dash == std::string::npos || dot == std::string::npos || dot < dash + 2) return {};
+  const std::string digits = name.substr(dash + 1, dot - dash - 1);
+  if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return {};
+  const StepName parts{name.substr(0, dash), std::strtoul(digits.c_str(), nullptr, 10), name.substr(dot + 1)};
+  const bool map = std::ranges::count(maps, std::pair<std::string_view, std::string_view>{parts.stem, parts.extension}) > 0;
+  const bool written = parts.stem == "step" && std::ranges::count(step_extensions, parts.extension) > 0;
+  return map || written ? parts : StepName{};
 }
 
 }  // namespace
@@ -51,7 +57,7 @@ RunFolder::RunFolder(const std::string& folder, const Problem& problem, const st
   const std::vector<std::string> present = folder_.names();
   remove_unfinished(present);
   refuse_foreign(present);
-  if (resume && earlier_) take_up(read_earlier_run(summary_.text()).value());
+  if (resume && earlier_) take_up(read_earlier_run(summary_.text()).value(), present);
 }
 
 RunFolder::~RunFolder() {
@@ -59,7 +65,7 @@ RunFolder::~RunFolder() {
   try {
     const auto told = read_earlier_run(folder_.read(summary_name));
     if (!told || told->steps.size() >= unfinished_) return;
-    for (const std::string& name : step_names(unfinished_)) folder_.remove(name);
+    remove_steps(unfinished_, unfinished_);
     if (!told->steps.empty()) return;
     folder_.remove(table_name);
     folder_.remove(summary_name);
@@ -72,14 +78,15 @@ RunFolder::~RunFolder() {
 void RunFolder::remove_unfinished(const std::vector<std::string>& present) {
   for (const std::string& name : present) {
     const std::string target{target_of_temporary(name)};
-    if (of_all_steps(target) || step_of(target) > 0) folder_.remove(name);
+    if (of_all_steps(target) || parts_of(target).number > 0) folder_.remove(name);
   }
 }
 
 void RunFolder::refuse_foreign(const std::vector<std::string>& present) const {
   const std::size_t own = earlier_ ? earlier_->own_steps() : 0;
   for (const std::string& name : present) {
-    const std::size_t step = step_of(name);
+    const std::size_t step = parts_of(name).number;
+    if (of_all_steps(name) || step > 0) folder_.refuse_special(name);
     if (of_all_steps(name) ? earlier_.has_value() : step <= own || step > problem_.targets.size()) continue;
     throw Error("--out: " + in_quotes(folder_.path(name).string()) +
                 " exists, but belongs to no earlier run in summary.json: move it away, or give another folder");
@@ -87,7 +94,7 @@ void RunFolder::refuse_foreign(const std::vector<std::string>& present) const {
 }
 
 // A step that was interrupted is solved again.
-void RunFolder::take_up(const EarlierRun& now) {
+void RunFolder::take_up(const EarlierRun& now, const std::vector<std::string>& present) {
   std::vector<EarlierStep>& steps = earlier_->steps;
   if (!steps.empty() && steps.back().status == "RC_STOP_CANCELLED") steps.pop_back();
   check_continues(*earlier_, now, steps.size(), in_quotes(folder_.path(summary_name).string()));
@@ -96,6 +103,22 @@ void RunFolder::take_up(const EarlierRun& now) {
     all_certified_ = all_certified_ && step.certified();
   }
   finished_ = steps.size();
+  for (const std::string& name : present) {
+    const StepName parts = parts_of(name);
+    if (parts.number == 0 || parts.number > finished_) continue;
+    const std::string here = step_name(parts.stem.c_str(), parts.number, parts.extension.c_str());
+    if (here != name && !rc_platform::rename_over(folder_.path(name), folder_.path(here)))
+      throw Error("--resume: cannot rename " + in_quotes(folder_.path(name).string()) + " to " + here + ": " +
+                  std::strerror(errno));
+  }
+}
+
+void RunFolder::remove_steps(std::size_t first, std::size_t last) {
+  if (last < first) return;
+  for (const std::string& name : folder_.names()) {
+    const std::size_t number = parts_of(name).number;
+    if (number >= first && number <= last) folder_.remove(name);
+  }
 }
 
 std::span<const EarlierStep> RunFolder::finished() const {
@@ -119,9 +142,7 @@ void RunFolder::begin() {
   write_whole_file(folder_.path(summary_name), summary_.text(own > kept ? own : 0));
   if (own > 0) folder_.remove(history_name);
   if (own > 0) folder_.remove(table_name);
-  for (std::size_t k = kept + 1; k <= own; ++k) {
-    for (const std::string& name : step_names(k)) folder_.remove(name);
-  }
+  remove_steps(kept + 1, own);
 }
 
 void RunFolder::add(std::span<const JsonEntry> step) {

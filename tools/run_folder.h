@@ -18,13 +18,14 @@ namespace cli {
 
 inline constexpr const char* history_name = "history.png";
 
-// "pressure-3.npy"
-std::string step_name(const char* stem, std::size_t number, const char* extension);
+// "pressure-3.npy", "pressure-03.npy" of a history of ten steps and more: the names sort as the steps do.
+std::string step_name(const char* stem, std::size_t number, const char* extension, std::size_t steps);
 
 class RunFolder {
  public:
   // Throws if the folder has files with names that this run would write and that no summary.json lists. resume: continues after
-  // the steps that an earlier run of the same problem has finished, if there was one. checksum: of the heights.
+  // the steps that an earlier run of the same problem has finished, if there was one; their files get the names that they have
+  // in this one. checksum: of the heights.
   RunFolder(const std::string& folder, const Problem& problem, const std::string& checksum, bool resume);
   // Removes the files of a step if not all of them could be written.
   ~RunFolder();
@@ -43,13 +44,17 @@ class RunFolder {
   void begin_step(std::size_t number);
   void end_step(std::span<const JsonEntry> fields);
 
+  std::string step_name(const char* stem, std::size_t number, const char* extension) const {
+    return cli::step_name(stem, number, extension, problem_.targets.size());
+  }
   OutputFolder& files() { return folder_; }
   const OutputFolder& files() const { return folder_; }
 
  private:
   void remove_unfinished(const std::vector<std::string>& present);
   void refuse_foreign(const std::vector<std::string>& present) const;
-  void take_up(const EarlierRun& now);
+  void take_up(const EarlierRun& now, const std::vector<std::string>& present);
+  void remove_steps(std::size_t first, std::size_t last);
   void add(std::span<const JsonEntry> step);
 
   OutputFolder folder_;

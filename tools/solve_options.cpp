@@ -13,14 +13,14 @@ void add_surface(Command& command, SurfaceArguments& surface, const char* missin
                           {"--unit", &surface.unit, "UNIT", "Unit of lengths without one: m (default), mm, um, nm, pm"},
                           {"--missing", &surface.missing, "RULE", missing_help}});
   if (!rows) {
-    command.add("Surface", {{"--remove", &surface.remove, "FORM",
-                             "Least-squares form to take off: none (default), mean, plane or quadric"}});
+    command.add("Surface",
+                {{"--remove", &surface.remove, "FORM", "Level the map first: none (default), mean, plane or quadric"}});
   }
 }
 
 void add_other_body(Command& command, SurfaceArguments& surface) {
   command.add("Surface",
-              {{"--against", &surface.against, "FILE", "Heights of the other body on the same grid, towards the first"}});
+              {{"--against", &surface.against, "FILE", "Second rough body: heights on the same grid, seen from the first"}});
 }
 
 void add_loading(Command& command, SolveArguments& arguments) {
@@ -35,14 +35,17 @@ void add_loading(Command& command, SolveArguments& arguments) {
               {{"--approach", &arguments.approach, "TARGETS", "Approach from first touch of the highest point"},
                {"--load", &arguments.load, "TARGETS", "Normal force"},
                {"--pressure", &arguments.pressure, "TARGETS", "Mean pressure over the whole surface"}});
-  command.add("Method", {{"--boundary", &arguments.boundary, "NAME", "free (default) or periodic"}});
+  command.add("Method", {{"--boundary", &arguments.boundary, "NAME",
+                          "periodic: the map is a sample of a larger surface; free: the body ends at its edges (default: as the "
+                          "file says; free with a "
+                          "--shape; else periodic)"}});
 }
 
 void add_method(Command& command, SolveArguments& arguments, const char* threads_help) {
   command.add("Method", {{"--kernel", &arguments.kernel, "NAME", "Influence kernel, see roughcontact kernels"},
                          {"--solver", &arguments.solver, "NAME", "Solver, see roughcontact solvers"},
                          {"--backend", &arguments.backend, "NAME", "Backend, see roughcontact backends"},
-                         {"--tol", &arguments.tol, "TOL", "Largest relative residual of a certified step"},
+                         {"--tol", &arguments.tol, "TOL", "Convergence tolerance, relative (default 1e-8)"},
                          {"--threads", &arguments.threads, "N", threads_help},
                          {"--set", &arguments.set, "KEY=VALUE", "Any option, see roughcontact options; may be repeated"}});
 }

@@ -23,7 +23,8 @@ HistoryPoint history_point(const EarlierStep& step) {
     }
     return std::numeric_limits<double>::quiet_NaN();
   };
-  return {step.load, number("/area_fraction"), number("/corrected_area"), number("/mean_gap"), number("/stiffness")};
+  return {step.load,           step.approach,       number("/area_fraction"), number("/corrected_area"),
+          number("/mean_gap"), number("/stiffness")};
 }
 
 std::string checksum_of(const Problem& problem) {
@@ -34,8 +35,11 @@ std::string checksum_of(const Problem& problem) {
 
 }  // namespace
 
-StepFiles::StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers)
-    : run_(folder, problem, checksum_of(problem), resume), writers_(std::move(writers)), problem_(problem) {
+StepFiles::StepFiles(const std::string& folder, const Problem& problem, Choice choice)
+    : run_(folder, problem, checksum_of(problem), choice.resume),
+      problem_(problem),
+      maps_(choice.maps),
+      writers_(std::move(choice.writers)) {
   for (const EarlierStep& step : run_.finished()) history_.push_back(history_point(step));
 }
 
@@ -54,7 +58,7 @@ std::vector<double> StepFiles::indentation() const {
 }
 
 std::vector<double> StepFiles::values(const char* stem, std::size_t number) const {
-  const std::string name = step_name(stem, number, "npy");
+  const std::string name = run_.step_name(stem, number, "npy");
   const Surface read = read_surface(run_.files().path(name), 1, "npy");
   if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
     throw Error(format("--resume: %s has %lld x %lld points, the surface has %lld x %lld", name.c_str(),
@@ -63,33 +67,37 @@ std::vector<double> StepFiles::values(const char* stem, std::size_t number) cons
   return read.heights;
 }
 
-void StepFiles::write(const StepRecord& step, const Fields& fields) {
-  const auto number = static_cast<std::size_t>(step.number);
-  run_.begin_step(number);
-  const auto array = [this](const std::vector<double>& values) {
-    return [this, &values](std::FILE* file) {
-      write_npy(file, values, problem_.system.nx, problem_.system.ny);
-      return true;
-    };
+void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const std::vector<JsonEntry>& values) {
+  const auto name = [&](const char* stem, const char* extension) {
+    return run_.step_name(stem, static_cast<std::size_t>(step.number), extension);
   };
-  run_.files().write(step_name("pressure", number, "npy"), array(fields.pressure));
-  run_.files().write(step_name("gap", number, "npy"), array(fields.gap));
-  if (!fields.indentation.empty()) run_.files().write(step_name("indentation", number, "npy"), array(fields.indentation));
-  const std::vector<JsonEntry> values = step_fields(step, problem_.system.hardness > 0);
+  const auto array = [&](const char* stem, const std::vector<double>& field) {
+    run_.files().write(name(stem, "npy"), [&](std::FILE* file) {
+      write_npy(file, field, problem_.system.nx, problem_.system.ny);
+      return true;
+    });
+  };
+  array("pressure", fields.pressure);
+  array("gap", fields.gap);
+  if (!fields.indentation.empty()) array("indentation", fields.indentation);
   for (const NamedWriter& writer : writers_) {
-    run_.files().write(step_name("step", number, writer.extension), [&](std::FILE* file) {
+    run_.files().write(name("step", writer.extension), [&](std::FILE* file) {
       writer.write(make_image(problem_, values, fields), file);
       return true;
     });
   }
-  if (can_draw_) {
-    draw(step_name("contact", number, "png"), [&](std::FILE* file) {
-      return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
-    });
-  }
-  history_.push_back(
-      {step.result.load, step.area_fraction(), step.measures.corrected_area, step.measures.mean_gap, step.result.stiffness});
+  if (!can_draw_) return;
+  draw(name("contact", "png"), [&](std::FILE* file) {
+    return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
+  });
+}
 
+void StepFiles::write(const StepRecord& step, const Fields& fields) {
+  run_.begin_step(static_cast<std::size_t>(step.number));
+  const std::vector<JsonEntry> values = step_fields(step, problem_.system.hardness > 0);
+  if (maps_) write_maps(step, fields, values);
+  history_.push_back({step.result.load, step.result.approach, step.result.area_fraction, step.measures.corrected_area,
+                      step.result.mean_gap, step.result.stiffness});
   run_.end_step(values);
 }
 

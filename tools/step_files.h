@@ -11,21 +11,21 @@
 #include "problem.h"
 #include "run_folder.h"
 #include "step_record.h"
+#include "step_solver.h"
 #include "step_writers.h"
 
 namespace cli {
 
-// A certified step of an earlier run.
-struct CertifiedStep {
-  std::vector<double> pressure;
-  double approach = 0, load = 0;
-};
-
 class StepFiles {
  public:
-  // Throws if the folder has files with names that this run would write and that no summary.json lists. resume: continues after
-  // the steps that an earlier run of the same problem has finished, if there was one. writers: of more files of each step.
-  StepFiles(const std::string& folder, const Problem& problem, bool resume, StepWriters writers);
+  struct Choice {
+    bool resume = false;  // continue after the steps that an earlier run of the same problem has finished, if there was one
+    bool maps = true;     // write the fields and the picture of each step
+    StepWriters writers;  // of more files of each step
+  };
+
+  // Throws if the folder has files with names that this run would write and that no summary.json lists.
+  StepFiles(const std::string& folder, const Problem& problem, Choice choice);
 
   // Of the earlier run: the number of finished steps, whether all are certified, and the last two certified ones, newest first.
   int finished() const { return static_cast<int>(run_.finished().size()); }
@@ -40,11 +40,13 @@ class StepFiles {
 
  private:
   std::vector<double> values(const char* stem, std::size_t number) const;
+  void write_maps(const StepRecord& step, const Fields& fields, const std::vector<JsonEntry>& values);
   void draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture);
 
   RunFolder run_;
-  StepWriters writers_;
   const Problem& problem_;
+  bool maps_;
+  StepWriters writers_;
   bool can_draw_ = true;
   std::vector<HistoryPoint> history_;
 };

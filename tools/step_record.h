@@ -16,9 +16,9 @@ struct StepRecord {
   rc_accuracy accuracy;
   ContactMeasures measures;
   std::string message;  // why the step is not certified; "" if it is
+  std::string remark;   // of the command, beside the library's; "" if there is none
 
   bool good() const { return result.status == RC_OK || result.status == RC_WITHIN_GOAL; }
-  double area_fraction() const { return static_cast<double>(result.contacts) / static_cast<double>(result.points); }
   double worst_residual() const {
     return std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control});
   }

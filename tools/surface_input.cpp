@@ -110,7 +110,6 @@ SurfaceInput read_input(const SurfaceArguments& arguments, bool can_exclude) {
     if (!text.empty()) input.notes.push_back("note: " + text);
   };
   note(input.surface.note);
-  if (input.surface.periodic) note("the file says that the surface is periodic, --boundary periodic is for that");
   note(settle_pitch(given_pitch, input.file, input.surface));
   add_other(arguments, unit, input);
   try {

@@ -1,5 +1,6 @@
 #include "targets.h"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace cli {
 namespace {
 
 constexpr std::int64_t most_points = 100000;
+constexpr std::string_view logarithmic = "log";
 
 std::vector<double> values(std::string_view option, const std::vector<std::string_view>& texts, Dimension dimension,
                            double unit) {
@@ -27,19 +29,28 @@ std::vector<double> values(std::string_view option, const std::vector<std::strin
 
 std::vector<double> range(std::string_view option, std::string_view text, Dimension dimension, double unit) {
   const auto parts = split(text, ':');
-  if (parts.size() != 3) throw Error(std::string(option) + ": range " + in_quotes(text) + " has not the form a:b:n");
+  const std::string here = std::string(option) + ": range " + in_quotes(text);
+  if (parts.size() != 3) throw Error(here + " has not the form a:b:n or a:b:nlog");
 
   const auto ends = values(option, {parts[0], parts[1]}, dimension, unit);
-  const auto count = to_integer(parts[2]);
+  std::string_view number = trimmed(parts[2]);
+  const bool ratios = number.ends_with(logarithmic);
+  if (ratios) number.remove_suffix(logarithmic.size());
+  const auto count = to_integer(number);
   if (!count || *count < 1 || *count > most_points) {
-    throw Error(std::string(option) + ": range " + in_quotes(text) + " has n = " + in_quotes(parts[2]) +
-                ", give a whole number from 1 to " + std::to_string(most_points));
+    throw Error(here + " has n = " + in_quotes(parts[2]) + ", give a whole number from 1 to " + std::to_string(most_points) +
+                ", or with log behind it for equal ratios");
   }
+  if (ratios && !(ends[0] > 0 && ends[1] > 0)) throw Error(here + " has equal ratios, give two ends above 0");
 
   std::vector<double> points{ends[0]};
   for (std::int64_t k = 1; k < *count; ++k) {
     const double t = static_cast<double>(k) / static_cast<double>(*count - 1);
-    points.push_back((1 - t) * ends[0] + t * ends[1]);
+    if (k == *count - 1) {
+      points.push_back(ends[1]);
+    } else {
+      points.push_back(ratios ? ends[0] * std::pow(ends[1] / ends[0], t) : (1 - t) * ends[0] + t * ends[1]);
+    }
   }
   return points;
 }

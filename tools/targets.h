@@ -1,5 +1,5 @@
-// The points of a loading sequence: one number, a list "a,b,c" or a range "a:b:n" of n equidistant points, both ends included;
-// every number may have a unit.
+// The points of a loading sequence: one number, a list "a,b,c" or a range of n points with both ends, equidistant "a:b:n" or with
+// equal ratios "a:b:nlog"; every number may have a unit.
 #pragma once
 
 #include <string_view>

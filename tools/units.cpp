@@ -24,6 +24,7 @@ constexpr std::pair<const char*, double> label_prefixes[] = {{"T", 1e12},  {"G",
 }  // namespace
 
 std::optional<Unit> find_unit(std::string_view name) {
+  if (name == "%") return Unit{Dimension::share, 0.01};
   if (name == "deg") return Unit{Dimension::angle, 3.14159265358979323846 / 180};
   for (const auto& [symbol, dimension] : symbols) {
     if (!name.ends_with(symbol)) continue;
@@ -35,27 +36,34 @@ std::optional<Unit> find_unit(std::string_view name) {
 const char* name_of(Dimension dimension) {
   if (dimension == Dimension::length) return "a length";
   if (dimension == Dimension::pressure) return "a pressure";
+  if (dimension == Dimension::share) return "a share";
   return dimension == Dimension::force ? "a force" : "an angle";
 }
 
 const char* units_of(Dimension dimension) {
   if (dimension == Dimension::length) return "m with an SI prefix (mm, um, nm)";
   if (dimension == Dimension::pressure) return "Pa with an SI prefix (kPa, MPa, GPa)";
+  if (dimension == Dimension::share) return "%, at most 100 %";
   return dimension == Dimension::force ? "N with an SI prefix (uN, mN, kN)" : "deg or rad";
 }
 
-Prefix prefix_for(double magnitude) {
+Prefix prefix_for(double magnitude, int power) {
   if (!(std::abs(magnitude) > 0) || !std::isfinite(magnitude)) return {1, ""};
   for (const auto& [symbol, factor] : label_prefixes) {
+    const double whole = std::pow(factor, power);
     // The limit is slightly below 1, so that a value rounded to three digits never reads "1000".
-    if (std::abs(magnitude) >= 0.9995 * factor) return {factor, symbol};
+    if (std::abs(magnitude) >= 0.9995 * whole) return {whole, symbol};
   }
-  return {1e-18, "a"};
+  return {std::pow(1e-18, power), "a"};
 }
 
 std::string with_prefix(double value, const char* unit, int digits) {
-  const Prefix prefix = prefix_for(value);
-  return format("%.*g %s%s", digits, value / prefix.factor, prefix.symbol.c_str(), unit);
+  const std::string_view name = unit;
+  const int power = name.ends_with("^2") ? 2 : name.ends_with("^3") ? 3 : 1;
+  const Prefix prefix = prefix_for(value, power);
+  const double number = value / prefix.factor;
+  const bool large = power > 1 && std::abs(number) >= 1000;
+  return (large ? format("%.0f", number) : format("%.*g", digits, number)) + " " + prefix.symbol + unit;
 }
 
 }  // namespace cli

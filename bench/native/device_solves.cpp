@@ -97,6 +97,7 @@ void fill_gap(std::int64_t n, const std::vector<Wave>& all, double* gap) {
 
 rc_system square(std::int64_t n) {
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = n;
   system.hx = system.hy = 1 / static_cast<double>(n);
   system.modulus = 1;

@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
   const int alone = strcmp(argv[3], "process") == 0;
   const double base = peak();
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = n;
   system.hx = system.hy = 1.0 / (double)n;
   system.modulus = 1;

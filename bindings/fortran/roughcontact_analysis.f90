@@ -1,11 +1,11 @@
-! What a contact looks like: functions of pressures p(nx, ny) alone. boundary if absent: as rc_system has it.
+! What a contact looks like: functions of pressures p(nx, ny) alone. boundary: RC_BOUNDARY_*, across which patches may extend.
 module roughcontact_analysis
   use roughcontact_arrays
   use roughcontact_errors
   use roughcontact_functions
   implicit none
   private
-  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_patch, rcf_conductance
+  public :: rcf_area_measure, rcf_patches_find, rcf_histogram_fill, rcf_crossing_find, rcf_patch, rcf_conductance
 
   ! One connected part of a contact.
   type :: rcf_patch
@@ -16,11 +16,11 @@ module roughcontact_analysis
 contains
 
   ! Area, perimeter, and the area corrected for the grid.
-  subroutine rcf_area_measure(p, hx, hy, area, boundary, mask, stat, errmsg)
+  subroutine rcf_area_measure(p, hx, hy, boundary, area, mask, stat, errmsg)
     real(c_double), intent(in), contiguous :: p(:, :)
     type(rc_area), intent(out) :: area
     real(c_double), intent(in) :: hx, hy
-    integer(c_int32_t), intent(in), optional :: boundary
+    integer(c_int32_t), intent(in) :: boundary
     logical, intent(in), optional :: mask(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
@@ -30,12 +30,12 @@ contains
   end subroutine
 
   ! label(ix, iy): number of the point's patch, from 1 on, 0: no contact. neighbours: 4 (across edges) or 8 (corners as well).
-  subroutine rcf_patches_find(p, hx, hy, patches, label, boundary, mask, neighbours, stat, errmsg)
+  subroutine rcf_patches_find(p, hx, hy, boundary, patches, label, mask, neighbours, stat, errmsg)
     real(c_double), intent(in), contiguous :: p(:, :)
     type(rcf_patch), allocatable, intent(out) :: patches(:)
     integer(c_int64_t), intent(inout), optional, target, contiguous :: label(:, :)
     real(c_double), intent(in) :: hx, hy
-    integer(c_int32_t), intent(in), optional :: boundary
+    integer(c_int32_t), intent(in) :: boundary
     logical, intent(in), optional :: mask(:, :)
     integer, intent(in), optional :: neighbours
     integer, intent(out), optional :: stat
@@ -98,9 +98,22 @@ contains
       if (size(density) > 0) filled%density = c_loc(density)
     end if
     if (present(upper)) filled%upper = upper
-    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double), p, address(bytes), filled)
+    status = rc_histogram_fill(grid(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE), p, address(bytes), filled)
     if (present(histogram)) histogram = filled
     call rcf_check(status, stat, errmsg)
+  end subroutine
+
+  ! Whether contact and gap reach across along x and y: members of crossing are 1 or 0.
+  subroutine rcf_crossing_find(p, boundary, crossing, mask, stat, errmsg)
+    real(c_double), intent(in), contiguous :: p(:, :)
+    integer(c_int32_t), intent(in) :: boundary
+    type(rc_crossing), intent(out) :: crossing
+    logical, intent(in), optional :: mask(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int8_t), allocatable, target :: bytes(:, :)
+    if (.not. mask_fits('rcf_crossing_find', p, mask, bytes, stat, errmsg)) return
+    call rcf_check(rc_crossing_find(grid(p, 1.0_c_double, 1.0_c_double, boundary), p, address(bytes), crossing), stat, errmsg)
   end subroutine
 
   ! Electrical or thermal conductance of a contact of half-spaces, and the interval it lies in. result: with option stiffness 1
@@ -119,10 +132,9 @@ contains
   pure function grid(p, hx, hy, boundary) result(system)
     real(c_double), intent(in) :: p(:, :)
     real(c_double), intent(in) :: hx, hy
-    integer(c_int32_t), intent(in), optional :: boundary
+    integer(c_int32_t), intent(in) :: boundary
     type(rc_system) :: system
-    system = rc_system(nx=size(p, 1, c_int64_t), ny=size(p, 2, c_int64_t), hx=hx, hy=hy)
-    if (present(boundary)) system%boundary = boundary
+    system = rc_system(boundary=boundary, nx=size(p, 1, c_int64_t), ny=size(p, 2, c_int64_t), hx=hx, hy=hy)
   end function
 
   logical function mask_fits(where, p, mask, bytes, stat, errmsg) result(fits)

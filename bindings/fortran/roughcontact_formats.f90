@@ -11,7 +11,8 @@ module roughcontact_formats
 contains
 
   ! Heights [m], NaN where a point is missing, and the pitch [m], 0 where neither the file nor `pitch` says it. pitch(2), in `unit`,
-  ! replaces that of the file. missing: points; recognised: the format; assumed: what the file leaves open and how it was taken.
+  ! replaces that of the file. missing: points; periodic: whether the file says that the surface repeats; recognised: the format;
+  ! assumed: what the file leaves open and how it was taken.
   ! z, recognised and assumed are not allocated after a failure.
   subroutine rcf_surface_read(path, z, hx, hy, pitch, unit, format, missing, periodic, recognised, assumed, stat, errmsg)
     character(*), intent(in) :: path
@@ -43,7 +44,7 @@ contains
     hx = file%hx
     hy = file%hy
     if (present(missing)) missing = file%missing
-    if (present(periodic)) periodic = file%periodic /= 0
+    if (present(periodic)) periodic = file%periodic > 0
     if (status == RC_OK) then
       call c_f_pointer(file%heights, heights, [file%nx, file%ny])
       z = heights

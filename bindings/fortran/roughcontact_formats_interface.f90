@@ -19,7 +19,7 @@ module roughcontact_formats_interface
     real(c_double) :: hx = 0, hy = 0
     type(c_ptr) :: heights = c_null_ptr  ! double *
     integer(c_int64_t) :: missing = 0
-    integer(c_int32_t) :: periodic = 0, reserved = 0
+    integer(c_int32_t) :: periodic = -1, reserved = 0
     character(kind=c_char) :: format(32) = c_null_char, assumed(400) = c_null_char
     type(c_ptr) :: storage = c_null_ptr  ! void *
   end type

@@ -109,9 +109,9 @@ module roughcontact_functions
     integer(rc_status) function rc_contact_reset(contact) bind(c); import
       type(c_ptr), value :: contact
     end function
-    integer(rc_status) function rc_contact_solve_history(contact, path) bind(c); import
+    integer(rc_status) function rc_contact_solve_history(contact, history) bind(c); import
       type(c_ptr), value :: contact
-      type(rc_history), intent(inout) :: path
+      type(rc_history), intent(inout) :: history
     end function
     integer(rc_status) function rc_contact_indentation(contact, indentation) bind(c); import
       type(c_ptr), value :: contact
@@ -172,6 +172,12 @@ module roughcontact_functions
       real(c_double), intent(in) :: p(*)
       type(c_ptr), value :: mask
       type(rc_histogram), intent(inout) :: out
+    end function
+    integer(rc_status) function rc_crossing_find(system, p, mask, out) bind(c); import
+      type(rc_system), intent(in) :: system
+      real(c_double), intent(in) :: p(*)
+      type(c_ptr), value :: mask
+      type(rc_crossing), intent(inout) :: out
     end function
     integer(rc_status) function rc_conductance(system, result, rho1, rho2, conductance, lower, upper) bind(c); import
       type(rc_system), intent(in) :: system

@@ -11,7 +11,7 @@ module roughcontact_structs
 
   type, bind(c) :: rc_system
     integer(c_size_t) :: struct_size = merge(96, 80, c_intptr_t == 8)
-    integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = RC_BOUNDARY_FREE
+    integer(c_int32_t) :: op = RC_OPERATOR_HALFSPACE, boundary = 0
     integer(c_int64_t) :: nx = 0, ny = 0
     real(c_double) :: hx = 0, hy = 0, modulus = 0
     type(c_ptr) :: dense = c_null_ptr  ! const double *
@@ -33,7 +33,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_result
-    integer(c_size_t) :: struct_size = merge(576, 552, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(608, 584, c_intptr_t == 8)
     type(c_ptr) :: p = c_null_ptr, gap = c_null_ptr  ! double *
     integer(rc_status) :: status = RC_ERR_ARGUMENT
     integer(c_int32_t) :: reserved = 0
@@ -49,6 +49,7 @@ module roughcontact_structs
     integer(c_int64_t) :: proven_capped = 0
     type(c_ptr) :: p_single = c_null_ptr, gap_single = c_null_ptr  ! float *
     type(c_ptr) :: memory = c_null_ptr  ! const char *
+    real(c_double) :: area_fraction = 0, max_pressure = 0, mean_gap = 0, punch_stiffness = 0
   end type
 
   type, bind(c) :: rc_accuracy
@@ -64,7 +65,7 @@ module roughcontact_structs
   end type
 
   type, bind(c) :: rc_history
-    integer(c_size_t) :: struct_size = merge(120, 72, c_intptr_t == 8)
+    integer(c_size_t) :: struct_size = merge(128, 80, c_intptr_t == 8)
     integer(c_int32_t) :: control = 0, warm_start = 1
     integer(c_int64_t) :: n = 0
     type(c_ptr) :: targets = c_null_ptr, undeformed_gap = c_null_ptr  ! const double *
@@ -76,6 +77,7 @@ module roughcontact_structs
     type(c_funptr) :: fn = c_null_funptr  ! integer(c_int32_t) function fn(step, result, user) bind(c)
     type(c_ptr) :: user = c_null_ptr  ! void *
     integer(c_int64_t) :: completed = 0
+    integer(c_int32_t) :: want_gap = 1, reserved = 0
   end type
 
   type, bind(c) :: rc_state
@@ -175,6 +177,11 @@ module roughcontact_structs
     real(c_double) :: width = 0
     integer(c_int64_t) :: contacts = 0, above = 0
     real(c_double) :: mean_pressure = 0, max_pressure = 0
+  end type
+
+  type, bind(c) :: rc_crossing
+    integer(c_size_t) :: struct_size = merge(24, 20, c_intptr_t == 8)
+    integer(c_int32_t) :: contact_x = 0, contact_y = 0, gap_x = 0, gap_y = 0
   end type
 
   type, bind(c) :: rc_context_config

@@ -119,6 +119,11 @@ static rc_status set_text(Request* request, const char* field, const char* value
 /* heights and p0 (may be NULL) have nx*ny values, as has p; gap may be NULL. */
 static rc_status solve(Request* request, const double* heights, const double* p0, double* p, double* gap, rc_result* result) {
   if (!request->step.control) return refuse(request, RC_ERR_ARGUMENT, "give opts.approach or opts.load");
+  if (!request->system.boundary)
+    return refuse(
+        request, RC_ERR_ARGUMENT,
+        "give opts.boundary: \"periodic\" for a sample of a larger surface, as a map of roughness is; \"free\" for a body "
+        "that ends at the grid's edges, as a ball does");
   const size_t n = (size_t)request->system.nx * (size_t)request->system.ny;
   double* undeformed_gap = mxMalloc(n * sizeof *undeformed_gap + 1);
   rc_status status = rc_gap_from_heights((int64_t)n, heights, request->mask, undeformed_gap);

@@ -30,8 +30,8 @@ statistics = rc.surface.analyze(level)
 print(f"Sq {statistics.rms_height * 1e9:.1f} nm, rms slope {statistics.rms_slope:.3f}")
 
 # %%
-path = rc.history(level, E=3e9, nu=0.4, pressure=[2e6, 5e6, 10e6, 20e6, 40e6])
-result = rc.solve(level, E=3e9, nu=0.4, pressure=20e6)
+path = rc.history(level, boundary="periodic", E=3e9, nu=0.4, pressure=[2e6, 5e6, 10e6, 20e6, 40e6])
+result = rc.solve(level, boundary="periodic", E=3e9, nu=0.4, pressure=20e6)
 print(result)
 
 figure, axes = plt.subplots(2, 2, figsize=(9, 7))

@@ -1,8 +1,9 @@
 # %% [markdown]
-# # Edges that are free, or repeat
+# # Free or periodic
 #
-# The same rough map under the same mean pressure: as a piece of a large surface (periodic), and as all there is (free). A free
-# map is a punch: pressures rise towards its edges, because the half-space around it is not loaded.
+# The same rough map under the same mean pressures: as a sample of a larger surface (periodic), and as a body that ends at the map's
+# edges (free). A free map is a punch: pressures rise towards its edges, and its stiffness cannot exceed that of a flat square of its
+# size, whatever the roughness.
 
 # %%
 import matplotlib.pyplot as plt
@@ -10,30 +11,36 @@ import numpy as np
 
 import roughcontact as rc
 
-n = 128
+n, pitch = 128, 0.5e-6
 surface = rc.surface.spectral(
-    (n, n), pitch=0.5e-6, rms_slope=0.08, hurst=0.8, q_rolloff=2 * np.pi / 8e-6, q_high=2 * np.pi / 2e-6, seed=6
+    (n, n), pitch=pitch, rms_slope=0.08, hurst=0.8, q_rolloff=2 * np.pi / 8e-6, q_high=2 * np.pi / 2e-6, seed=6
 )
-answers = {
-    boundary: rc.solve(surface.heights, pitch=0.5e-6, modulus=70e9, pressure=1.5e9, boundary=boundary)
+pressures = np.geomspace(3e7, 1.5e9, 9)
+steps = {
+    boundary: rc.history(
+        surface, modulus=70e9, pressure=pressures, boundary=boundary, stiffness=True, keep_pressure=True, tol=1e-6
+    )
     for boundary in ("periodic", "free")
 }
+punch = rc.solve(surface, modulus=70e9, pressure=pressures[0], boundary="free", stiffness=1).punch_stiffness
 
 # %%
-figure, axes = plt.subplots(1, 3, figsize=(12, 3.7), gridspec_kw={"width_ratios": (1, 1, 1.1)})
-side = n * 0.5
-for ax, (boundary, result) in zip(axes, answers.items()):
-    shown = np.ma.masked_equal(result.pressure, 0) / 1e9
-    image = ax.imshow(shown, cmap="inferno", vmin=0, vmax=12, extent=(0, side, side, 0), interpolation="nearest")
+figure, axes = plt.subplots(1, 3, figsize=(12, 3.7), gridspec_kw={"width_ratios": (1, 1, 1.2)})
+side = n * pitch * 1e6
+for ax, (boundary, found) in zip(axes, steps.items()):
+    pressure = found.pressure[-1]
+    image = ax.imshow(
+        np.ma.masked_equal(pressure, 0) / 1e9, cmap="inferno", vmin=0, vmax=12, extent=(0, side, side, 0), interpolation="nearest"
+    )
     ax.set_facecolor("0.25")
     ax.set(
-        title=f"{boundary}: {result.contacts / result.points:.1%} touch,\napproach {result.approach * 1e6:.2f} µm",
-        xlabel="x [µm]",
-        ylabel="y [µm]",
+        title=f"{boundary}: {np.mean(pressure > 0):.1%} touch,\napproach {found.approach[-1] * 1e6:.2f} µm", xlabel="x [µm]", ylabel="y [µm]"
     )
-    bands = result.pressure.mean(axis=0).reshape(16, -1).mean(axis=1)
-    axes[2].step(np.arange(17) * side / 16, np.r_[bands, bands[-1]] / 1e9, where="post", label=boundary)
+    axes[2].loglog(pressures / 1e6, found.stiffness / 1e6, "o-", label=boundary)
 figure.colorbar(image, ax=axes[1], label="pressure [GPa]")
-axes[2].set(xlabel="x [µm]", ylabel="pressure, mean over strips [GPa]", ylim=(0, None))
-axes[2].legend()
+free = steps["free"].stiffness
+axes[2].loglog(pressures / 1e6, 1 / (1 / free - 1 / punch) / 1e6, "k+", label="free, without the punch")
+axes[2].axhline(punch / 1e6, color="0.5", ls="--", label="flat square of this size")
+axes[2].set(xlabel="mean pressure [MPa]", ylabel="stiffness dW/dd [MN/m]")
+axes[2].legend(fontsize="small")
 figure.tight_layout()

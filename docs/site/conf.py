@@ -40,7 +40,7 @@ CONTENTS = """
 
 docs/install
 docs/tutorial
-docs/how-to/ten-tasks
+docs/how-to/eleven-tasks
 docs/gallery
 examples/README
 ```
@@ -50,6 +50,7 @@ examples/README
 :hidden:
 
 docs/how-to/file-to-report
+docs/how-to/free-or-periodic
 docs/how-to/modulus-and-units
 docs/how-to/limits
 docs/how-to/tolerance
@@ -75,6 +76,7 @@ docs/device
 :hidden:
 
 docs/reference
+docs/glossary
 docs/options
 docs/errors
 docs/certificate

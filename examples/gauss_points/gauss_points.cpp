@@ -22,6 +22,7 @@ ContactLaw rough_patch(std::uint64_t seed) {
   if (rc_surface_spectral(&spec, heights.data()) != RC_OK) throw ContactLawError(rc_surface_last_error());
 
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = side;
   system.hx = system.hy = pitch;
   system.modulus = modulus;

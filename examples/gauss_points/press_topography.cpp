@@ -34,6 +34,7 @@ int main(int count, char** arguments) {
     const Topography map = read_topography(arguments[1]);
     const double length = positive("LENGTH", arguments[2]);
     rc_system system = RC_SYSTEM_INIT;
+    system.boundary = RC_BOUNDARY_FREE;
     system.nx = system.ny = map.side;
     system.hx = system.hy = length / static_cast<double>(map.side);
     system.modulus = positive("MODULUS", arguments[3]);

@@ -56,6 +56,7 @@ void Evaluate(double& pressure, double& effectiveContactAreaFraction, double Del
   check(rc_options_set_real(options.get(), RC_OPT_TOL, std::clamp(Tolerance, 1e-12, 1e-6)));
   check(rc_options_set_int(options.get(), RC_OPT_STIFFNESS, 1));
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = side;
   system.hx = system.hy = GridSize;
   system.modulus = CompositeYoungs;

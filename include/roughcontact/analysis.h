@@ -1,4 +1,4 @@
-/* roughcontact: what a contact looks like: area, connected patches, distribution of pressure; and its conductance. */
+/* roughcontact: what a contact looks like: area, connected patches, distribution of pressure, crossing; and its conductance. */
 #ifndef ROUGHCONTACT_ANALYSIS_H
 #define ROUGHCONTACT_ANALYSIS_H
 
@@ -59,6 +59,15 @@ typedef struct rc_histogram {
 #define RC_HISTOGRAM_INIT \
   { sizeof(rc_histogram), 0, 0.0, NULL, NULL, 0.0, 0, 0, 0.0, 0.0 }
 
+/** Whether a contact and the open gap around it reach across the surface, by rc_crossing_find. All of it is written. */
+typedef struct rc_crossing {
+  size_t struct_size;
+  int32_t contact_x, contact_y; /* 1: a connected part of the contact reaches across along x, along y; 0: none does  */
+  int32_t gap_x, gap_y; /* the same for the points without contact                                                   */
+} rc_crossing;
+#define RC_CROSSING_INIT \
+  { sizeof(rc_crossing), 0, 0, 0, 0 }
+
 /** @defgroup analysis Analysis: what a contact looks like
  *  Functions of pressures alone, the caller's or a result's, without handles; any thread. Of the system nx, ny, hx, hy and the
  *  boundary count: RC_BOUNDARY_PERIODIC joins opposite sides of the grid. For DENSE and CALLBACK the points are taken as a free
@@ -78,6 +87,10 @@ RC_API rc_status rc_area_measure(const rc_system *system, const double *p, const
 RC_API rc_status rc_patches_find(const rc_system *system, const double *p, const uint8_t *mask, rc_patches *out);
 /** Pressure histogram. Sums to 1 with `above`, see rc_histogram. */
 RC_API rc_status rc_histogram_fill(const rc_system *system, const double *p, const uint8_t *mask, rc_histogram *out);
+/** Percolation of contact and gap. A connected part reaches across a free grid if it touches both opposite sides, across a
+ *  periodic one if it meets itself again after one period. Points are connected across edges; a masked point is neither contact
+ *  nor gap. Memory: 32 bytes for each row of neighbouring cells in contact, or of those without. */
+RC_API rc_status rc_crossing_find(const rc_system *system, const double *p, const uint8_t *mask, rc_crossing *out);
 /** Electrical or thermal conductance of the contact between two half-spaces: 2 / (E* (rho1 + rho2)) dW/dd (Barber, Proc. R. Soc.
  *  Lond. A 459 (2003) 53). For a circular spot that is Holm's 4 radius / (rho1 + rho2). system: HALFSPACE, its modulus counts.
  *  result: of a step with option stiffness = 1 or 2. rho1, rho2 >= 0, not both 0: resistivities of the bodies, or reciprocals of

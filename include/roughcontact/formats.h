@@ -41,14 +41,14 @@ typedef struct rc_surface_file {
   double hx, hy;       /* pitch [m]; 0 where neither the file nor the caller says it                         */
   double *heights;     /* [nx*ny] [m], NaN where a point is missing; the caller may change them              */
   int64_t missing;     /* points                                                                            */
-  int32_t periodic;    /* 1: the file says that the surface repeats                                          */
+  int32_t periodic;    /* 1: the surface repeats; 0: the file says that it does not; -1: the file does not say */
   int32_t reserved;
   char format[32];     /* name of the format that was recognised                                             */
   char assumed[400];   /* what the file leaves open and how it was taken, one sentence after the other; "" if nothing */
   void *storage;       /* the library's own                                                                 */
 } rc_surface_file;
 #define RC_SURFACE_FILE_INIT \
-  { sizeof(rc_surface_file), 0, 0, 0.0, 0.0, NULL, 0, 0, 0, "", "", NULL }
+  { sizeof(rc_surface_file), 0, 0, 0.0, 0.0, NULL, 0, -1, 0, "", "", NULL }
 
 /** Reads a file; of several maps in it the first. spec: NULL is RC_SURFACE_READ_SPEC_INIT. *out is overwritten, and what it
  *  held is not freed. Errors: ARGUMENT (also a file that cannot be opened, is damaged or of no known format; a unit that is no

@@ -33,9 +33,12 @@ typedef struct rc_history {
   rc_history_fn fn;        /* sees each completed step's result with pressures and gap; NULL: none                      */
   void *user;           /* handed to fn                                                                              */
   int64_t completed;    /* out: steps whose outputs are written; certified, or within goal                           */
+  int32_t want_gap;     /* 1: fn sees the deformed gap (default); 0: its result->gap is NULL, so that sparse contact
+                           costs no product over the whole grid                                                      */
+  int32_t reserved;     /* 0                                                                                         */
 } rc_history;
 #define RC_HISTORY_INIT \
-  { sizeof(rc_history), 0, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0 }
+  { sizeof(rc_history), 0, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, 1, 0 }
 
 /** Solves the steps of a loading history in order. A step that fails or is not certified ends the history with its
  *  status; the steps before it stay written, `completed` says how many. RC_STOP_CANCELLED if fn ended it (that step

@@ -14,7 +14,7 @@
 #include "registry.h"
 
 #define RC_PLUGIN_ABI_MAJOR 1u /* must be equal; part of the directory name as well                           */
-#define RC_PLUGIN_ABI_MINOR 13u /* grows when a vtable gets a new member at its end                           */
+#define RC_PLUGIN_ABI_MINOR 14u /* grows when a vtable gets a new member at its end                           */
 
 #ifdef __cplusplus
 extern "C" {
@@ -330,7 +330,7 @@ struct rc_problem {
 
 /** What a solver says of one step of one of many contacts; in the caller's units. */
 typedef struct rc_many_answer {
-  int32_t solved; /* 1: every residual below is at most rc_many.tol, in all steps before it as well; 0: no more is told */
+  int32_t solved; /* 1: every residual below is at most rc_many.tol, in all steps before it as well; 0: the rest is not read */
   int32_t reserved;
   int64_t contacts;   /* points with p > 0                                                                     */
   int64_t iterations, products;
@@ -357,8 +357,8 @@ struct rc_many {
   int64_t undeformed_gap_stride; /* 0: one for all                                                             */
   const uint8_t *mask;           /* NULL: every point                                                          */
   int64_t mask_stride;
-  const double *p0;     /* [n*nx*ny] to start from [force/length^2]; NULL: none; may be p                      */
-  double *p;            /* out [n*nx*ny] of the last step, where that is solved; others stay. NULL: not wanted */
+  const double *p0;     /* [n*nx*ny] to start from [force/length^2]; NULL: none                                */
+  double *p;            /* out [n*steps*nx*ny] of every step that is solved. Since ABI minor 14                */
   double length_per_pressure; /* [length^3/force] H is this times coefficients()                               */
   double hardness;      /* [force/length^2]; INFINITY where all is elastic                                     */
   double least_deflection; /* [length^3/force] of a cell under unit pressure, for the scale of residuals       */
@@ -396,10 +396,12 @@ typedef struct rc_solver {
   rc_status (*solve)(const rc_host *, const rc_problem *, const rc_options *, double *p, double *d);
   /** As that of a backend, for one that facts->backend and facts->caps describe. Since plugin ABI minor 5. */
   rc_status (*score)(const rc_facts *, rc_estimate *);
-  /** NULL where contacts are solved one at a time. Solves and certifies many at once, by products of its own; what it says of
-   *  one depends on nothing of the others. What is not solved, whatever the reason, the core solves by itself. A status other
-   *  than RC_OK: that is all of them, and nothing was written. Several threads may call it at the same time. Since plugin ABI
-   *  minor 11. */
+  /** NULL where contacts are solved one at a time. Solves and certifies many at once, by products of its own; its answer for one
+   *  contact does not depend on the others. The core checks the answers: all against their pressures, and by products of its own
+   *  the residuals of one contact in 64, chosen at random afterwards, and of each that reports a residual above tol/2. If one is
+   *  not as reported, the core drops the whole call and solves its contacts one at a time, as it does with those that are not
+   *  solved, or with all after a status other than RC_OK. Several threads may call it at the same time. Since plugin ABI minor
+   *  11. */
   rc_status (*solve_many)(const rc_host *, rc_many *, const rc_options *);
 } rc_solver;
 

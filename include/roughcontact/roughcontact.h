@@ -124,7 +124,8 @@ enum { RC_CONTROL_APPROACH = 1, RC_CONTROL_LOAD = 2 };
 typedef struct rc_system {
   size_t struct_size;  /* sizeof(rc_system)                                                                          */
   int32_t op;          /* RC_OPERATOR_*; the half-space unless set                                                   */
-  int32_t boundary;    /* RC_BOUNDARY_*, free unless set; HALFSPACE only                                             */
+  int32_t boundary;    /* RC_BOUNDARY_*; HALFSPACE only: there is no default. PERIODIC: the grid is a sample of a larger
+                          surface, as a map of roughness is. FREE: the body ends at the grid's edges, as a ball does */
   int64_t nx, ny;      /* points along x and y, >= 1; DENSE and CALLBACK: n = nx*ny unknowns                         */
   double hx, hy;       /* cell size along x and y [length], > 0; DENSE and CALLBACK: hx*hy is the cell area          */
   double modulus;      /* contact modulus E* [force/length^2], > 0; HALFSPACE only                                   */
@@ -137,7 +138,7 @@ typedef struct rc_system {
   double hardness;     /* the largest pressure c [force/length^2], for every op; 0 or infinite: all is elastic       */
 } rc_system;
 #define RC_SYSTEM_INIT \
-  { sizeof(rc_system), RC_OPERATOR_HALFSPACE, RC_BOUNDARY_FREE, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL, 0.0 }
+  { sizeof(rc_system), RC_OPERATOR_HALFSPACE, 0, 0, 0, 0.0, 0.0, 0.0, NULL, 0, NULL, NULL, 0.0 }
 
 /** What changes from step to step. Nothing in it is kept after the call except a copy of the undeformed gap and mask, or with
  *  borrow the two pointers. */
@@ -226,10 +227,19 @@ typedef struct rc_result {
                           wanted                                                                                     */
   const char *memory;  /* where p, gap, p_single and gap_single lie, as in rc_step.memory; they are written where the
                           status is >= 0                                                                             */
+  double area_fraction; /* contacts / points                                                                         */
+  double max_pressure; /* the largest p [force/length^2]; 0 without contact                                          */
+  double mean_gap;     /* mean of g over the points that are not masked [length]; the overlap of points at the hardness
+                          counts as 0. NaN where the certificate needs g at some points only, as it does in sparse
+                          contact, unless gap or gap_single is wanted                                                */
+  double punch_stiffness; /* dW/dd of a rigid flat punch as large as the grid, to 0.2 % [force/length]: what free edges
+                          bring into stiffness, as 1/stiffness = 1/punch_stiffness + 1/(that of a periodic surface),
+                          roughly. NaN with periodic boundaries, without a half-space, and where option stiffness is 0 */
 } rc_result;
 #define RC_RESULT_INIT                                                                                                         \
   { sizeof(rc_result), NULL, NULL, RC_ERR_ARGUMENT, 0, 0, 0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, \
-    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0, NULL, NULL, NULL }
+    0.0, 0.0, "", "", "", "", 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0, 0.0, 0.0, 0.0, 0, 0.0, 0, NULL, NULL, NULL, 0.0, 0.0, 0.0, \
+    0.0 }
 
 /** Which grid an answer is of, and how far off the library estimates it to be. With RC_WITHIN_GOAL it is that of a coarser
  *  grid, whose cells are the means over blocks of 2^k by 2^k points. Then p is its answer after a few steps of a solve of the

@@ -1,4 +1,4 @@
-// rc_area_measure, rc_patches_find, rc_histogram_fill, rc_conductance
+// rc_area_measure, rc_patches_find, rc_histogram_fill, rc_crossing_find, rc_conductance
 #include <cmath>
 #include <limits>
 
@@ -6,6 +6,7 @@
 #include "abi/sized_struct.h"
 #include "analysis/area.h"
 #include "analysis/conductance.h"
+#include "analysis/crossing.h"
 #include "analysis/histogram.h"
 #include "analysis/patches.h"
 
@@ -32,6 +33,7 @@ rc_status rc_area_measure(const rc_system* system, const double* p, const uint8_
 rc_status rc_patches_find(const rc_system* system, const double* p, const uint8_t* mask, rc_patches* out) {
   return guard("rc_patches_find", [&] {
     const rc_patches today = read<rc_patches>(out, "rc_patches", RC_PATCHES_INIT);
+    check_reserved(today.reserved, "rc_patches.reserved");
     out->count = find_patches(map_of(system, p, mask), today);
     return RC_OK;
   });
@@ -42,6 +44,14 @@ rc_status rc_histogram_fill(const rc_system* system, const double* p, const uint
     rc_histogram today = read<rc_histogram>(out, "rc_histogram", RC_HISTOGRAM_INIT);
     fill_histogram(map_of(system, p, mask), today);
     write(out, today);
+    return RC_OK;
+  });
+}
+
+rc_status rc_crossing_find(const rc_system* system, const double* p, const uint8_t* mask, rc_crossing* out) {
+  return guard("rc_crossing_find", [&] {
+    check_size(out, "rc_crossing");
+    write(out, find_crossing(map_of(system, p, mask)));
     return RC_OK;
   });
 }

@@ -10,6 +10,7 @@ extern "C" rc_status rc_batch_solve(const rc_system* system, const rc_options* o
     const rc_batch today = read<rc_batch>(batch, "rc_batch", RC_BATCH_INIT);
     batch->written = batch->certified = 0;
     batch->first = -1;
+    check_switch(today.warm_start, "rc_batch.warm_start");
     const BatchOutcome outcome = solve_batch(read<rc_system>(system, "rc_system", RC_SYSTEM_INIT),
                                              options ? *options : rc_options{Context::standard(), {}}, today);
     batch->written = today.n;

@@ -25,8 +25,7 @@ template <class Body> rc_status exclusively(const char* where, rc_contact* conta
 }
 
 template <class Body> rc_status with_step(Contact& contact, const rc_step* step, rc_result* result, const Body& body) {
-  const rc_step today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
-  if (today.borrow != 0 && today.borrow != 1) fail(RC_ERR_ARGUMENT, "rc_step.borrow = ", today.borrow, " is neither 0 nor 1");
+  const rc_step today = read_step(step);
   rc_result answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
   const rc_status status = body(contact, today, answer);
   write(result, answer);
@@ -80,6 +79,7 @@ rc_status rc_contact_solve_history(rc_contact* contact, rc_history* path) {
   return exclusively("rc_contact_solve_history", contact, [&](Contact& c) {
     const rc_history today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
     path->completed = 0;
+    check_switch(today.warm_start, "rc_history.warm_start");
     return solve_history(c, today, path->completed);
   });
 }

@@ -53,6 +53,7 @@ rc_status rc_context_create(const rc_context_config* config, rc_context** out) {
       const rc_context_config given = read<rc_context_config>(config, "rc_context_config", RC_CONTEXT_CONFIG_INIT);
       if (given.flags & ~static_cast<std::uint32_t>(RC_CONTEXT_NO_PLUGINS | RC_CONTEXT_NO_ENVIRONMENT))
         fail(RC_ERR_ARGUMENT, "rc_context_config.flags = ", given.flags, " has unknown bits");
+      check_reserved(given.reserved, "rc_context_config.reserved");
       copy = {given.flags, given.plugin_path ? given.plugin_path : "", given.log, given.log_user};
     }
     *out = new rc_context{std::make_shared<Context>(copy)};
@@ -112,6 +113,7 @@ rc_status rc_kernel_coefficients(const char* name, double hx, double hy, int64_t
   return guard("rc_kernel_coefficients", [&] {
     if (!name || !out) fail(RC_ERR_ARGUMENT, "kernel or out is null");
     rc_system system = RC_SYSTEM_INIT;
+    system.boundary = RC_BOUNDARY_FREE;
     system.nx = nx;
     system.ny = ny;
     system.hx = hx;

@@ -131,6 +131,7 @@ rc_status rc_cmr(int64_t nx, int64_t ny, double hx, double hy, double modulus, c
     if (!p) fail(RC_ERR_ARGUMENT, "p is null");
 
     rc_system system = RC_SYSTEM_INIT;
+    system.boundary = RC_BOUNDARY_FREE;
     system.nx = nx;
     system.ny = ny;
     system.hx = hx;

@@ -48,8 +48,7 @@ rc_status with_step(const char* where, rc_ranks_contact* contact, const rc_step*
     rc_step today = RC_STEP_INIT;
     rc_result answer = RC_RESULT_INIT;
     on_all(&c.ranks(), [&] {
-      today = read<rc_step>(step, "rc_step", RC_STEP_INIT);
-      if (today.borrow != 0 && today.borrow != 1) fail(RC_ERR_ARGUMENT, "rc_step.borrow = ", today.borrow, " is neither 0 nor 1");
+      today = read_step(step);
       answer = read<rc_result>(result, "rc_result", RC_RESULT_INIT);
       if (today.memory || answer.memory)
         fail(RC_ERR_INCOMPATIBLE, today.memory ? "rc_step" : "rc_result", ".memory = \"",
@@ -108,6 +107,7 @@ rc_status rc_ranks_contact_solve_history(rc_ranks_contact* contact, rc_history* 
     on_all(&c.ranks(), [&] {
       today = read<rc_history>(path, "rc_history", RC_HISTORY_INIT);
       path->completed = 0;
+      check_switch(today.warm_start, "rc_history.warm_start");
     });
     return c.solve_history(today, path->completed);
   });

@@ -9,6 +9,7 @@
 #include <roughcontact/registry.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include "core/error.h"
@@ -30,6 +31,7 @@ RC_FIRST_SIZE(rc_direct, note, 248);
 RC_FIRST_SIZE(rc_area, corrected_area, 40);
 RC_FIRST_SIZE(rc_patches, count, 96);
 RC_FIRST_SIZE(rc_histogram, max_pressure, 80);
+RC_FIRST_SIZE(rc_crossing, gap_y, 24);
 RC_FIRST_SIZE(rc_context_config, log_user, 40);
 RC_FIRST_SIZE(rc_component, origin, 40);
 RC_FIRST_SIZE(rc_exchange, refused, 64);
@@ -59,6 +61,21 @@ template <class Struct> Struct read(const Struct* from, const char* name, const 
   std::memcpy(&copy, from, std::min(from->struct_size, sizeof(Struct)));
   copy.struct_size = sizeof(Struct);
   return copy;
+}
+
+inline void check_switch(std::int32_t value, const char* name) {
+  if (value != 0 && value != 1) fail(RC_ERR_ARGUMENT, name, " = ", value, " is neither 0 nor 1");
+}
+inline void check_reserved(std::int64_t value, const char* name) {
+  if (value != 0) fail(RC_ERR_ARGUMENT, name, " = ", value, " must be 0");
+}
+
+inline rc_step read_step(const rc_step* from) {
+  const rc_step step = read<rc_step>(from, "rc_step", RC_STEP_INIT);
+  check_switch(step.warm_start, "rc_step.warm_start");
+  check_switch(step.borrow, "rc_step.borrow");
+  check_reserved(step.reserved, "rc_step.reserved");
+  return step;
 }
 
 // Writes as much as the caller knows; its struct_size stays.

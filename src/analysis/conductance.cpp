@@ -1,5 +1,6 @@
 #include "analysis/conductance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -11,9 +12,11 @@ double conductance_per_stiffness(const rc_system& system, double rho1, double rh
     fail(RC_ERR_ARGUMENT, "rc_system.op = ", system.op, ": only half-spaces have the contact modulus that the conductance needs");
   if (!(std::isfinite(system.modulus) && system.modulus > 0))
     fail(RC_ERR_ARGUMENT, "rc_system.modulus = ", system.modulus, " must be positive and finite (contact modulus E*)");
-  if (!(std::isfinite(rho1) && std::isfinite(rho2) && rho1 >= 0 && rho2 >= 0 && rho1 + rho2 > 0))
+  if (!(std::isfinite(rho1) && std::isfinite(rho2) && rho1 >= 0 && rho2 >= 0 && (rho1 > 0 || rho2 > 0)))
     fail(RC_ERR_ARGUMENT, "rho1 = ", rho1, " and rho2 = ", rho2, " must be finite, >= 0 and not both 0");
-  return 2 / system.modulus / (rho1 + rho2);
+  // The largest resistivities have a sum beyond double precision.
+  const double most = std::max(rho1, rho2);
+  return 2 / system.modulus / most / (1 + std::min(rho1, rho2) / most);
 }
 
 }  // namespace rc

@@ -32,6 +32,9 @@ class Contact {
   // These two take arrays on a device, too.
   rc_status solve(const rc_step& step, rc_result& result);
   rc_status certify(const rc_step& step, rc_result& result);
+  rc_status retrace(const rc_step& step, double compression, rc_result& result) {
+    return grid_.retrace(step, compression, result);
+  }
 
   // Derivatives of the last step. Throw Error(ARGUMENT) where it did not return RC_OK.
   rc_status gradient(rc_gradient& gradient);

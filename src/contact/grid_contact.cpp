@@ -145,7 +145,15 @@ rc_status GridContact::certify(const rc_step& step, rc_result& result) {
   });
   begin(step);
   const Rest after(work_);
-  return certify_given(work_, step, Monitor(cancelled_, {}, 0, 1), result);
+  return certify_given(work_, step, Monitor(cancelled_, {}, 0, 1), result).status;
+}
+
+rc_status GridContact::retrace(const rc_step& step, double compression, rc_result& result) {
+  begin(step);
+  const Rest after(work_);
+  Finished finished = certify_given(work_, step, Monitor(cancelled_, {}, 0, 1), result, compression);
+  if (leaves_indentation_) overlap_ = std::move(finished.overlap);
+  return finished.status;
 }
 
 void GridContact::remember(Finished&& finished, const rc_result& result) {

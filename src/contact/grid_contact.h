@@ -42,6 +42,9 @@ class GridContact {
   rc_status solve(const rc_step& step, rc_result& result);
   // Certifies the pressures in result.p or result.p_single.
   rc_status certify(const rc_step& step, rc_result& result);
+  // The same of a step that was solved elsewhere, at this compression if the load is prescribed; the steps that follow see its
+  // indentation.
+  rc_status retrace(const rc_step& step, double compression, rc_result& result);
   // Remembers a step that is certified or within its goal.
   void remember(Finished&& finished, const rc_result& result);
 

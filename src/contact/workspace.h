@@ -52,10 +52,11 @@ struct StepRecord {
   std::optional<ProvenSets> proven;         // of that answer, where its stiffness is to have an interval
 };
 
-// Facts for proofs, computed when a step first needs them.
+// Facts for proofs and remarks, computed when a step first needs them.
 struct ProofFacts {
   std::optional<Spectrum> spectrum;  // of the problem
   std::optional<double> tilt;        // plane_share of the surface
+  std::optional<double> punch;       // punch_stiffness of the system
 };
 
 // It cannot be moved: operators keep the addresses of its options and team.

@@ -20,7 +20,10 @@ constexpr rc_option_spec core_specs[] = {
     real_option(RC_OPT_TOL, "1e-8", 1e-16, 0.1, "largest relative residual of a certified answer"),
     int_option(RC_OPT_MAX_ITER, "10000", 1, 1e9, "iterations of the solver after which it stops"),
     real_option(RC_OPT_TIME_LIMIT, "0", 0, 1e9, "seconds after which a step stops; 0: no limit"),
-    fixed(int_option(RC_OPT_THREADS, "1", 1, 1024, "threads that a contact may use, or a batch of contacts")),
+    fixed(int_option(
+        RC_OPT_THREADS, "1", 1, 1024,
+        "threads that a contact may use, or a batch of contacts; unless it is set, the command and Python take every core "
+        "that pays")),
     fixed(int_option(RC_OPT_DETERMINISTIC, "1", 0, 1,
                      "1: the same bits in every run and for every number of threads; 0: components may trade them for speed")),
     int_option(RC_OPT_STIFFNESS, "0", 0, 2,

@@ -27,6 +27,10 @@ void check_grid(const rc_system& system) {
   if (!std::isnormal(system.hx * system.hy))
     fail(RC_ERR_ARGUMENT, "the cell area hx*hy = ", system.hx, " * ", system.hy,
          " is beyond double precision; choose other units");
+  if (system.op == RC_OPERATOR_HALFSPACE && system.boundary == 0)
+    fail(RC_ERR_ARGUMENT,
+         "rc_system.boundary is not set: RC_BOUNDARY_PERIODIC (2) for a sample of a larger surface, as a map of ",
+         "roughness is; RC_BOUNDARY_FREE (1) for a body that ends at the grid's edges, as a ball or a punch does");
   if (system.op == RC_OPERATOR_HALFSPACE && system.boundary != RC_BOUNDARY_FREE && system.boundary != RC_BOUNDARY_PERIODIC)
     fail(RC_ERR_ARGUMENT, "rc_system.boundary = ", system.boundary,
          " is neither RC_BOUNDARY_FREE (1) nor RC_BOUNDARY_PERIODIC (2)");

@@ -88,7 +88,8 @@ std::optional<long long> parse_int(std::string_view text) { return parse<long lo
 
 std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
   const std::string* nearest = nullptr;
-  size_t least = std::max<size_t>(1, word.size() / 2) + 1;
+  const size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
+  size_t least = std::max<size_t>(1, (letters + 2) / 3) + 1;  // a third of the letters may be wrong
   for (const std::string& candidate : candidates) {
     const bool abbreviated = word.size() >= 3 && std::string_view(candidate).starts_with(word);
     const size_t distance = abbreviated ? 1 : edit_distance(word, candidate);

@@ -52,7 +52,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 std::optional<double> parse_real(std::string_view text);
 std::optional<long long> parse_int(std::string_view text);
 
-// `; did you mean "x"?` for the nearest of the candidates, empty if none is near.
+// `; did you mean "x"?` for the nearest of the candidates, empty if none is near. Dashes at the beginning are no letters.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace rc

@@ -50,6 +50,7 @@ std::vector<Fact> facts_of(const rc_history& path) {
                           {"rc_history.undeformed_gap", path.undeformed_gap ? "given" : "none"},
                           {"rc_history.mask", path.mask ? "given" : "none"},
                           {"rc_history.fn", path.fn ? "given" : "none"},
+                          {"rc_history.want_gap", join(path.want_gap)},
                           {"rc_history.stiffness", path.stiffness ? "given" : "none"}};
   for (std::int64_t i = 0; path.targets && i < path.n; ++i)
     facts.push_back({join("rc_history.targets[", i, "]"), exact(path.targets[i])});

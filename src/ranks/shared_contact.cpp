@@ -148,9 +148,11 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
   check_agreement(ranks_, facts_of(today), ranks_.rows() > 0);
   const std::vector<char> has_mask = ranks_.of_each(static_cast<char>(today.mask != nullptr)),
                           has_gap = ranks_.of_each(static_cast<char>(today.undeformed_gap != nullptr));
+  const std::int32_t want_gap = ranks_.of_each(today.want_gap).front();
   if (ranks_.rows() == 0) {
     today.undeformed_gap = has_gap.front() != 0 ? stand_in<double>() : nullptr;
     today.mask = has_mask.front() != 0 ? stand_in<std::uint8_t>() : nullptr;
+    today.want_gap = want_gap;
   }
   // The caller's function sees this rank's rows; one that ends the path ends it everywhere.
   struct Told {
@@ -166,7 +168,7 @@ rc_status SharedContact::run(const rc_history& path, std::int64_t& completed) {
       if (of.self.alike_) {
         const std::int64_t before = of.self.ranks_.first_row() * of.self.columns();
         rows.p += before;
-        rows.gap += before;
+        if (rows.gap) rows.gap += before;
       }
       return of.self.ranks_.any(of.path.fn(step, &rows, of.path.user) != 0) ? 1 : 0;
     };

@@ -81,7 +81,7 @@ AT(rc_step, reserved, 52);
 AT(rc_step, undeformed_gap_single, 56);
 AT(rc_step, memory, 64);
 
-SIZE(rc_result, 576);
+SIZE(rc_result, 608);
 AT(rc_result, struct_size, 0);
 AT(rc_result, p, 8);
 AT(rc_result, gap, 16);
@@ -127,6 +127,10 @@ AT(rc_result, proven_capped, 544);
 AT(rc_result, p_single, 552);
 AT(rc_result, gap_single, 560);
 AT(rc_result, memory, 568);
+AT(rc_result, area_fraction, 576);
+AT(rc_result, max_pressure, 584);
+AT(rc_result, mean_gap, 592);
+AT(rc_result, punch_stiffness, 600);
 
 SIZE(rc_accuracy, 48);
 AT(rc_accuracy, struct_size, 0);
@@ -162,7 +166,7 @@ AT(rc_state, approach_before, 56);
 AT(rc_state, load_before, 64);
 AT(rc_state, indentation, 72);
 
-SIZE(rc_history, 120);
+SIZE(rc_history, 128);
 AT(rc_history, struct_size, 0);
 AT(rc_history, control, 8);
 AT(rc_history, warm_start, 12);
@@ -179,6 +183,8 @@ AT(rc_history, products, 88);
 AT(rc_history, fn, 96);
 AT(rc_history, user, 104);
 AT(rc_history, completed, 112);
+AT(rc_history, want_gap, 120);
+AT(rc_history, reserved, 124);
 
 SIZE(rc_batch, 208);
 AT(rc_batch, struct_size, 0);
@@ -283,6 +289,13 @@ AT(rc_histogram, contacts, 48);
 AT(rc_histogram, above, 56);
 AT(rc_histogram, mean_pressure, 64);
 AT(rc_histogram, max_pressure, 72);
+
+SIZE(rc_crossing, 24);
+AT(rc_crossing, struct_size, 0);
+AT(rc_crossing, contact_x, 8);
+AT(rc_crossing, contact_y, 12);
+AT(rc_crossing, gap_x, 16);
+AT(rc_crossing, gap_y, 20);
 
 SIZE(rc_progress, 40);
 AT(rc_progress, struct_size, 0);

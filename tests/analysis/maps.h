@@ -51,5 +51,6 @@ Histogram histogram_of(const Map& map, std::int64_t bins, double upper);
 std::vector<pairs::Test> area_tests();
 std::vector<pairs::Test> patch_tests();
 std::vector<pairs::Test> histogram_tests();
+std::vector<pairs::Test> crossing_tests();
 
 }  // namespace analysis

@@ -6,6 +6,7 @@
 int main(int count, char** arguments) {
   if (count != 8) return 2;
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = atoll(arguments[2]);
   system.ny = atoll(arguments[3]);
   system.hx = system.hy = strtod(arguments[4], NULL);

@@ -19,7 +19,8 @@ program pressures
   open (newunit=unit, file=trim(words(1)), access='stream', status='old')
   read (unit) z
   close (unit)
-  call rcf_solve(rc_system(hx=pitch, hy=pitch, modulus=modulus), rcf_gap_from_heights(z), approach=approach, p=p)
+  call rcf_solve(rc_system(boundary=RC_BOUNDARY_FREE, hx=pitch, hy=pitch, modulus=modulus), rcf_gap_from_heights(z), &
+    approach=approach, p=p)
   open (newunit=unit, file=trim(words(7)), access='stream', status='replace')
   write (unit) p
   close (unit)

@@ -6,4 +6,4 @@ import roughcontact as rc
 
 heights, nx, ny, pitch, modulus, approach, pressures = sys.argv[1:]
 z = np.fromfile(heights).reshape(int(ny), int(nx))
-rc.solve(z, pitch=float(pitch), modulus=float(modulus), approach=float(approach)).pressure.tofile(pressures)
+rc.solve(z, pitch=float(pitch), modulus=float(modulus), boundary="free", approach=float(approach)).pressure.tofile(pressures)

@@ -56,14 +56,40 @@ void beside_it_they_are_not() {
   }
 }
 
+// The approach is the lowest gap: the slope is 0 below it, and that of the points that touch above.
+void first_touch_is_one_sided() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const int lowest : {1, 2}) {
+      Problem problem;
+      problem.system.boundary = boundary;
+      problem.system.nx = 6;
+      problem.system.ny = 5;
+      for (int i = 0; i < 30; ++i) problem.gap.push_back(i % 11 < lowest && i < 11 ? 0.25 : 1 + 0.01 * i);
+      problem.target = 0.25;
+      const Contact contact(problem, {"nnls", "dense"}, {{RC_OPT_STIFFNESS, "2"}});
+      const Answer answer = contact.solve(problem);
+      check_status(answer, RC_OK);
+      check(answer.result.load == 0, "load");
+      check_equal(answer.result.undecided, lowest, "undecided");
+      const Gradient found = gradient(contact, 30);
+      check_equal(found.status, RC_OK, found.message);
+      check_equal(found.result.undecided, lowest, "undecided of the gradient");
+      const double step = 1e-4, above = load_at(problem, problem.target + step) / step;
+      check(found.result.dJ_dtarget == 0, "the derivative is that from below");
+      check(answer.result.stiffness_lower == 0, "the stiffness from below");
+      check_near(answer.result.stiffness_upper, above, 1e-6 * above, "the stiffness from above");
+    }
+}
+
 }  // namespace
 
 }  // namespace pairs
 
 int main(int argc, char** argv) {
   using namespace pairs;
-  return run_group(
-      "derivatives.one_sided",
-      {{"derivatives_are_one_sided_there", derivatives_are_one_sided_there}, {"beside_it_they_are_not", beside_it_they_are_not}},
-      argc, argv);
+  return run_group("derivatives.one_sided",
+                   {{"derivatives_are_one_sided_there", derivatives_are_one_sided_there},
+                    {"beside_it_they_are_not", beside_it_they_are_not},
+                    {"first_touch_is_one_sided", first_touch_is_one_sided}},
+                   argc, argv);
 }

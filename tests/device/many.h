@@ -15,7 +15,7 @@ namespace device::many {
 using rc_cuda::Fault, rc_cuda::host_faults;
 
 constexpr double tol = 1e-8;
-constexpr std::int64_t few_calls = 40;  // of the layer below; a contact by itself makes hundreds
+constexpr std::int64_t few_calls = 150;  // of the layer below; a contact by itself makes hundreds
 
 // Contacts on one grid, each with a surface and a history of its own.
 struct Scene {
@@ -58,7 +58,7 @@ inline Scene scene_of(std::int64_t nx, std::int64_t ny, std::int32_t boundary, s
 struct Found {
   rc_status status = RC_OK;
   std::string words;
-  std::int64_t certified = 0, first = 0, calls = 0, to_device = 0, to_host = 0;
+  std::int64_t certified = 0, first = 0, calls = 0;
   std::vector<double> load, approach, area, certificate, p;
   std::vector<rc_status> statuses;
   std::vector<std::int64_t> iterations, products;
@@ -98,8 +98,6 @@ inline Found solved(const Scene& s, const Contact& context, int threads = 1, con
   if (host_faults().fault == Fault::none) host_faults() = {.fault = Fault::once, .at = 0};  // counts calls
   f.status = rc_batch_solve(&s.system, options, &b);
   f.calls = host_faults().calls;
-  f.to_device = host_faults().to_device;
-  f.to_host = host_faults().to_host;
   host_faults() = {};
   f.words = rc_last_error();
   f.certified = b.certified;

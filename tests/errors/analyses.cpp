@@ -1,4 +1,4 @@
-// Analysis of pressures: each row of the first kind is tried on all three functions.
+// Analysis of pressures: each row of the first kind is tried on all four functions.
 #include <roughcontact/analysis.h>
 
 #include <cstring>
@@ -25,11 +25,14 @@ struct Call {
   rc_histogram histogram = RC_HISTOGRAM_INIT;
   rc_area* area_given = &area;
   rc_patches* patches_given = &patches;
+  rc_crossing crossing = RC_CROSSING_INIT;
   rc_histogram* histogram_given = &histogram;
+  rc_crossing* crossing_given = &crossing;
 
   Call() {
     area = RC_AREA_INIT;
     area.contacts = patches.count = histogram.contacts = 99;
+    crossing.gap_y = 99;
     patches.room = histogram.bins = 4;
     patches.label = label.data();
     patches.load = load.data();
@@ -44,13 +47,15 @@ struct Call {
       for (const std::int64_t value : *numbers) assert_true(value == -7);
     for (const auto* values : {&load, &density})
       for (const double value : *values) assert_true(value == untouched);
-    assert_true(area.contacts == 99 && patches.count == 99 && histogram.contacts == 99);
+    assert_true(area.contacts == 99 && patches.count == 99 && histogram.contacts == 99 && crossing.gap_y == 99);
   }
 };
 
 Outcome measured(const Call& c) { return rc_area_measure(c.system_given, c.p_given, c.mask.data(), c.area_given); }
 Outcome found(const Call& c) { return rc_patches_find(c.system_given, c.p_given, c.mask.data(), c.patches_given); }
 Outcome filled(const Call& c) { return rc_histogram_fill(c.system_given, c.p_given, c.mask.data(), c.histogram_given); }
+
+Outcome crossed(const Call& c) { return rc_crossing_find(c.system_given, c.p_given, c.mask.data(), c.crossing_given); }
 
 template <class Spoil> auto one_with(Outcome (*function)(const Call&), const Spoil& spoil) {
   return [=] {
@@ -64,9 +69,10 @@ template <class Spoil> auto one_with(Outcome (*function)(const Call&), const Spo
 
 template <class Spoil> auto all_with(const Spoil& spoil) {
   return [=] {
-    const Outcome outcomes[] = {one_with(measured, spoil)(), one_with(found, spoil)(), one_with(filled, spoil)()};
-    const char* const names[] = {"rc_area_measure: ", "rc_patches_find: ", "rc_histogram_fill: "};
-    for (int k = 0; k < 3; ++k) {
+    const Outcome outcomes[] = {one_with(measured, spoil)(), one_with(found, spoil)(), one_with(filled, spoil)(),
+                                one_with(crossed, spoil)()};
+    const char* const names[] = {"rc_area_measure: ", "rc_patches_find: ", "rc_histogram_fill: ", "rc_crossing_find: "};
+    for (int k = 0; k < 4; ++k) {
       assert_int_equal(outcomes[k].status, outcomes[0].status);
       if (outcomes[k].status < 0) assert_int_equal(outcomes[k].message.rfind(names[k], 0), 0);
     }
@@ -89,12 +95,15 @@ Section analyses() {
              c.area_given = nullptr;
              c.patches_given = nullptr;
              c.histogram_given = nullptr;
+             c.crossing_given = nullptr;
            })},
           {"analysis: struct_size = 0",
            refused,
            {"rc_histogram_fill: rc_histogram.struct_size = " + too_small(0, &rc_histogram::max_pressure) +
             "; set it to sizeof(rc_histogram)"},
-           all_with([](Call& c) { c.area.struct_size = c.patches.struct_size = c.histogram.struct_size = 0; })},
+           all_with([](Call& c) {
+             c.area.struct_size = c.patches.struct_size = c.histogram.struct_size = c.crossing.struct_size = 0;
+           })},
           {"analysis: nx = 0", shape, {"rc_histogram_fill: nx = 0, ny = 4 must both be >= 1"}, all_with([](Call& c) {
              c.system.nx = 0;
            })},
@@ -138,6 +147,10 @@ Section analyses() {
            refused,
            {"rc_patches_find: rc_patches.neighbours = 6 is neither 4 nor 8"},
            one_with(found, [](Call& c) { c.patches.neighbours = 6; })},
+          {"`rc_patches_find`: reserved = 1",
+           refused,
+           {"rc_patches_find: rc_patches.reserved = 1 must be 0"},
+           one_with(found, [](Call& c) { c.patches.reserved = 1; })},
           {"`rc_patches_find`: room = -1",
            refused,
            {"rc_patches_find: rc_patches.room = -1 must be >= 0"},

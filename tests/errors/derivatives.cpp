@@ -242,6 +242,18 @@ Section derivatives() {
            refused,
            {"rc_conductance: rho1 = 0 and rho2 = 0 must be finite"},
            conductance([](Conduct& c) { c.rho1 = c.rho2 = 0; })},
+          {"conductance: resistivities with a sum beyond double precision",
+           RC_OK,
+           {},
+           [] {
+             Conduct c;
+             c.result.stiffness = 3e8;
+             double by_half = 0;
+             assert_int_equal(rc_conductance(&c.system, &c.result, 4e307, 5e307, &by_half, nullptr, nullptr), RC_OK);
+             const rc_status status = rc_conductance(&c.system, &c.result, 8e307, 1e308, c.out, c.out + 1, c.out + 2);
+             assert_true(std::abs(c.out[0] / by_half - 0.5) < 1e-12);
+             return status;
+           }},
           {"conductance: a result without stiffness",
            refused,
            {"rc_conductance: rc_result.stiffness is NaN; solve with option stiffness = 1 or 2"},

@@ -121,6 +121,10 @@ Section paths() {
            refused,
            {"rc_history.control = 3 is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)"},
            path_with(0, [](History& h) { h.path.control = 3; })},
+          {"path with warm_start = 2",
+           refused,
+           {"rc_contact_solve_history: rc_history.warm_start = 2 is neither 0 nor 1"},
+           path_with(0, [](History& h) { h.path.warm_start = 2; })},
           {"path with a target that is NaN",
            refused,
            {"rc_contact_solve_history: rc_history.targets[2] = nan is not finite"},
@@ -156,7 +160,7 @@ Section paths() {
                      })},
           {"path that `fn` ends",
            RC_STOP_CANCELLED,
-           {"rc_contact_solve_history: step 1, targets[1] = 0.4: rc_history.fn ended the path after this step"},
+           {"rc_contact_solve_history: step 1, targets[1] = 0.4: rc_history.fn ended the history after this step"},
            path_with(2,
                      [](History& h) {
                        h.path.fn = [](std::int64_t step, const rc_result*, void*) -> std::int32_t { return step == 1; };

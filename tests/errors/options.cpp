@@ -324,6 +324,15 @@ Section names() {
              rc_context* context = nullptr;
              return rc_context_create(&config, &context);
            }},
+          {"context with reserved = 1",
+           RC_ERR_ARGUMENT,
+           {"rc_context_create: rc_context_config.reserved = 1 must be 0"},
+           [] {
+             rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+             config.reserved = 1;
+             rc_context* context = nullptr;
+             return rc_context_create(&config, &context);
+           }},
       }};
 }
 

@@ -162,6 +162,10 @@ Section steps() {
            {"rc_step.memory = \"dense\": this backend has no device with a memory of its own"},
            step_with([](Scene& s) { s.step.memory = "dense"; })},
           {"memory = \"nowhere\"", RC_ERR_NO_BACKEND, {"nowhere"}, step_with([](Scene& s) { s.step.memory = "nowhere"; })},
+          {"warm_start = 9", refused, {"rc_step.warm_start = 9 is neither 0 nor 1"}, step_with([](Scene& s) {
+             s.step.warm_start = 9;
+           })},
+          {"reserved = 5", refused, {"rc_step.reserved = 5 must be 0"}, step_with([](Scene& s) { s.step.reserved = 5; })},
           {"borrow = 2", refused, {"rc_step.borrow = 2 is neither 0 nor 1"}, step_with([](Scene& s) { s.step.borrow = 2; })},
           {"approach at the lowest point: p = 0", RC_OK, {}, untouched_at(0)},
           {"approach below the lowest point: p = 0", RC_OK, {}, untouched_at(-1)},
@@ -211,6 +215,11 @@ Section steps() {
            {"approach = 2 reaches the mean plane of the gap, 0.9375"},
            periodic_approach(2)},
           {"periodic approach below the mean plane", RC_OK, {}, periodic_approach(0.9)},
+          {"periodic approach of 1e-20", RC_OK, {}, periodic_approach(1e-20)},
+          {"periodic approach of 1e-60",
+           refused,
+           {"approach = 1e-60 is above the lowest gap by 1e-60, less than 1e-30 of the gap's range"},
+           periodic_approach(1e-60)},
           {"gap whose range overflows",
            refused,
            {"the gap's range, -1e+308 .. 1e+308, and the target 0.55 are too far apart for double precision"},

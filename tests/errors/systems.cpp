@@ -128,9 +128,10 @@ Section values() {
   return {"Values of the system",
           {
               {"op = 7", refused, {"rc_system.op = 7 is none of"}, refuse([](Scene& scene) { scene.system.op = 7; })},
-              {"boundary = 0", refused, {"rc_system.boundary = 0 is neither"}, refuse([](Scene& scene) {
-                 scene.system.boundary = 0;
-               })},
+              {"boundary = 0",
+               refused,
+               {"rc_system.boundary is not set: RC_BOUNDARY_PERIODIC (2) for a sample"},
+               refuse([](Scene& scene) { scene.system.boundary = 0; })},
               {"hx = 0", refused, {"rc_system.hx = 0 must be a positive finite length"}, system_value(&rc_system::hx, 0)},
               {"hy = -1e-6",
                refused,

@@ -13,6 +13,7 @@ static double gap[N * N];
 
 static rc_status solve(const char* backend, const char* solver) {
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = system.modulus = 1;
   rc_options* options = NULL;

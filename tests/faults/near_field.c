@@ -10,6 +10,7 @@ static rc_status solve(int n, const char* memory_limit) {
   if (!gap) return RC_ERR_INTERNAL;
   for (int i = 0; i < n * n; ++i) gap[i] = (double)((random = random * 1664525u + 1013904223u) >> 8) / 16777216;
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = n;
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;

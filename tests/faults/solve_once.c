@@ -37,6 +37,7 @@ static int solve(rc_contact* contact, const double* gap, double* change) {
 int main(int argc, char** argv) {
   if (argc != 5 && argc != 6) return 2;
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = atol(argv[3]);
   system.hx = system.hy = 1e-6;
   system.modulus = 1e11;

@@ -9,6 +9,7 @@ static rc_status solve(const char* backend) {
   static double gap[N * N];
   for (int i = 0; i < N * N; ++i) gap[i] = 0.01 * ((i % N - 3) * (i % N - 3) + (i / N - 3) * (i / N - 3));
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = system.modulus = 1;
   rc_step step = RC_STEP_INIT;
@@ -38,6 +39,7 @@ int main(void) {
   rc_options* options = NULL;
   rc_contact* contact = NULL;
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = N;
   system.hx = system.hy = system.modulus = 1;
   if (rc_context_create(&config, &context) != RC_OK || rc_options_create(context, &options) != RC_OK ||

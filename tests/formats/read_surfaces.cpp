@@ -83,7 +83,10 @@ void try_file(const char* path, const Settings& settings) {
   const auto pitch = [](double h) { return h > 0 ? h : NAN; };
   std::printf("ok %s %lld %lld %.17g %.17g %lld %.17g %s%s\n", file.format, static_cast<long long>(file.nx),
               static_cast<long long>(file.ny), pitch(file.hx), pitch(file.hy), static_cast<long long>(file.missing), rms(file),
-              file.assumed, file.periodic != 0 ? " periodic" : "");
+              file.assumed,
+              file.periodic < 0   ? ""
+              : file.periodic > 0 ? " periodic"
+                                  : " does not repeat");
   if (settings.heights) {
     std::FILE* const out = std::fopen(settings.heights, "wb");
     if (!out || std::fwrite(file.heights, 1, bytes_of(file), out) != bytes_of(file) || std::fclose(out) != 0)

@@ -149,11 +149,16 @@ class Damaged(ReaderTest):
         self.assert_refused("a.x3p", writers.zip_of({"main.xml": bits, "d.bin": bytes(32), "v.bin": bytes(1 << 20)}), '"v.bin" unpacks to 1048576 bytes, more than the 1024 ')
         self.assert_refused("a.x3p", writers.zip_of({"main.xml": b"<r>" + b"<a/>" * (1 << 22) + b"</r>"}), '"main.xml" unpacks to 16777223 bytes')
         self.assert_refused("a.zip", writers.zip_of({"a.nc": bytes((1 << 27) + (1 << 24))}), '"a.nc" unpacks to 150994944 bytes')
+        flat = lambda n: writers.zip_of({"main.xml": writers.x3p_xml(n, n, HX, HY, "I", data=link % ""), "d.bin": bytes(2 * n * n)})
+        self.assertLess(len(flat(8192)), 140000)
+        self.assert_refused("a.x3p", flat(8192), ["8192 x 8192 points", "that are unpacked from a file of"])
+        (line,) = self.results([("f.x3p", flat(2048))])
+        self.assertTrue(line.startswith("ok x3p 2048 2048"), line)
         sur = bytearray(writers.sur(bumps(), HX, HY, 1e-9, streams=1))
         sur[108:120] = struct.pack("<3i", nx, ny, nx * ny)
         sur[516:520] = struct.pack("<I", nx * ny * 4)
         self.assert_refused("a.sur", bytes(sur), "more than")
-        nx = ny = 8192  # what the header says would be 2^28 bytes, and there are so many packed ones that it could be true
+        nx = ny = 4096  # what the header says would be 2^26 bytes, and there are so many packed ones that it could be true
         sur[108:120] = struct.pack("<3i", nx, ny, nx * ny)
         sur[512:] = struct.pack("<3I", 1, nx * ny * 4, 3 << 20) + bytes(3 << 20)
         (line,) = self.results([("b.sur", bytes(sur))])

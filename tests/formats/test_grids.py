@@ -67,20 +67,50 @@ class Grids(ReaderTest):
         np.testing.assert_allclose(heights, z, atol=1e-15)
         np.testing.assert_allclose(pitch, (HX, HY), rtol=1e-6)
 
-    def test_columns_that_would_be_read_as_a_matrix(self):
+    def test_three_columns_of_any_text_that_are_points(self):
         z = bumps(20, 30)
         rows, chance = columns(z), np.random.default_rng(6)
-        says = "three columns that look like x, y, z: give the format xyz, or text for a map of 3 x "
+        note = "three columns are taken as x, y, z; give the format text for a map of 3 x 600"
         for name, separator in (("a.txt", " "), ("a.csv", ","), ("a.dat", ";"), ("a.asc", "\t")):
-            self.assert_refused(name, text(chance.permutation(rows), separator), says + "600")
-        self.assert_refused("a.txt", text(chance.permutation(rows)[:500]), says + "500")  # some nodes without a point
-        self.assert_refused("a.txt", text(columns(bumps(2, 2))), says + "4")
-        self.assert_reads("a.txt", text(rows), z, (HX, HY), "--format", "xyz")
+            self.assert_reads(name, text(chance.permutation(rows), separator), z, (HX, HY), format="xyz", note=note)
+        self.assert_reads("a.txt", text(columns(bumps(2, 2))), bumps(2, 2), (HX, HY), format="xyz")
         self.assert_reads("a.txt", text(rows), rows, (None, None), "--format", "text", rtol=1e-9)
+        by_scan = "\n".join(text(rows[k : k + 30]) for k in range(0, 600, 30))  # a blank line after each, as gnuplot wants it
+        self.assert_reads("a.txt", by_scan, z, (HX, HY), format="xyz")
+
+    def test_points_in_any_text_that_fill_no_grid(self):
+        z, chance = bumps(20, 30), np.random.default_rng(7)
+        rows = columns(z)
+        for share in (0.05, 0.3, 0.6):  # scans with gaps
+            gone = chance.random(z.shape) < share
+            gone[0, 0] = gone[-1, -1] = False
+            self.assert_reads("a.txt", text(rows[~gone.ravel()]), np.where(gone, np.nan, z), (HX, HY), format="xyz")
+        says = ["three columns that look like x, y, z: ", "or give the format text for a map of 3 x "]
+        jitter = rows.copy()
+        jitter[:, :2] += chance.uniform(-0.25, 0.25, (600, 2)) * (HX, HY)
+        for contents, why in ((text(rows) + text(rows[7:8]), "two points are at"), (text(rows[[0, 1, 2, 30, 31, 32, 30]]), "two points are at"),
+                              (text(jitter), "no regular grid"), (text(jitter[np.lexsort((rows[:, 1], rows[:, 0]))]), "no regular grid"),
+                              (text(np.insert(jitter, 99, jitter[98], axis=0)), "no regular grid"), (text(chance.permutation(jitter)), "no regular grid"),
+                              (text(np.concatenate([jitter[k : k + 30][:: 1 - k // 30 % 2 * 2] for k in range(0, 600, 30)])), "no regular grid")):
+            with self.subTest(contents[:80]):
+                self.assert_refused("a.txt", contents, [*says, why])
+
+    def test_matrices_of_three_columns(self):
+        rows = columns(bumps(20, 30))
+        chance = np.random.default_rng(6)
+        y, x = np.mgrid[0:40, 0:3] * 1.0
         diagonal = np.stack([np.arange(40.0)] * 3, axis=1)
         levels = chance.integers(-9, 10, size=(50, 3)) * 1.0  # whole numbers, as of a converter
-        for matrix in (bumps(40, 3), diagonal, levels, np.ones((9, 3)), rows[[0, 1, 2, 30, 31, 30]], np.where(rows == rows[7, 0], np.nan, rows), rows[:3]):
+        for matrix in (diagonal, levels[:7], np.ones((9, 3)), np.where(rows == rows[7, 0], np.nan, rows), rows[:3],
+                       np.cos(y / 3 + x / 9), y - 2 * x, np.arange(12.0).reshape(4, 3), np.round(9 * np.cos(y / 3 + x / 9)),
+                       np.cumsum(chance.normal(size=(60, 1)), axis=0) + chance.normal(size=(60, 3)) / 9):
             self.assert_reads("a.txt", text(matrix), matrix, (None, None), format="text", rtol=1e-9)
+        # Columns that are not alike are no map's; what they are has to be said.
+        for matrix in (bumps(40, 3), levels, chance.normal(size=(400, 3)), chance.integers(0, 3, size=(30, 3)) * 1.0):
+            self.assert_refused("a.txt", text(matrix), ["three columns", "give the format text for a map of 3 x %d" % len(matrix)])
+            self.assert_reads("a.txt", text(matrix), matrix, (None, None), "--format", "text", rtol=1e-9)
+            self.assert_reads("a.txt", "# columns = 3\n" + text(matrix), matrix, (None, None), rtol=1e-9)
+        self.assert_reads("a.txt", "# columns = 3\n" + text(rows), rows, (None, None), format="text", rtol=1e-9)
 
     def test_what_is_no_grid(self):
         rows = columns(bumps())
@@ -92,7 +122,7 @@ class Grids(ReaderTest):
                                (text(uneven), "no regular grid along x"), (text(rows) + text(rows[5:6]), "two points"),
                                (text(rows[rows[:, 0] == rows[0, 0]]), "same x: a profile"), (text(rows[:1]), "same x"),
                                ("x y z\n", "no line with three numbers"), ("", "no line"), (text(rows[:, :2]), "2 columns"),
-                               ("1 2 3\n1 2 3 4 5\n", "line 2 has 5 columns"), ("1 2 3\n1,5 2,5 3\n", "line 2"), ("1 2 3\n1 inf 3\n", ["line 2", "y"]),
+                               ("1 2 3\n1 2 3 4 5\n", "line 2 has 5 columns"), ("1 2 3\n1,5,2,5 3\n", "line 2"), ("1 2 3\n1 inf 3\n", ["line 2", "y"]),
                                ("1 2 3\n2 2 x\n", ["line 2", "z", '"x"']), ("0 0 0\n1e308 1 1\n-1e308 0 0\n1e-300 1 1\n", "a.xyz")):
             with self.subTest(says=says):
                 self.assert_refused("a.xyz", contents, says)

@@ -47,7 +47,7 @@ bool near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(b); }
 
 void reads(void**) {
   rc_surface_file file = read(gwyddion, "a.txt");
-  assert_true(file.nx == 3 && file.ny == 2 && file.missing == 1 && file.periodic == 0);
+  assert_true(file.nx == 3 && file.ny == 2 && file.missing == 1 && file.periodic == -1);
   assert_true(near(file.hx, 2e-6) && near(file.hy, 2e-6));
   assert_true(near(file.heights[0], 1e-9) && near(file.heights[5], 6e-9) && std::isnan(file.heights[4]));
   assert_string_equal(file.format, "text");

@@ -12,7 +12,46 @@ from reading import ReaderTest, bumps, has_program
 HX, HY = 2e-6, 3e-6
 
 
+def with_backslashes(archive, link, entry):
+    """The archive with these separators of folders in the links of main.xml and in the names of entries, as .NET writes them."""
+    with writers.zipfile.ZipFile(io.BytesIO(archive)) as source:
+        contents = {name: source.read(name) for name in source.namelist()}
+    stream = io.BytesIO()
+    with writers.zipfile.ZipFile(stream, "w") as out:
+        for name, data in contents.items():
+            info = writers.zipfile.ZipInfo("x")
+            info.filename = name.replace("/", entry)
+            out.writestr(info, data.replace(b"bindata/", b"bindata" + link.encode()) if name.endswith(".xml") else data)
+    return stream.getvalue()
+
+
 class Formats(ReaderTest):
+    def test_npy_of_every_type_and_order(self):
+        z = np.arange(12).reshape(3, 4)
+        for kind in ("f2", "f4", "f8", "i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8"):
+            for order in "<>":
+                for layout in "CF":
+                    stream = io.BytesIO()
+                    np.save(stream, np.asarray(z, order + kind, order=layout))
+                    self.assert_reads("a.npy", stream.getvalue(), z, (None, None), format="npy", rtol=0)
+        halves = np.array([[0.5, -65504, 6e-8, np.inf], [-0.0, np.nan, 1e-5, 0.1]], "f2")
+        stream = io.BytesIO()
+        np.save(stream, halves)
+        self.assert_reads("a.npy", stream.getvalue(), np.where(np.isfinite(halves), halves, np.nan).astype(float), (None, None), rtol=0, atol=0)
+        for odd, says in ((z > 3, '"|b1" is truth values'), (z + 1j, '"<c16" cannot be read'), (z.astype("U3"), "cannot be read"),
+                          (z.astype("g"), "astype")):
+            stream = io.BytesIO()
+            np.save(stream, odd)
+            self.assert_refused("a.npy", stream.getvalue(), says)
+
+    def test_whether_the_surface_repeats(self):
+        z = bumps()
+        for line, says in (("", "assumed"), ("Periodic = 0\n", "does not repeat"), ("Periodic = 1\n", "periodic")):
+            note = self.read(self.file("a.gsf", gsf(z, HX, HY, "XYUnits = m\nZUnits = m\n" + line)))[3]
+            self.assertEqual(note.strip(), "" if says == "assumed" else says)
+        self.assert_refused("a.gsf", gsf(z, HX, HY, "Periodic = yes\n"), 'Periodic "yes" is neither 0 nor 1')
+        self.assert_reads("a.nc", writers.contact_engineering(z, HX, HY, periodic=0), z, (HX, HY), note="does not repeat")
+
     def test_x3p(self):
         for kind, scale in (("D", None), ("F", None), ("D", 1e-9), ("I", 1e-9), ("L", 1e-9)):
             for folder in ("", "deep/er/"):
@@ -24,6 +63,9 @@ class Formats(ReaderTest):
         for kind, scale in (("D", None), ("I", 1e-9), ("L", 1e-9)):
             self.assert_reads("a.x3p", writers.x3p(bumps(missing=9), HX, HY, kind, scale, valid_bits=True), bumps(missing=9), (HX, HY))
         self.assert_reads("a.x3p", writers.x3p(bumps(missing=9), HX, HY, listed=True), bumps(missing=9), (HX, HY))
+        for folder in ("", "scan/"):
+            for link, entry in (("/", "\\"), ("\\", "/"), ("\\", "\\")):
+                self.assert_reads("a.x3p", with_backslashes(writers.x3p(bumps(), HX, HY, folder=folder), link, entry), bumps(), (HX, HY))
         self.assert_reads("a.x3p", writers.x3p(bumps(), HX, HY, method=writers.zipfile.ZIP_STORED), bumps(), (HX, HY))
 
     def test_x3p_whose_data_type_is_not_that_of_the_data(self):
@@ -51,8 +93,10 @@ class Formats(ReaderTest):
     def test_sdf_text(self):
         z = bumps(missing=6)
         for magic in ("aISO-1.0", "aBCR-1.0", "aNPL-V1.0"):
-            for end in ("\n", "\r\n"):
-                self.assert_reads("a.sdf", writers.sdf_text(z, HX, HY, 1e-9, magic, end, "; a comment"), z, (HX, HY), format="sdf")
+            for end in ("\n", "\r\n", "\r"):
+                for encode in (bytes, lambda text: b"\xef\xbb\xbf" + text, lambda text: text.decode().encode("utf-16")):
+                    text = encode(writers.sdf_text(z, HX, HY, 1e-9, magic, end, "; a comment"))
+                    self.assert_reads("a.sdf", text, z, (HX, HY), format="sdf")
         self.assert_reads("a.txt", writers.sdf_text(z, HX, HY, 1), z, (HX, HY), format="sdf")
 
     def test_sdf_binary(self):
@@ -96,6 +140,10 @@ class Formats(ReaderTest):
                                    "y": (("y",), np.arange(ny) * HY, {"units": "m"})}, {"y": ny, "x": nx})
         self.assert_reads("a.nc", contents, z, (HX, HY))
         self.assert_reads("a.nc", writers.netcdf({"heights": (("x", "y"), z.T, {})}, {"x": nx, "y": ny}), z, (None, None))
+        for places, says in ((np.arange(nx)[::-1] * HX, None), (np.arange(nx) ** 2 * HX, "x are not evenly spaced"), (np.zeros(nx), "not a positive length")):
+            contents = writers.netcdf({"heights": (("y", "x"), z, {"units": "m"}), "x": (("x",), places, {"units": "m"}),
+                                       "y": (("y",), np.arange(ny) * HY, {"units": "m"})}, {"y": ny, "x": nx})
+            self.assert_refused("a.nc", contents, says) if says else self.assert_reads("a.nc", contents, z, (HX, HY))
 
     @unittest.skipUnless(has_program("ncgen"), "ncgen (netcdf-bin) is not installed")
     def test_netcdf_of_the_reference_implementation(self):
@@ -140,7 +188,7 @@ class WrongHeaders(ReaderTest):
         for name, contents, says in (("a.csv", "1,2,3\n4,,6\n", "row 2, column 2: the field is empty"), ("a.txt", "1;2\n; 4\n", "row 2, column 1: the field is empty"),
                                      ("a.csv", "left,middle,right\n1,2,3\n", ['"left" is not a number', "delete it or put '#' before it"]),
                                      ("a.csv", '"x 1","x 2"\n1,2\n', "delete it or put '#' before it"),
-                                     ("a.txt", "1,5 2,5\n", "the decimal mark is a point"), ("a.txt", "1 2\nabc 4\n", 'row 2, column 1: "abc" is not a number (')):
+                                     ("a.txt", "1,5,7 2,5\n", '"7 2" is not a number'), ("a.txt", "1 2\nabc 4\n", 'row 2, column 1: "abc" is not a number')):
             with self.subTest(contents):
                 self.assert_refused(name, contents, says)
 
@@ -210,7 +258,8 @@ class WrongHeaders(ReaderTest):
         cases = [
             (archive(xml(nx=10**9, ny=10**9)), "truncated"), (archive(xml(nx=nx + 1)), "truncated"), (archive(xml(), data[:-1]), "truncated"),
             (archive(xml(), b""), "truncated"), (archive(xml(nx=0)), "SizeX"), (archive(xml(layers=2)), "2 layers"), (archive(xml(feature="PRF")), "profile"),
-            (archive(xml(axis_type="A")), "AxisType"), (archive(xml(hx=-1)), "CX/Increment"), (archive(xml(kind="Q")), "DataType"),
+            (archive(xml(axis_type="A")), "AxisType"), (archive(xml(hx=-1)), "CX/Increment"), (archive(xml(hx=1e308)), "CX/Increment is 1e+308 m, which no surface has"),
+            (archive(xml(z_axis="<Increment>1e308</Increment>")), "CZ/Increment is 1e+308 m"), (archive(xml(kind="Q")), "DataType"),
             (archive(xml(z_axis="<Increment>-1</Increment>")), "CZ/Increment"), (archive(xml(data="")), "neither"),
             (archive(xml(data=link.replace("d.bin", "e.bin"))), "e.bin"), (archive(xml().replace("SizeX", "SizeQ")), "no MatrixDimension/SizeX"),
             (archive(xml()[:-30]), "not XML"), (archive("<a>" * 5000), "not XML"), (archive(xml(data="<DataList><Datum>1</Datum></DataList>")), "the list has 1"),

@@ -3,6 +3,6 @@ program error_stop
   use roughcontact
   implicit none
   type(rcf_contact) :: contact
-  call rcf_contact_create(contact, rc_system(nx=8, ny=8, hx=-1.0_c_double))
+  call rcf_contact_create(contact, rc_system(boundary=RC_BOUNDARY_FREE, nx=8, ny=8, hx=-1.0_c_double))
   print '(a)', 'went on'
 end program

@@ -36,7 +36,7 @@ program test_contacts
   z = rough(nx, ny)
   gap = rcf_gap_from_heights(z)
   call check('the gap of the highest point is 0', minval(gap) == 0 .and. all(gap == maxval(z) - z))
-  system = rc_system(nx=nx, ny=ny, hx=0.5_c_double, hy=0.25_c_double, modulus=3.0_c_double)
+  system = rc_system(boundary=RC_BOUNDARY_FREE, nx=nx, ny=ny, hx=0.5_c_double, hy=0.25_c_double, modulus=3.0_c_double)
   call one_shot()
   call many_steps()
   call paths()
@@ -139,7 +139,7 @@ contains
     call rcf_options_set_real(options, 'tolerance', 1.0_c_double, stat, message)
     call check('unknown option: '//trim(message), stat == RC_ERR_OPTION .and. index(message, 'tol') > 0)
 
-    call rcf_contact_create(contact, rc_system(nx=nx, ny=ny, hx=-1.0_c_double), stat=stat)
+    call rcf_contact_create(contact, rc_system(boundary=RC_BOUNDARY_FREE, nx=nx, ny=ny, hx=-1.0_c_double), stat=stat)
     call rcf_contact_points(contact, points, values, stat)
     call check('a contact that was not made has no points', stat == RC_ERR_ARGUMENT .and. size(points) == 0)
     call rcf_contact_create(contact, system, options, stat)

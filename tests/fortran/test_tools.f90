@@ -36,7 +36,7 @@ contains
     call check('no kernel after the last', stat == RC_ERR_ARGUMENT)
     call rcf_options_describe(1, spec)
     call check('an option', len(rc_from_c(spec%key)) > 0)
-    system = rc_system(nx=4, ny=4, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double)
+    system = rc_system(boundary=RC_BOUNDARY_FREE, nx=4, ny=4, hx=1.0_c_double, hy=1.0_c_double, modulus=1.0_c_double)
     call check('a pair', rcf_pair_supported('nnls', 'dense', system, RC_CONTROL_LOAD))
     call check('no pair', .not. rcf_pair_supported('nnls', 'absent', system, RC_CONTROL_LOAD, errmsg=message) &
       .and. index(message, 'absent') > 0)
@@ -96,25 +96,31 @@ contains
     integer(c_int64_t) :: label(6, 5), counts(4)
     type(rc_area) :: area
     type(rc_histogram) :: histogram
+    type(rc_crossing) :: crossing
     type(rcf_patch), allocatable :: patches(:)
     p = 0
     p(1:2, 1) = [1, 3]
     p(3, 2) = 2
     p(6, 5) = 4
-    call rcf_area_measure(p, 0.5_c_double, 2.0_c_double, area)
+    call rcf_area_measure(p, 0.5_c_double, 2.0_c_double, RC_BOUNDARY_FREE, area)
     call check('area', area%contacts == 4 .and. area%area == 4)
-    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, label)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE, patches, label)
     call check('three patches', size(patches) == 3 .and. label(2, 1) == 1 .and. label(3, 2) == 2 .and. label(6, 5) == 3)
     call check('their peaks', patches(1)%peak == 2 .and. patches(1)%max_pressure == 3 .and. patches(3)%peak == 30)
     call check('no contact', count(label == 0) == 26)
-    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, boundary=RC_BOUNDARY_PERIODIC, neighbours=8)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_PERIODIC, patches, neighbours=8)
     call check('one patch across corners and sides', size(patches) == 1 .and. patches(1)%load == 10)
-    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, mask=p < 4)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE, patches, mask=p < 4)
     call check('masked', size(patches) == 2)
-    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, patches, mask=reshape([.true.], [1, 1]), stat=stat)
+    call rcf_patches_find(p, 1.0_c_double, 1.0_c_double, RC_BOUNDARY_FREE, patches, mask=reshape([.true.], [1, 1]), stat=stat)
     call check('mask of another shape', stat == RC_ERR_SHAPE .and. size(patches) == 0)
     call rcf_histogram_fill(p, counts, density, histogram=histogram)
     call check('a histogram', all(counts == 1) .and. histogram%width == 1 .and. all(density == 0.25))
+    p(:, 3) = 1
+    call rcf_crossing_find(p, RC_BOUNDARY_FREE, crossing)
+    call check('a ridge crosses', crossing%contact_x == 1 .and. crossing%contact_y == 0 .and. crossing%gap_x == 1)
+    call rcf_crossing_find(p, RC_BOUNDARY_FREE, crossing, mask=p < 1)
+    call check('a masked ridge does not', crossing%contact_x == 0 .and. crossing%gap_y == 0)
   end subroutine
 
   subroutine surfaces()

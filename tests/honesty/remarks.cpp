@@ -9,14 +9,15 @@ namespace pairs {
 
 namespace {
 
-constexpr const char* pressure = "E*: check the units";
+constexpr const char* pressure = "mean pressure ";
+constexpr const char* soft = "hardness ";
 constexpr const char* approach = "approach above the grid's side";
 constexpr const char* single = "one point in contact";
 constexpr const char* tilted = "of the heights' variance";
 
 void check_note(const Answer& answer, std::initializer_list<const char*> expected) {
   const std::string note = answer.result.note;
-  for (const char* words : {pressure, approach, single, tilted}) {
+  for (const char* words : {pressure, soft, approach, single, tilted}) {
     bool wanted = false;
     for (const char* each : expected) wanted = wanted || each == words;
     check((note.find(words) != std::string::npos) == wanted,
@@ -49,6 +50,20 @@ void a_modulus_in_gigapascal() {
   const Answer answer = solved(at_load(problem, 1e7 * nominal), automatic, {{RC_OPT_TOL, "1e-6"}});
   check_note(answer, {pressure, approach});
   check(std::string(answer.result.note).starts_with("mean pressure 4.76e+04 E*"), answer.result.note);
+}
+
+// 150 meant in MPa; and the lowest hardness that is not doubted, in any units.
+void a_hardness_in_megapascal() {
+  Problem problem = measured();
+  problem.system.hardness = 150;
+  check_note(solved(at_load(problem, 1e-8), automatic, {{RC_OPT_TOL, "1e-6"}}), {soft});
+  for (const double unit : {1.0, 1e6}) {
+    problem.system.modulus = 1e11 / unit;
+    problem.system.hardness = 1.01e8 / unit;
+    check_note(solved(at_load(problem, 1e-2 / unit), automatic, {{RC_OPT_TOL, "1e-6"}}), {});
+    problem.system.hardness = 0.99e8 / unit;
+    check_note(solved(at_load(problem, 1e-2 / unit), automatic, {{RC_OPT_TOL, "1e-6"}}), {soft});
+  }
 }
 
 // 39 meant in micrometres.
@@ -125,13 +140,41 @@ void waves_and_matrices_have_no_tilt() {
   check_note(solved(stored, automatic), {});
 }
 
+// A tilted map that is pressed as a sample jumps at its edges; the same rough map does not.
+void a_tilt_is_told_with_periodic_edges() {
+  Problem level = at_load(measured(), 1e-2);
+  level.system.boundary = RC_BOUNDARY_PERIODIC;
+  check_note(solved(level, automatic, {{RC_OPT_TOL, "1e-6"}}), {});
+  check_note(solved(tilted_map(level, 0.03), automatic, {{RC_OPT_TOL, "1e-6"}}), {tilted});
+}
+
+// A flat punch is as stiff as itself and presses at its rim; a ball in the middle, and the same punch as a sample, have no rim.
+void free_edges_are_told() {
+  const Settings settings = {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, "1"}};
+  Problem punch = at_load(measured(), 1e-2);
+  punch.gap.assign(punch.points(), 0.0);
+  const Answer pressed = solved(punch, automatic, settings);
+  const std::string note = pressed.result.note;
+  check(note.find("and the largest pressure at the rim, stiffness 1 of a flat punch") != std::string::npos, note);
+  check_near(pressed.result.stiffness, pressed.result.punch_stiffness, 0.02 * pressed.result.punch_stiffness, "punch");
+  check_near(pressed.result.punch_stiffness, 1.1523 * punch.system.modulus * 64e-6, 0.003 * pressed.result.punch_stiffness, "E*");
+  punch.system.boundary = RC_BOUNDARY_PERIODIC;
+  check(std::string(solved(punch, automatic, settings).result.note).find("edges") == std::string::npos, "periodic");
+  Problem ball = at_load(measured(), 1e-3);
+  ball.gap = paraboloid(64, 64, 1e-6, 31.5, 31.5, 1e-4);
+  check(std::string(solved(ball, automatic, settings).result.note).find("edges") == std::string::npos, "ball");
+}
+
 }  // namespace
 
 std::vector<Test> remarks() {
   return {{"ordinary_scenes_have_no_remark", ordinary_scenes_have_no_remark},
           {"a_modulus_in_gigapascal", a_modulus_in_gigapascal},
+          {"a_hardness_in_megapascal", a_hardness_in_megapascal},
           {"a_pitch_in_metres", a_pitch_in_metres},
           {"an_approach_beyond_the_side", an_approach_beyond_the_side},
+          {"a_tilt_is_told_with_periodic_edges", a_tilt_is_told_with_periodic_edges},
+          {"free_edges_are_told", free_edges_are_told},
           {"a_tilted_map_is_told", a_tilted_map_is_told},
           {"masked_heights_do_not_count", masked_heights_do_not_count},
           {"each_surface_has_its_own_remark", each_surface_has_its_own_remark},

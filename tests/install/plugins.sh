@@ -6,13 +6,18 @@ set -euo pipefail
 source=$1 build=$2 cc=$3 cxx=$4
 . "$(dirname "$0")/scratch.sh"
 
-command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --approach 0.8 "$@"; }
+command_solve() { clean "$prefix/bin/roughcontact" solve "$scratch/surface.npy" --pitch 1 --modulus 1 --boundary free --approach 0.8 "$@"; }
 solve() {  # solve EXPECTED-PAIR OPTION...: prints the load
   local pair=$1 row
   shift
-  row=$(command_solve "$@" 2>/dev/null | grep " RC_")
-  [[ $row == *" $pair "*RC_OK* ]] || fail "expected a certified answer by $pair: $row"
-  awk '{ print $3 }' <<<"$row"
+  rm -rf "$scratch/run"
+  row=$(command_solve "$@" --out "$scratch/run" --no-maps --quiet 2>&1; answer "$scratch/run")
+  [[ $row == *"RC_OK $pair "* ]] || fail "expected a certified answer by $pair: $row"
+  awk '{ print $NF }' <<<"$row"
+}
+answer() {  # answer FOLDER: status, solver/backend and load of the first step
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) { sub(/ .*/, "", $i); at[$i] = i } }
+    NR == 2 { printf "%s %s/%s %.5g\n", $at["status"], $at["solver"], $at["backend"], $at["load"] }' "$1/steps.csv"
 }
 listed() { clean "$prefix/bin/roughcontact" "$1" | grep -E "^$2 "; }
 
@@ -73,8 +78,10 @@ for tool in make cmake; do
   soft=$(solve haar-cg/dense --backend dense --solver haar-cg --kernel layer --set layer.thickness=2 --set layer.modulus=0.5)
   awk -v soft="$soft" -v hard="$expected" 'BEGIN { exit !(0.4 * hard < soft && soft < hard) }' || fail "$tool: a soft layer carries $soft"
   # To a rough answer it is the one that takes least time.
-  row=$(clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --approach 12 --tol 0.1 --explain 2>"$scratch/why" | grep " RC_")
-  [[ $row == *" spg/"*RC_OK* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
+  rm -rf "$scratch/run"
+  clean "$prefix/bin/roughcontact" solve "$scratch/larger.npy" --pitch 1 --modulus 1 --boundary free --approach 12 --tol 0.1 --out "$scratch/run" --no-maps --explain >/dev/null 2>"$scratch/why"
+  row=$(answer "$scratch/run")
+  [[ $row == "RC_OK spg/"* ]] || fail "auto does not take spg: $row $(cat "$scratch/why")"
   grep -q "spg on .* taken" "$scratch/why" && grep -q "haar-cg on .* slower" "$scratch/why" || fail "no reasons: $(cat "$scratch/why")"
   mv "$prefix" "$scratch/moved-$tool"
   prefix=$scratch/moved-$tool

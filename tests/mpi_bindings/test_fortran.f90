@@ -19,7 +19,7 @@ program test_fortran
 
   call MPI_Init()
   call MPI_Comm_rank(MPI_COMM_WORLD, rank)
-  system = rc_system(nx=nx, ny=ny, hx=1e-6_c_double, hy=1e-6_c_double, modulus=1e9_c_double)
+  system = rc_system(boundary=RC_BOUNDARY_FREE, nx=nx, ny=ny, hx=1e-6_c_double, hy=1e-6_c_double, modulus=1e9_c_double)
   whole = rcf_gap_from_heights(heights())
   call rcf_mpi_rows(MPI_COMM_WORLD, system, first, count)
   gap = whole(:, first:first + count - 1)

@@ -28,8 +28,12 @@ def main():
     unittest.main(module='__main__')
 
 
+def with_boundary(arguments):
+    return [*arguments] if '--boundary' in arguments else [*arguments, '--boundary', 'free']
+
+
 def on_ranks(ranks, *arguments):
-    return [MPIEXEC, '-n', str(ranks), COMMAND, *map(str, arguments)]
+    return [MPIEXEC, '-n', str(ranks), COMMAND, *map(str, with_boundary(arguments))]
 
 
 def rough(ny=96, nx=64, seed=1):
@@ -68,7 +72,7 @@ class RanksTest(unittest.TestCase):
         return done
 
     def run_serial(self, *arguments):
-        return subprocess.run([SERIAL, 'solve', *map(str, arguments)], cwd=self.folder, encoding='utf-8', capture_output=True, timeout=300,
+        return subprocess.run([SERIAL, 'solve', *map(str, with_boundary(arguments))], cwd=self.folder, encoding='utf-8', capture_output=True, timeout=300,
                               env={**ENVIRONMENT, 'PATH': '/nonexistent'}, check=True)
 
     def messages(self, done):

@@ -19,7 +19,7 @@ printf ("testing %s\n", which ("rc_solve"));
 nx = 40; ny = 28;
 [ix, iy] = ndgrid (1:nx, 1:ny);
 z = cos (0.9 * ix) .* cos (0.5 * iy) + cos (0.21 * ix + 0.17 * iy);
-opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "approach", 0.4);
+opts = struct ("hx", 0.5, "hy", 0.25, "modulus", 3, "boundary", "free", "approach", 0.4);
 
 [p, info] = rc_solve (z, opts);
 check ("shape of p", isequal (size (p), [nx, ny]) && isequal (size (info.gap), [nx, ny]));

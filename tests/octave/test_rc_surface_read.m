@@ -24,7 +24,7 @@ check ("x is the first index", isequal (size (z), [3, 2]) && abs (z(3, 1) - 3e-6
 check ("missing", isnan (z(2, 2)) && info.missing == 1 && nnz (isnan (z)) == 1);
 check ("pitch", abs (info.hx - 2e-6) < 1e-18 && abs (info.hy - 3e-6) < 1e-18);
 check (info.assumed, strcmp (info.assumed, "lengths without a unit are in um, as asked for"));
-check ("format", strcmp (info.format, "text") && info.periodic == 0);
+check ("format", strcmp (info.format, "text") && info.periodic == -1);
 check ("one output", isequaln (rc_surface_read (path, struct ("unit", "um")), z));
 check ("help", ! isempty (strfind (help ("rc_surface_read"), "opts")));
 [~, info] = rc_surface_read (path);

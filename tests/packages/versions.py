@@ -33,7 +33,7 @@ def main() -> int:
         found = re.search(pattern, (source / name).read_text(), re.M)
         if not found or found[1] != version:
             wrong.append(f"{name} says {found[1] if found else 'nothing'}, CMakeLists.txt {version}")
-    declared = "".join(file.read_text() for file in [source / "CMakeLists.txt", *(source / "bindings").rglob("CMakeLists.txt")])
+    declared = "".join(file.read_text() for file in [source / "CMakeLists.txt", source / "tools/CMakeLists.txt", *(source / "bindings").rglob("CMakeLists.txt")])
     options = set(re.findall(r"(?:option|set)\((RC_\w+)", declared))
     for name in RECIPES:
         for option in set(re.findall(r"\bRC_[A-Z_]+\b", (source / name).read_text())) - options:

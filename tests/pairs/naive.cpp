@@ -131,6 +131,17 @@ void check_against_naive(const Problem& problem, const Answer& answer) {
              "load");
   check_near(r.energy, expected.energy, round_off * std::abs(expected.energy), "energy");
   check_equal(r.contacts, expected.contacts, "contacts");
+  check_near(r.area_fraction, static_cast<double>(expected.contacts) / static_cast<double>(answer.p.size()), 0, "area_fraction");
+  double max_pressure = 0, sum_of_gaps = 0, included = 0;
+  for (std::size_t i = 0; i < answer.p.size(); ++i) {
+    if (!problem.included(i)) continue;
+    const bool yields = problem.system.hardness > 0 && answer.p[i] >= problem.system.hardness;
+    max_pressure = std::max(max_pressure, answer.p[i]);
+    sum_of_gaps += yields ? std::max(expected.gap[i], 0.0) : expected.gap[i];
+    ++included;
+  }
+  check_near(r.max_pressure, max_pressure, 0, "max_pressure");
+  check_near(r.mean_gap, sum_of_gaps / included, 10 * round_off * largest(expected.gap), "mean_gap");
   for (std::size_t i = 0; i < answer.p.size(); ++i)
     if (problem.included(i)) check_near(answer.gap[i], expected.gap[i], 10 * round_off * largest(expected.gap), "gap");
 }

@@ -122,6 +122,20 @@ void stiffness_is_computed_where_it_is_asked_for() {
   }
 }
 
+void fn_sees_the_gap_if_it_is_wanted() {
+  const Problem problem = rough_problem(18, 14, RC_BOUNDARY_FREE, 1, 1);
+  Request request;
+  request.targets = scaled(orders[0].fractions, problem.target);
+  const History with = followed(Contact(problem, automatic), problem, request);
+  request.want_gap = false;
+  const History without = followed(Contact(problem, automatic), problem, request);
+  for (std::size_t i = 0; i < request.targets.size(); ++i) {
+    check(with.seen[i].gap.size() == problem.points() && without.seen[i].gap.empty(), "which has the gap");
+    pairs::check_same(without.seen[i].p, with.seen[i].p, "p");
+    check(with.seen[i].result.mean_gap > 0, "the mean gap is known with the gap");
+  }
+}
+
 void no_steps_change_nothing() {
   const Problem problem = rough_problem(18, 14, RC_BOUNDARY_FREE, 1, 1);
   const Contact contact(problem, automatic), other(problem, automatic);
@@ -149,6 +163,7 @@ std::vector<Test> against_steps_tests() {
   }
   tests.push_back({"outputs_may_be_null", outputs_may_be_null});
   tests.push_back({"stiffness_is_computed_where_it_is_asked_for", stiffness_is_computed_where_it_is_asked_for});
+  tests.push_back({"fn_sees_the_gap_if_it_is_wanted", fn_sees_the_gap_if_it_is_wanted});
   tests.push_back({"no_steps_change_nothing", no_steps_change_nothing});
   return tests;
 }

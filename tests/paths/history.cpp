@@ -18,7 +18,8 @@ struct Watcher {
 
 std::int32_t watch(std::int64_t step, const rc_result* result, void* user) {
   Watcher& watcher = *static_cast<Watcher*>(user);
-  Seen seen{*result, Field(result->p, result->p + watcher.points), Field(result->gap, result->gap + watcher.points)};
+  Seen seen{*result, Field(result->p, result->p + watcher.points), {}};
+  if (result->gap) seen.gap.assign(result->gap, result->gap + watcher.points);
   seen.result.p = seen.result.gap = nullptr;
   watcher.history.seen.push_back(std::move(seen));
   return watcher.request.ends(step);
@@ -58,6 +59,7 @@ History follow(const Contact& contact, const Problem& problem, const Request& re
   path.certificate = history.certificate.data();
   path.products = history.products.data();
   path.fn = watch;
+  path.want_gap = request.want_gap;
   path.user = &watcher;
   path.completed = -1;
   history.status = rc_contact_solve_history(contact.handle(), &path);

@@ -29,6 +29,7 @@ struct Request {
   Field targets;
   bool with_gap = true;        // else as in the step before
   bool with_stiffness = true;  // else the output is null
+  bool want_gap = true;        // whether fn sees the deformed gap
   std::function<bool(std::int64_t)> ends = [](std::int64_t) { return false; };
 };
 

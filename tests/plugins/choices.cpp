@@ -38,6 +38,7 @@ class Pressed {
 
   std::string pair() const { return std::string(result_.solver) + " on " + result_.backend; }
   std::string note() const { return result_.note; }
+  const rc_result& result() const { return result_; }
   std::string explanation() const {
     const char* text = nullptr;
     assert_int_equal(rc_contact_explain(contact_, &text), RC_OK);
@@ -60,9 +61,9 @@ using BackendScore = decltype(rc_backend::score);
 
 // Registers a copy of the linked backend.
 void add_backend(const Registry& registry, rc_backend& copy, const char* name, BackendScore score,
-                 decltype(rc_backend::create) create = linked().backends[0]->create,
-                 std::uint64_t caps = RC_CAP_THREAD_INVARIANT) {
-  copy = *linked().backends[0];
+                 decltype(rc_backend::create) create = linked().backends[0]->create, std::uint64_t caps = RC_CAP_THREAD_INVARIANT,
+                 const rc_backend& of = *linked().backends[0]) {
+  copy = of;
   copy.name = name;
   copy.caps |= caps;
   copy.n_options = 0;
@@ -130,6 +131,47 @@ void a_fast_backend_is_taken(void**) {
   rc_backend backend;
   add_backend(registry, backend, "zzz", at_once);
   assert_has(Pressed(registry).pair(), " on zzz");
+}
+
+// A backend whose products are wrong after some that are right, as by a fault of a device.
+std::int64_t bound = 0, products = 0, right_products = 0;
+
+rc_status bind_and_note(void* self, const rc_domain* domain) {
+  bound = domain->n;
+  return linked().backends[0]->bind(self, domain);
+}
+rc_status wrong_at_last(void* self, const double* x, double* y) {
+  const rc_status status = linked().backends[0]->apply(self, x, y);
+  if (++products > right_products)
+    for (std::int64_t i = 0; i < bound; ++i) y[i] *= 1.1;
+  return status;
+}
+
+void a_certifying_backend_proves_the_interval_of_the_stiffness(void**) {
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  rc_backend backend, late = *linked().backends[0];
+  late.bind = bind_and_note;
+  late.apply = wrong_at_last;
+  add_backend(registry, backend, "late", at_once, late.create, RC_CAP_THREAD_INVARIANT, late);
+  const auto press = [&](const char* name, const char* stiffness) {
+    products = 0;
+    return Pressed(registry, {{RC_OPT_SOLVER, "polonsky-keer"},
+                              {RC_OPT_BACKEND, name},
+                              {RC_OPT_CERTIFY_BACKEND, "dense"},
+                              {RC_OPT_STIFFNESS, stiffness},
+                              {RC_OPT_TOL, "1e-10"}})
+        .result();
+  };
+  const double wanted = press("dense", "2").stiffness;
+  right_products = 1 << 20;
+  press("late", "0");
+  right_products = products;  // those of the solve
+  const rc_result found = press("late", "2");
+  assert_true(products > right_products);
+  if (!(found.stiffness_lower <= wanted * (1 + 1e-9) && wanted * (1 - 1e-9) <= found.stiffness_upper &&
+        found.stiffness_upper < 1.001 * found.stiffness_lower))
+    fail_msg("%.12g is not in %.12g .. %.12g", wanted, found.stiffness_lower, found.stiffness_upper);
+  assert_true(found.stiffness_lower <= found.stiffness && found.stiffness <= found.stiffness_upper);
 }
 
 void bits_that_depend_on_threads_are_for_those_who_ask(void**) {
@@ -239,6 +281,7 @@ void what_fails_is_passed_over(void**) {
 const std::vector<CMUnitTest> choice_tests = {
     cmocka_unit_test(a_slow_backend_in_a_file_is_looked_at_and_left),
     cmocka_unit_test(a_fast_backend_is_taken),
+    cmocka_unit_test(a_certifying_backend_proves_the_interval_of_the_stiffness),
     cmocka_unit_test(bits_that_depend_on_threads_are_for_those_who_ask),
     cmocka_unit_test(the_least_time_decides_between_solvers),
     cmocka_unit_test(ties_go_by_name),

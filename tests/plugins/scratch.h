@@ -59,6 +59,6 @@ void assert_message_has(const std::string& part);
 void assert_has(const std::string& text, const std::string& part);
 
 extern const std::vector<CMUnitTest> good_tests, refused_tests, place_tests, registration_tests, choice_tests, kernel_tests,
-    promise_tests;
+    promise_tests, many_liar_tests;
 
 }  // namespace plugins

@@ -23,12 +23,13 @@ static uint64_t digest(const void* data, size_t bytes, uint64_t hash) {
 
 /* What must not depend on the number of ranks: all but times. */
 static uint64_t digest_of(rc_result result) {
-  const double numbers[] = {result.load,        result.approach,        result.mean_pressure,  result.contact_area,
-                            result.energy,      result.kkt_primal,      result.kkt_dual,       result.kkt_complementarity,
-                            result.kkt_control, result.duality_gap,     result.load_lower,     result.load_upper,
-                            result.area_lower,  result.area_upper,      result.plastic_volume, result.tolerance,
-                            result.stiffness,   result.stiffness_lower, result.stiffness_upper};
-  const int64_t counts[] = {result.status,   result.iterations,      result.products, result.points,    result.candidates,
+  const double numbers[] = {result.load,         result.approach,        result.mean_pressure,   result.contact_area,
+                            result.energy,       result.kkt_primal,      result.kkt_dual,        result.kkt_complementarity,
+                            result.kkt_control,  result.duality_gap,     result.load_lower,      result.load_upper,
+                            result.area_lower,   result.area_upper,      result.plastic_volume,  result.tolerance,
+                            result.stiffness,    result.stiffness_lower, result.stiffness_upper, result.area_fraction,
+                            result.max_pressure, result.mean_gap};
+  const int64_t counts[] = {result.status,   result.iterations,      result.products,     result.points,    result.candidates,
                             result.modelled, result.contacts,        result.proven_open,  result.undecided, result.capped,
                             result.levels,   result.proven_contacts, result.proven_capped};
   uint64_t hash = 0xcbf29ce484222325u;

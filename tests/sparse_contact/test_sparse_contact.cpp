@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "registry.h"
 #include "sparse.h"
@@ -146,6 +147,10 @@ void arrays_over_all_points_on_request() {
   const Answer full = pairs::solved(problem, automatic, {{RC_OPT_TOL, "1e-8"}});
   check(std::string(full.result.backend) == "split", "backend");
   check_same(sparse.everywhere(), full.p, "pressures");
+  const double mean = std::accumulate(full.gap.begin(), full.gap.end(), 0.0) / static_cast<double>(full.gap.size());
+  check_near(full.result.mean_gap, mean, 1e-12 * mean, "mean gap");
+  check(std::isnan(sparse.result.mean_gap), "the mean gap is unknown if the gap is known at some points only");
+  check_near(sparse.result.max_pressure, *std::max_element(full.p.begin(), full.p.end()), 0, "largest pressure");
   check_equal(std::count_if(full.gap.begin(), full.gap.end(), [](double gap) { return gap < -1e-6; }), 0, "overlapping points");
   const Answer checked = Contact(problem, automatic, {{RC_OPT_TOL, "1e-7"}}).certify(problem.step(), full.p);
   check(checked.status == RC_OK, checked.message);

@@ -7,6 +7,7 @@ namespace support {
 
 inline rc_system unit_system() {
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = 1;
   system.hx = system.hy = system.modulus = 1;
   return system;

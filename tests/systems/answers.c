@@ -116,6 +116,7 @@ static void make_mistakes(void) {
   rc_system system = RC_SYSTEM_INIT;
   rc_options* options = NULL;
   fprintf(out, "case mistakes\n");
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = 8;
   system.hx = system.hy = system.modulus = 1;
   make_surface(&system, 1);

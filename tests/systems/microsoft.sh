@@ -30,6 +30,7 @@ int start(void) {
   rc_result result = RC_RESULT_INIT;
   int i;
   for (i = 0; i < 64; ++i) gap[i] = (i % 8 - 3.5) * (i % 8 - 3.5) + (i / 8 - 3.5) * (i / 8 - 3.5);
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = 8;
   system.hx = system.hy = system.modulus = 1;
   step.control = RC_CONTROL_LOAD;

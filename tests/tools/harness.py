@@ -58,7 +58,9 @@ class CommandTest(unittest.TestCase):
         return subprocess.run([COMMAND, *map(str, arguments)], cwd=self.folder, encoding="utf-8", errors="replace", capture_output=True, **settings)
 
     def solve(self, *arguments, code=0, **settings):
-        done = self.run_command("solve", *arguments, **settings)
+        """Bodies end at their edges, if a test does not say otherwise."""
+        told = any(str(word).split("=")[0] == "--boundary" for word in arguments)
+        done = self.run_command("solve", *arguments, *([] if told else ["--boundary", "free"]), **settings)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -84,6 +86,11 @@ class CommandTest(unittest.TestCase):
         for words in [says] if isinstance(says, str) else says:
             self.assertIn(words, done.stderr)
         self.assertEqual(self.names(), before)
+
+
+def step_file(stem, number, steps, extension="npy"):
+    """The name of a step's file in a history of so many steps."""
+    return "%s-%0*d.%s" % (stem, len(str(steps)), number, extension)
 
 
 def without_gnuplot():

@@ -2,6 +2,7 @@
 import itertools
 import json
 import os
+import re
 import resource
 import signal
 import stat
@@ -9,7 +10,7 @@ import subprocess
 import time
 
 import harness
-from harness import CommandTest, np, paraboloid, rough, without_gnuplot
+from harness import CommandTest, np, paraboloid, rough, step_file, without_gnuplot
 
 HERTZ = ["--pitch", "1e-6", "--modulus", "1e9"]
 STREAMS = ("stdin", "stdout", "stderr")
@@ -74,7 +75,7 @@ class Folder(CommandTest):
     def test_a_second_writer_is_refused(self):
         small, out = self.npy(paraboloid(24), "small.npy"), self.folder / "out"
         first = self.start(self.npy(rough(64, 64)), *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out")
-        wait_for(lambda: (out / "pressure-2.npy").exists())
+        wait_for(lambda: (out / step_file("pressure", 2, 20000)).exists())
         second = self.run_command("solve", small, *HERTZ, "--approach", "1e-8", "--out", "out")
         self.assertEqual(second.returncode, 1, second.stderr)
         self.assertRegex(second.stderr, r"^roughcontact: --out: folder .* process %d\b.*\n$" % first.pid)
@@ -88,7 +89,7 @@ class Folder(CommandTest):
     def test_a_killed_run_leaves_no_lock(self):
         surface, out = self.npy(rough(64, 64)), self.folder / "out"
         killed = self.start(surface, *HERTZ, "--approach", "1e-8:4e-7:20000", "--out", "out")
-        wait_for(lambda: (out / "pressure-2.npy").exists())
+        wait_for(lambda: (out / step_file("pressure", 2, 20000)).exists())
         killed.kill()
         killed.communicate()
         (out / ".pressure-7.npy.0123456789abcdef.tmp").write_text("half a file")
@@ -107,27 +108,49 @@ class Folder(CommandTest):
                 self.assertEqual((self.folder / "out" / name).read_text(), contents)
                 (self.folder / "out" / name).unlink()
 
+    def test_special_files_are_not_opened(self):
+        surface = self.npy(paraboloid(24))
+        (self.folder / "out").mkdir()
+        for name in ("summary.json", "steps.csv", "pressure-1.npy", "gap-1.npy", "contact-1.png", ".roughcontact.lock"):
+            for make in (os.mkfifo, os.mkdir):
+                for resume in ([], ["--resume"]):
+                    with self.subTest(name=name, make=make.__name__, resume=resume):
+                        path = self.folder / "out" / name
+                        make(path)
+                        self.assert_fails("solve", surface, *HERTZ, "--approach", "1e-8", "--out", "out", *resume, says=["--out", name, "is no regular file"])
+                        path.rmdir() if path.is_dir() else path.unlink()
+
+    def test_a_pipe_in_the_place_of_earlier_pressures_is_not_opened(self):
+        surface = self.npy(paraboloid(24))
+        self.solve(surface, *HERTZ, "--approach", "1e-8", "--out", "out", "--quiet")
+        (self.folder / "out/pressure-1.npy").unlink()
+        os.mkfifo(self.folder / "out/pressure-1.npy")
+        self.assert_fails("solve", surface, *HERTZ, "--approach", "1e-8,2e-8", "--out", "out", "--resume", says=["pressure-1.npy", "is no regular file"])
+
     def test_a_disk_that_fills_up(self):
         if os.geteuid() != 0:
             self.skipTest("mounting a small disk needs privileges")
         surface, disk = self.npy(rough(64, 64)), self.folder / "disk"
         disk.mkdir()
-        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", disk], stderr=subprocess.DEVNULL).returncode != 0:
-            self.skipTest("no small disk can be mounted")
-        try:
-            done = self.run_command("solve", surface, *HERTZ, "--approach", "1e-7:2e-7:10", "--out", "disk/out", env=without_gnuplot())
-            self.assertEqual(done.returncode, 1)
-            self.assertIn("cannot write", done.stderr)
-            out = disk / "out"
-            steps = json.loads((out / "summary.json").read_text())["steps"]
-            self.assertTrue(0 < len(steps) < 10)
-            self.assertTrue({n % (k + 1) for k in range(len(steps)) for n in ("gap-%d.npy", "pressure-%d.npy")} <= set(os.listdir(out)))
-            for name in os.listdir(out):
-                if name.endswith(".npy"):
+        unfinished = set()  # the files at which a step was cut
+        for kilobytes in range(300, 400, 8):
+            if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=%dk" % kilobytes, "tmpfs", disk], stderr=subprocess.DEVNULL).returncode != 0:
+                self.skipTest("no small disk can be mounted")
+            try:
+                done = self.run_command("solve", surface, *HERTZ, "--approach", "1e-7:2e-7:10", "--out", "disk/out", env=without_gnuplot())
+                self.assertEqual(done.returncode, 1)
+                unfinished.add(re.search('cannot write "[^"]*/([a-z]+)', done.stderr).group(1))
+                out = disk / "out"
+                steps = json.loads((out / "summary.json").read_text())["steps"]
+                self.assertTrue(0 < len(steps) < 10)
+                arrays = {step_file(stem, k + 1, 10) for k in range(len(steps)) for stem in ("gap", "pressure")}
+                self.assertEqual(arrays, {name for name in os.listdir(out) if name.endswith(".npy")})
+                for name in arrays:
                     self.assertEqual(np.load(out / name).shape, (64, 64))
-            self.assertFalse([name for name in os.listdir(out) if name.startswith(".")])
-        finally:
-            subprocess.run(["umount", disk], check=True)
+                self.assertFalse([name for name in os.listdir(out) if name.startswith(".") and name.endswith(".tmp")])
+            finally:
+                subprocess.run(["umount", disk], check=True)
+        self.assertGreaterEqual(unfinished, {"pressure", "gap"})
 
     def test_output_of_other_commands_on_a_full_disk(self):
         def small_disk():

@@ -84,7 +84,7 @@ class Measures(CommandTest):
         for step, pressure, gap in self.steps(rough(24, 32), "--hardness", "40MPa", "--pressure", "5MPa,20MPa"):
             self.assertEqual(step["max_pressure"], 40e6)
             self.assertLess(gap.min(), 0)
-            self.assertAlmostEqual(step["mean_gap"] / np.maximum(gap, 0).mean(), 1, delta=1e-12)
+            self.assertAlmostEqual(step["mean_gap"] / np.where(pressure == 40e6, np.maximum(gap, 0), gap).mean(), 1, delta=1e-12)
 
     def test_nothing_in_contact(self):
         ((step, _, gap),) = self.steps(rough(24, 32), "--load", "0")

@@ -1,6 +1,7 @@
 """The pictures that the command draws, looked at pixel by pixel. Skipped without gnuplot."""
 import ctypes
 import json
+import os
 import shutil
 import sys
 
@@ -129,12 +130,52 @@ class Pictures(CommandTest):
         """Ten times the load, ten times the area: on logarithmic axes the steps keep their distance."""
         list(self.press(rough(128, 128), "10kPa,100kPa,1MPa,10MPa"))
         image = pixels(self.folder / "out/history.png")
-        red = (np.abs(image - CONTACT).sum(axis=2) < 60)[:, :image.shape[1] // 3]
-        red[:, -40:] = False
-        columns = np.flatnonzero(red[150:480].any(axis=0))
-        self.assertGreater(np.ptp(columns), 0.2 * image.shape[1])
-        middle = np.mean([np.flatnonzero(red[150:480, c])[0] for c in columns if columns[0] + 20 < c < columns.mean()])
-        self.assertGreater(middle, 150)  # area grows along the whole axis
+        red = (np.abs(image - CONTACT).sum(axis=2) < 60)[190:440, :image.shape[1] // 2]  # below the legend
+        columns = np.flatnonzero(red.any(axis=0))
+        self.assertGreater(np.ptp(columns), 0.15 * image.shape[1])
+        middle = np.mean([np.flatnonzero(red[:, c])[0] for c in columns if columns[0] + 20 < c < columns.mean()])
+        self.assertGreater(middle, 100)  # area grows along the whole axis
+
+    def test_history_is_not_cut_off(self):
+        for pressures in ("1Pa,100Pa,1kPa,1MPa", "123.456kPa,234.567kPa"):
+            list(self.press(rough(64, 64), pressures, "12.345nm"))
+            image = pixels(self.folder / "out/history.png")
+            self.assertEqual(min(image[:, :4].min(), image[:, -4:].min(), image[:4].min(), image[-4:].min()), 255)
+
+    def test_unloading_is_told_from_loading(self):
+        blue = np.array([0x00, 0x60, 0xC0])
+        for pressures, falls in (("1MPa,2MPa,4MPa", False), ("1MPa,4MPa,2MPa", True)):
+            list(self.press(rough(64, 64), pressures))
+            count = (np.abs(pixels(self.folder / "out/history.png") - blue).sum(axis=2) < 9).sum()
+            self.assertEqual(count > 100, falls, count)
+
+    def script_of_history(self, z, *arguments):
+        """What gnuplot is told to draw."""
+        self.file("gnuplot", "#!/bin/sh\ncat >'%s/script'\necho picture\n" % self.folder)
+        (self.folder / "gnuplot").chmod(0o755)
+        self.solve(self.npy(z), "--pitch", "1um", "--modulus", "1GPa", "--pressure", "1MPa,2MPa", "--out", "out", "--quiet", *arguments,
+                   env=dict(os.environ, PATH="%s:/usr/bin:/bin" % self.folder))
+        return (self.folder / "script").read_text(encoding="utf-8")
+
+    def test_theory_is_drawn_only_where_it_holds(self):
+        periodic = ["--boundary", "periodic"]
+        self.assertIn("Persson", self.script_of_history(rough(64, 64), *periodic))
+        holes = rough(64, 64)
+        holes[:9, :9] = np.nan
+        wave = np.cos(2 * np.pi * np.arange(64) / 32)[None, :] * np.ones((64, 1)) * 1e-7
+        for z, arguments in ((rough(64, 64), ["--boundary", "free"]), (rough(64, 64), [*periodic, "--hardness", "50MPa"]), (wave, periodic),
+                             (rough(64, 64), [*periodic, "--shape", "sphere:R=10mm"]), (holes, [*periodic, "--missing", "exclude"])):
+            self.assertNotIn("Persson", self.script_of_history(z, *arguments))
+
+    def test_the_head_of_the_history(self):
+        script = self.script_of_history(rough(64, 64), "--boundary", "periodic")
+        self.assertIn("2 steps, E* 1 GPa, nominal area 4096 \u00b5m^2, periodic boundary", script)
+        self.assertIn("load against approach", script)
+
+    def test_pictures_have_few_pixels(self):
+        """They cost what the solve does otherwise."""
+        ((_, _, image),) = self.press(rough(512, 512, rms=1e-6), "1MPa")
+        self.assertLess(image.shape[0] * image.shape[1], 1.3e6)
 
     def test_history_of_others_is_kept(self):
         (self.folder / "out").mkdir()

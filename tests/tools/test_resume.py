@@ -5,7 +5,7 @@ import json
 import harness
 from harness import CommandTest, np, rough, without_gnuplot
 
-PRESS = ["--pitch", "1e-6", "--modulus", "1e9"]
+PRESS = ["--pitch", "1e-6", "--modulus", "1e9", "--boundary", "free"]
 TIMES = ("seconds", "setup_seconds")
 
 
@@ -83,13 +83,13 @@ class Resume(CommandTest):
         self.press("1e-7,2e-7,1e-9", "cut", "--resume", *few, code=2)
 
     def test_an_interrupted_step_is_solved_again(self):
-        self.press("1e-7,2e-7,3e-7", "whole", "--quiet")
-        self.press("1e-7,2e-7,3e-7", "cut", "--quiet")
+        self.press("1e-7,2e-7,2.5e-7", "whole", "--quiet")
+        self.press("1e-7,2e-7,2.5e-7", "cut", "--quiet")
         summary = json.loads((self.folder / "cut/summary.json").read_text())
         summary["steps"] = summary["steps"][:2]
         summary["steps"][1]["status"] = "RC_STOP_CANCELLED"
         self.file("cut/summary.json", json.dumps(summary))
-        done = self.press("1e-7,2e-7,3e-7", "cut", "--resume")
+        done = self.press("1e-7,2e-7,2.5e-7", "cut", "--resume")
         self.assertIn("1 of 3 steps are finished", done.stderr)
         self.assertEqual(len(done.stdout.splitlines()), 5)  # two of head, two steps, the conclusion
         assert_same_results(self, self.folder / "cut", self.folder / "whole")
@@ -110,10 +110,22 @@ class Resume(CommandTest):
         self.assert_refused(*good, "1e-7", says="finished steps 2, this one has 1")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", "--tol", "1e-6", says="tol")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", "--solver", "nnls", says="solver")
-        self.assert_refused("--pitch", "1e-6", "--modulus", "2e9", "--approach", "1e-7,2e-7,3e-7", says="modulus")
+        self.assert_refused("--pitch", "1e-6", "--modulus", "2e9", "--boundary", "free", "--approach", "1e-7,2e-7,3e-7", says="modulus")
         self.assert_refused(*PRESS, "--load", "1e-7,2e-7,3e-7", says="control")
         self.assert_refused(*good, "1e-7,2e-7,3e-7", surface=self.npy(rough(32, 40, seed=2), "other.npy"), says="checksum")
         self.assert_fails("solve", self.surface, *good, "1e-7", "--resume", says=["--resume", "--out"])
+
+    def test_a_step_that_is_none_is_refused(self):
+        self.press("1e-7,2e-7", "out", "--quiet")
+        path = self.folder / "out/summary.json"
+        for damage in (None, {}, {"status": None}, {"approach": None}, {"load": "much"}):
+            summary = json.loads(path.read_text())
+            whole = summary["steps"][0]
+            summary["steps"][0] = {**whole, **damage} if damage else damage
+            path.write_text(json.dumps(summary))
+            self.assert_refused(*PRESS, "--approach", "1e-7,2e-7,3e-7", says="belongs to no earlier run in summary.json")
+            summary["steps"][0] = whole
+            path.write_text(json.dumps(summary))
 
     def test_damaged_pressures_are_refused(self):
         self.press("1e-7,2e-7", "out", "--quiet")

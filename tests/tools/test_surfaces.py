@@ -82,6 +82,11 @@ class Generate(CommandTest):
             self.generate("rmd", "--levels", 5, "--unit", "um", "--output", name)
             self.solve(name, *extra, "--modulus", 1e9, "--pressure", 1e6, "--quiet")
 
+    def test_gsf_says_whether_the_surface_repeats(self):
+        for repeats, kind in (("1", ["spectral"]), ("1", ["noise"]), ("1", ["waves", "--period", "4"]), ("1", ["pyramids", "--period", "4"]),
+                              (None, ["rmd", "--levels", "3"]), ("0", ["sphere", "--radius", "9"])):
+            self.assertEqual(self.made(*kind, *([] if kind[0] == "rmd" else ["--size", "8"]), name="s.gsf")[3].get("Periodic"), repeats)
+
     def test_gsf_headers_of_every_length_are_padded(self):
         for nx in (1, 9, 10, 99, 100):
             z, *_ = self.made("noise", "--size", "%d,3" % nx, name="s.gsf")

@@ -89,6 +89,7 @@ std::vector<std::string> told(const std::vector<std::vector<rc::Fact>>& facts) {
 
 void ranks_of_another_version_are_refused(void**) {
   rc_system system = RC_SYSTEM_INIT;
+  system.boundary = RC_BOUNDARY_FREE;
   system.nx = system.ny = 64;
   rc_options* options = nullptr;
   assert_int_equal(rc_options_create(nullptr, &options), RC_OK);

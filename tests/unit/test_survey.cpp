@@ -65,6 +65,20 @@ void survey_is_that_of_plain_loops(void**) {
       }
 }
 
+void gaps_of_included_points_are_summed(void**) {
+  const ThreadTeam team(1);
+  for (const bool masked : {false, true}) {
+    Scene given = scene(masked, false);
+    for (double& product : given.answer.product)
+      if (std::isnan(product)) product = 0.5;
+    const StepSurface surface({nx, ny, given.gap, given.mask, false}, team);
+    double plain = 0;
+    for (std::size_t i = 0; i < given.gap.size(); ++i)
+      if (!masked || given.mask[i] != 0) plain += given.answer.product[i] - (compression - (given.gap[i] - surface.lowest()));
+    assert_true(std::abs(survey(surface, compression, given.answer).sum_of_gaps - plain) < 1e-13 * nx * ny);
+  }
+}
+
 void points_below_a_limit_are_all_that_are(void**) {
   const ThreadTeam team(1);
   for (const bool masked : {false, true}) {
@@ -85,6 +99,7 @@ void points_below_a_limit_are_all_that_are(void**) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(survey_is_that_of_plain_loops),
+                              cmocka_unit_test(gaps_of_included_points_are_summed),
                               cmocka_unit_test(points_below_a_limit_are_all_that_are)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

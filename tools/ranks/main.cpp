@@ -23,7 +23,8 @@ namespace {
 
 constexpr const char* help = R"(
 Started by mpirun. Every rank reads and writes its rows of the files. Lengths, pressures and forces may have a unit with any SI prefix:
-39nm, 210GPa, 1mN. Numbers alone are in m (or --unit), Pa and N. A target is a number, a list a,b,c or a range a:b:n of n points.
+39nm, 210GPa, 1mN. Numbers alone are in m (or --unit), Pa and N. A target is a number, a list a,b,c or a range a:b:n of n points
+or a:b:nlog of n points with equal ratios.
 
 Exit code, on every rank: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are
 written, marked by their status). A run that was ended goes on with --resume.
@@ -35,7 +36,7 @@ cli::Command whole_command(cli::RankArguments& arguments) {
   cli::add_surface(command, solve.surface, "Missing points: reject (default) or exclude (from contact)", true);
   cli::add_other_body(command, solve.surface);
   cli::add_loading(command, solve);
-  cli::add_method(command, solve, "Threads of each rank; 1");
+  cli::add_method(command, solve, "Threads of each rank (default 1)");
   command.add("Output", {{"--out", &solve.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy"},
                          {"--checkpoint", &arguments.checkpoint, "N", "Write the pressures of a step every N iterations"}});
   cli::add_resume(command, solve);

@@ -30,34 +30,6 @@ using RankContact = std::unique_ptr<rc_mpi_contact, Destroy<rc_mpi_contact_destr
 constexpr std::string_view unknown[] = {"corrected_area", "patches",  "largest_patch",  "contact_crosses", "gap_crosses",
                                         "model_nx",       "model_ny", "error_estimate", "left_out",        "area_estimate"};
 
-// Largest pressure and mean gap, the same for every number of ranks: sums of rows are added in their order.
-ContactMeasures measure_rows(const Communicator& ranks, const RowProblem& row, const Fields& fields) {
-  ContactMeasures found;
-  const auto nx = static_cast<std::size_t>(row.problem.system.nx);
-  std::vector<double> rows;
-  double highest = 0;
-  for (std::size_t begin = 0; begin < fields.gap.size(); begin += nx) {
-    double sum = 0, count = 0;
-    for (std::size_t i = begin; i < begin + nx; ++i) {
-      highest = std::max(highest, fields.pressure[i]);
-      if (std::isnan(fields.gap[i])) continue;
-      sum += row.problem.system.hardness > 0 ? std::max(fields.gap[i], 0.0) : fields.gap[i];
-      ++count;
-    }
-    rows.push_back(sum);
-    rows.push_back(count);
-  }
-  found.max_pressure = ranks.largest(highest);
-  double sum = 0, count = 0;
-  const std::vector<double> all = ranks.collected(rows);
-  for (std::size_t k = 0; k < all.size(); k += 2) {
-    sum += all[k];
-    count += all[k + 1];
-  }
-  found.mean_gap = sum / count;
-  return found;
-}
-
 class Run {
  public:
   Run(const Communicator& ranks, const RankArguments& arguments) : ranks_(ranks), arguments_(arguments.solve) {
@@ -124,7 +96,7 @@ class Run {
   }
 
   std::string file(const char* stem, std::size_t number) const {
-    return (rc_platform::path_of(*arguments_.out) / step_name(stem, number, "npy")).string();
+    return (rc_platform::path_of(*arguments_.out) / step_name(stem, number, "npy", row_.problem.targets.size())).string();
   }
 
   // One call of the library. The start is always given, so that it is the same where a run was resumed.
@@ -147,7 +119,7 @@ class Run {
   }
 
   void solve_step(std::size_t number) {
-    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}};
+    StepRecord step{static_cast<int>(number), RC_RESULT_INIT, RC_ACCURACY_INIT, {}, {}, {}};
     std::int64_t iterations = begun_, products = 0;
     double seconds = 0, setup = 0;
     begun_ = 0;
@@ -166,7 +138,6 @@ class Run {
     step.result.products = products;
     step.result.seconds = seconds;
     step.result.setup_seconds = setup;
-    step.measures = measure_rows(ranks_, row_, fields_);
     if (!fields_.indentation.empty() && step.result.status == RC_OK) yield();
     all_certified_ = all_certified_ && step.good();
     print(step);
@@ -183,7 +154,10 @@ class Run {
   void print(const StepRecord& step) {
     last_ = conclusion(row_.problem, step);
     if (!ranks_.first()) return;
-    if (!arguments_.quiet && step.number == static_cast<int>(finished_) + 1) print_table_head(row_.problem);
+    if (step.number == static_cast<int>(finished_) + 1) {
+      for (const std::string& note : row_.problem.input.notes) report(note);
+      if (!arguments_.quiet) print_table_head(row_.problem);
+    }
     if (!arguments_.quiet) print_table_row(row_.problem, step);
     if (!step.message.empty()) report(format("step %d: ", step.number) + step.message);
     const std::string note = step.result.note;

@@ -78,6 +78,7 @@ RowProblem read_problem(const Communicator& ranks, const SolveArguments& argumen
   problem.system.hy = *input.surface.hy;
   problem.system.nx = nx;
   problem.system.ny = ny;
+  settle_boundary(problem);
   ranks.together([&] { check(rc_mpi_rows(ranks.get(), &problem.system, &row.rows.first, &row.rows.count), ""); });
 
   std::vector<double> heights = read_rows(ranks, input.file, layout, row.rows);

@@ -23,8 +23,8 @@ struct Common {
   Index mask_stride;
   const double* targets;
   Index target_stride;
-  double* pressures;  // [contacts][ny][nx]; null: no starts, and nobody wants any
-  bool starts;        // they hold pressures to start from
+  const double* starts;  // [contacts][ny][nx] pressures to start from; null: none
+  double* pressures;     // [contacts][steps][ny][nx]
   rc_many_answer* answers;
   TreePasses trees;
   InBlock::Product product;  // without its data
@@ -86,9 +86,8 @@ template <class R> class SmallContact {
     const Heights found = block_.template reduce<Heights>(
         n_, TakeGap{c_.gaps + i * c_.gap_stride, c_.masks ? c_.masks + i * c_.mask_stride : nullptr, gap_, m_.state});
     see(found);
-    double* const pressures = c_.pressures ? c_.pressures + i * n_ : nullptr;
     Given start;
-    if (c_.starts) start = block_.template reduce<Given>(n_, TakeStart{pressures, m_.p});
+    if (c_.starts) start = block_.template reduce<Given>(n_, TakeStart{c_.starts + i * n_, m_.p});
     unit_ = 1;
     bool pressed = start.positive;
     bool solved = found.included > 0 && found.finite && start.finite && std::isfinite(found.highest - found.lowest);
@@ -99,7 +98,7 @@ template <class R> class SmallContact {
       block_.each(1, Write{c_.answers + i * c_.steps + k, answer});
       if (!solved) continue;
       pressed = c_.warm && answer.contacts > 0;
-      if (k + 1 == c_.steps && pressures) block_.each(n_, Store{m_.p, unit_, cap_, c_.hardness, pressures});
+      block_.each(n_, Store{m_.p, unit_, cap_, c_.hardness, c_.pressures + (i * c_.steps + k) * n_});
     }
   }
 

@@ -36,7 +36,7 @@ from ._files import Format as Format, formats as formats, read as read
 from ._height_map import Surface as Surface
 from ._library import library_file as library_file
 from ._status import Status as Status
-from .analysis import Area as Area, Conductance as Conductance, Histogram as Histogram, Patches as Patches
+from .analysis import Area as Area, Conductance as Conductance, Crossing as Crossing, Histogram as Histogram, Patches as Patches
 from ._answers import load as load
 from ._batch import batch as batch
 from .contact import Contact as Contact
@@ -54,17 +54,18 @@ from .context import (
     solvers as solvers,
     version as version,
 )
-from .result import (
-    Accuracy as Accuracy,
-    BatchResult as BatchResult,
-    Grid as Grid,
-    Level as Level,
-    HistoryResult as HistoryResult,
-    Result as Result,
-)
+from ._history_result import HistoryResult as HistoryResult
+from .result import Accuracy as Accuracy, BatchResult as BatchResult, Grid as Grid, Level as Level, Result as Result
 from ._solve import history as history, solve as solve
-from ._steps import Step as Step
-from .system import HalfSpace as HalfSpace, Matrix as Matrix, Product as Product, System as System, supported as supported
+from .surface import example as example
+from .system import (
+    AssumedBoundary as AssumedBoundary,
+    HalfSpace as HalfSpace,
+    Matrix as Matrix,
+    Product as Product,
+    System as System,
+    supported as supported,
+)
 
 __version__ = "0.1.0"
 # What is imported above, without the modules that it comes from.

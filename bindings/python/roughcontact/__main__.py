@@ -1,8 +1,8 @@
-"""python -m roughcontact report FILE ...: see `roughcontact.report`."""
+"""python -m roughcontact: the command `roughcontact`, and `report`, see `roughcontact.report`."""
 
 import sys
 
-from .report.command import main
+from ._command import main
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))

@@ -36,6 +36,8 @@ def _plain(value: Any) -> Any:
         return value.name
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+    if isinstance(value, tuple):
+        return tuple(map(_plain, value))
     return value
 
 
@@ -128,18 +130,19 @@ def _packed(value: Any, path: str, arrays: Dict[str, Any]) -> Any:
     """value as JSON has it; arrays go into `arrays`."""
     value = on_host(value)
     if isinstance(value, np.ndarray):
-        arrays[path] = value
-        return {"array": path}
+        stored = next((name for name, each in arrays.items() if each is value), path)  # once, as the mask of all steps
+        arrays[stored] = value
+        return {"array": stored}
     if isinstance(value, Status):
         return {"status": int(value)}
     if isinstance(value, Stored):
         members = {
-            field.name: _packed(getattr(value, field.name), f"{path}{field.name}.", arrays)
+            field.name: _packed(getattr(value, field.name), f"{path}.{field.name}" if path else field.name, arrays)
             for field in dataclasses.fields(value)  # type: ignore[arg-type]
         }
         return {"class": type(value).__name__, "members": members}
     if isinstance(value, tuple):
-        return {"tuple": [_packed(each, path, arrays) for each in value]}
+        return {"tuple": [_packed(each, f"{path}.{k}", arrays) for k, each in enumerate(value)]}
     return value.item() if isinstance(value, np.generic) else value
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._c import S, bytes_, ctype, doubles, integers, singles, statuses
+from ._data_arrays import in_order
 from ._device import on_host
 from ._errors import ArgumentError, RoughContactError, ShapeError
 
@@ -66,21 +67,12 @@ def as_doubles(values: ArrayLike, name: str, shape: Optional[Shape] = None) -> D
 
 def as_reals(values: ArrayLike, name: str, shape: Optional[Shape], single: bool) -> Any:
     """values as a C-ordered array of doubles, or of float32; the same memory if they are one already. From a device: a copy."""
-    values = on_host(values)
-    if np.ma.isMaskedArray(values) and np.ma.getmaskarray(values).any():
+    array, absent = _numbers(values, name)
+    if absent is not None:
         raise ArgumentError(
-            f"{name} is a masked array with {int(np.ma.getmaskarray(values).sum())} masked values: pass mask=, which "
+            f"{name} is a masked array with {int(absent.sum())} masked values: pass mask=, which "
             "is 0 where a point takes no part, or heights with missing='exclude'"
         )
-    try:
-        array = np.asarray(values)
-    except ValueError as error:
-        raise ShapeError(f"{name} is not an array of numbers: {error}") from None
-    if array.dtype.kind == "O" and not any(value is None for value in array.flat):
-        try:
-            array = array.astype(np.float64)
-        except (TypeError, ValueError):
-            pass
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} holds {array.dtype}; real numbers are needed")
     array = np.require(array, np.float32 if single else np.float64, ["C", "A"]).reshape(array.shape)
@@ -89,11 +81,41 @@ def as_reals(values: ArrayLike, name: str, shape: Optional[Shape], single: bool)
     return array
 
 
+def without_masked(values: ArrayLike, name: str) -> Tuple[Doubles, Optional[NDArray[np.bool_]]]:
+    """values as `as_doubles` has them, and where they are masked; None: nowhere."""
+    array, absent = _numbers(values, name)
+    return as_doubles(array, name), absent
+
+
+def _numbers(values: Any, name: str) -> Tuple[NDArray[Any], Optional[NDArray[np.bool_]]]:
+    """values as an array with x along its last axis, and where they are masked; None: nowhere."""
+    values = in_order(on_host(values))
+    if isinstance(values, (list, tuple)) and any(np.ma.isMaskedArray(each) for each in values):
+        values = np.ma.stack(values)  # NumPy would forget the masks
+    absent = np.ma.getmaskarray(values) if np.ma.isMaskedArray(values) else None
+    try:
+        array = np.asarray(np.ma.getdata(values) if absent is not None else values)
+    except ValueError as error:
+        raise ShapeError(f"{name} is not an array of numbers: {error}") from None
+    if array.dtype.kind == "O" and not any(value is None for value in array.flat):
+        try:
+            array = _from_table(values) if hasattr(values, "to_numpy") else array.astype(np.float64)
+        except (TypeError, ValueError):
+            pass
+    return array, absent if absent is not None and absent.any() else None
+
+
+def _from_table(values: Any) -> NDArray[Any]:
+    """The numbers of a DataFrame, NaN where pandas has its own mark of a missing one."""
+    found: NDArray[Any] = values.to_numpy(np.float64, na_value=np.nan)
+    return found
+
+
 def as_mask(values: Optional[ArrayLike], name: str, shape: Optional[Shape] = None) -> Optional[Mask]:
     """1 where a value is true."""
     if values is None:
         return None
-    array = np.asarray(on_host(values))
+    array = np.asarray(in_order(on_host(values)))
     if array.dtype.kind not in "biu":
         raise TypeError(f"{name} holds {array.dtype}; bool or integers are needed: 0 where a point takes no part")
     array = np.ascontiguousarray(array != 0).view(np.uint8)

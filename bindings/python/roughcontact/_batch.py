@@ -1,5 +1,7 @@
 """Many contacts in one call."""
 
+from __future__ import annotations
+
 from contextlib import nullcontext
 from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional, Tuple
@@ -9,24 +11,26 @@ from numpy.typing import ArrayLike
 
 from . import _constants
 from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_switch, given, refuse_one_row
-from ._calls import Callbacks, interruptible
+from ._calls import Callbacks, interruptible, short_traceback
+from ._elastic import Constant, modulus_of, needed_modulus
+from ._data_arrays import in_order
 from ._errors import ArgumentError, Interrupted, ShapeError, as_status, error_for
 from ._library import contact_library
 from ._files import is_file
 from ._height_map import gap_below
-from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
+from ._keywords import options_of, prescribed, refuse_beside_system
 from ._maps import as_surface
 from ._progress import Bars
 from ._status import Status
 from ._structs import rc_batch, rc_batch_fn, rc_batch_progress_fn
 from ._threads import with_threads
-from .contact import control_and_target, refuse_another_pitch
+from .contact import refuse_another_pitch
 from .context import Context, Options, OptionSet
 from .result import BatchResult, Grid, Result, result_with_copies
-from .system import HalfSpace, System
+from .system import HalfSpace, System, boundary_of
 
 
-@lists_options
+@short_traceback
 def batch(
     heights: Any = None,
     *,
@@ -73,11 +77,12 @@ def batch(
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(batch, options, keywords, context)
     system, gaps, masks = _surfaces(heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, hardness)
-    control, values = control_and_target(approach, load_of(load, pressure, approach, system))
-    targets = as_doubles(values, "load" if approach is None else "approach")
-    targets = np.atleast_1d(targets)
+    what = prescribed(system, approach=approach, load=load, pressure=pressure)
+    targets = np.atleast_1d(as_doubles(what.targets, what.name))
     if targets.ndim > 2:
-        raise ShapeError(f"histories have {targets.ndim} axes: [contacts, steps], [steps] or one number")
+        raise ShapeError(f"{what.name} has {targets.ndim} axes: [contacts, steps], [steps] or one number")
+    if targets.shape[-1] == 0:
+        raise ArgumentError(f"{what.name} is empty: one value for each step is needed")
     axes = len(system.shape)
     starts = None if start is None else as_doubles(start, "start")
     counts = {
@@ -103,7 +108,7 @@ def batch(
     statuses = np.full((n, steps), int(Status.STOP_CANCELLED), np.int32)
     pressures = np.zeros((n, *system.shape)) if keep_pressure else None
 
-    struct = given(rc_batch(), control=control, warm_start=as_switch(warm_start), n=n, steps=steps, **out, **whole)
+    struct = given(rc_batch(), control=what.control, warm_start=as_switch(warm_start), n=n, steps=steps, **out, **whole)
     given(struct, targets=targets, undeformed_gap=gaps, mask=masks, p0=starts, p=pressures, status=statuses)
     for name, array, own in (("target", targets, 2), ("undeformed_gap", gaps, axes + 1), ("mask", masks, axes + 1)):
         setattr(struct, f"{name}_stride", _constants.RC_BATCH_SHARED if array is not None and array.ndim < own else 0)
@@ -165,10 +170,12 @@ def _surfaces(
 ) -> Tuple[System, Doubles, Optional[Mask]]:
     """(system, gaps, masks), the arrays with an axis for contacts where they are not shared."""
     if (heights is None) == (undeformed_gap is None):
-        raise ArgumentError("exactly one of heights and undeformed_gap is needed")
+        raise ArgumentError(
+            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
+        )
     if system is not None:
         refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
-    periodic = False
+    periodic: Optional[bool] = None
     if heights is not None and _is_sequence_of_surfaces(heights):
         if mask is not None:
             raise ArgumentError("mask and a sequence of surfaces are both given; surfaces bring their masks")
@@ -177,6 +184,8 @@ def _surfaces(
             raise ShapeError("the surfaces differ in shape or pitch; a batch has one grid")
         if system is not None:
             refuse_another_pitch(each[0], system)
+        if boundary is None and system is None and any(one.periodic != each[0].periodic for one in each):
+            raise ArgumentError("the surfaces differ in whether they repeat; give boundary='free' or 'periodic'")
         pitch, periodic = each[0].pitch, each[0].periodic
         gaps = np.stack([one.undeformed_gap() for one in each])
         masks = None
@@ -184,7 +193,8 @@ def _surfaces(
             masks = np.stack([np.ones(one.shape, np.uint8) if one.mask is None else one.mask for one in each])
     elif heights is not None:
         alone = not isinstance(heights, (np.ndarray, list, tuple))
-        leading = 0 if alone or (np.ndim(heights) == 2 if system is None else np.ndim(heights) == len(system.shape)) else 1
+        axes = 0 if alone else np.ndim(in_order(heights))
+        leading = 0 if alone or axes == (2 if system is None else len(system.shape)) else 1
         otherwise = None if system is None else system.pitch
         surface = as_surface(heights, pitch, mask=mask, missing=missing, leading=leading, otherwise=otherwise)
         gaps, masks = gap_below(surface.heights, surface.mask, leading), surface.mask
@@ -196,14 +206,11 @@ def _surfaces(
         if system is None:
             refuse_one_row(gaps, "undeformed_gap", pitch)
     if system is None:
-        if modulus is None or pitch is None:
-            raise ArgumentError(f"{'modulus' if modulus is None else 'pitch'} is missing, or system=")
+        modulus = needed_modulus(modulus, None, None, ", or system=")
+        if pitch is None:
+            raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy); or system=")
         system = HalfSpace(
-            gaps.shape[-2:],
-            pitch=pitch,
-            modulus=modulus,
-            boundary=boundary or ("periodic" if periodic else None),
-            hardness=hardness,
+            gaps.shape[-2:], pitch=pitch, modulus=modulus, boundary=boundary_of(boundary, periodic), hardness=hardness
         )
     axes = len(system.shape)
     for name, array in (("heights or undeformed_gap", gaps), ("mask", masks)):

@@ -1,8 +1,9 @@
 """Calls of the library: statuses into exceptions, callbacks whose exceptions arrive, Ctrl-C that arrives during a long call."""
 
+import functools
 import signal
 import threading
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple, TypeVar, cast
 
 from ._errors import BusyError, error_for
 from ._library import contact_library, formats_library, surface_library
@@ -25,6 +26,30 @@ def check_formats(status: int) -> None:
     """The same for libroughcontact-formats."""
     if status < 0:
         raise error_for(status, formats_library().rc_surface_read_last_error().decode(errors="replace"))
+
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def of_a_file(error: OSError) -> OSError:
+    """error, marked as that of a file that a caller named."""
+    error.of_a_file = True  # type: ignore[attr-defined]
+    return error
+
+
+def short_traceback(function: F) -> F:
+    """function, whose traceback does not lead through the package if a file that was named cannot be opened."""
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **keywords: Any) -> Any:
+        try:
+            return function(*arguments, **keywords)
+        except OSError as error:
+            if not getattr(error, "of_a_file", False):
+                raise
+            raise error.with_traceback(None) from None
+
+    return cast(F, call)
 
 
 class Callbacks:

@@ -1,5 +1,7 @@
 """Derivatives of a contact's last step, see <roughcontact/derivatives.h>."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any, Optional, Tuple
 
@@ -7,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Shape, as_doubles, given
+from ._brief import brief
 from ._c import members_for
 from ._structs import rc_gradient, rc_tangent
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Gradient:
     """How a number J that follows from a step's answer changes with the step's data.
 
@@ -30,8 +33,10 @@ class Gradient:
     undecided: int
     products: int
 
+    __repr__ = brief
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Tangent:
     """How a step's answer changes with given changes of its data.
 
@@ -46,6 +51,8 @@ class Tangent:
     error: float
     undecided: int
     products: int
+
+    __repr__ = brief
 
 
 def optional(values: Optional[ArrayLike], name: str, shape: Shape) -> Optional[Doubles]:

@@ -74,12 +74,14 @@ class BusyError(RoughContactError, status=Status.ERR_BUSY):
     """The contact is in use, by another thread or by the call that a callback belongs to."""
 
 
-class InternalError(RoughContactError, status=Status.UNCERTIFIED):
+class InternalError(RoughContactError, status=Status.ERR_INTERNAL):
     """A defect in the library or a plugin."""
 
 
 class NotCertifiedError(RoughContactError):
     """The call stopped before its answer was certified; `result` holds it all the same. check=False returns it instead."""
+
+    default_status = Status.UNCERTIFIED
 
 
 class LibraryNotFoundError(RoughContactError, ImportError):

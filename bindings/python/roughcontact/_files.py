@@ -10,12 +10,14 @@ from typing import IO, Any, List, Optional, Tuple, Union, cast
 import numpy as np
 
 from ._arrays import Pitch, as_pitch, as_text, given
-from ._calls import check_formats
+from ._calls import check_formats, of_a_file, short_traceback
 from ._errors import ArgumentError
-from ._height_map import METRES, Surface
+from ._data_arrays import METRES
+from ._height_map import Surface
 from ._library import formats_library
 from ._structs import rc_surface_file, rc_surface_format, rc_surface_read_spec
 
+PACKAGE = "SurfaceTopography"
 File = Union[str, "os.PathLike[str]", bytes, IO[bytes]]
 
 
@@ -45,6 +47,7 @@ def formats() -> List[Format]:
     return found
 
 
+@short_traceback
 def read(file: File, *, pitch: Optional[Pitch] = None, unit: Optional[str] = None, format: Optional[str] = None) -> Surface:
     """A surface from a file; heights and pitch in metres, NaN where a point is missing.
 
@@ -79,8 +82,11 @@ def surface_in(
         if not isinstance(contents, bytes):
             raise ArgumentError("the file is open as text; open it with mode 'rb'")
     elif contents is None:
-        with open(name, "rb"):  # Python's exception where that is not possible
-            pass
+        try:
+            with open(name, "rb"):  # Python's exception where that is not possible
+                pass
+        except OSError as error:
+            raise of_a_file(error) from None
     if contents is None:
         status = library.rc_surface_read(os.fsencode(name), spec, out)
     else:
@@ -93,13 +99,14 @@ def surface_in(
             mine = pathlib.Path(name).suffix.lower() in {suffix for each in known for suffix in each.suffixes}
         else:
             mine = format in {each.name for each in known}
-        if mine:
+        if mine and PACKAGE not in str(error):
             raise
         source = name if contents is None else io.BytesIO(contents)
         return _read_by_surface_topography(source, name, pitch, unit, format, otherwise, error)
     try:
         heights = np.ctypeslib.as_array(out.heights, (out.ny, out.nx)).copy()
-        assumed, sides, periodic = out.assumed.decode(errors="replace"), (out.hx, out.hy), bool(out.periodic)
+        assumed, sides = out.assumed.decode(errors="replace"), (out.hx, out.hy)
+        periodic = None if out.periodic < 0 else bool(out.periodic)
     finally:
         library.rc_surface_file_free(out)
     if not min(sides) > 0:
@@ -132,9 +139,11 @@ def _read_by_surface_topography(
 ) -> Surface:
     """error: why this library does not read the file."""
     try:
-        package = importlib.import_module("SurfaceTopography")
+        package = importlib.import_module(PACKAGE)
     except ImportError:
-        raise ArgumentError(f"{error}; the package SurfaceTopography, which is not installed, reads more formats") from None
+        known = PACKAGE in str(error)
+        more = f"{PACKAGE} is not installed" if known else f"the package {PACKAGE}, which is not installed, reads more formats"
+        raise ArgumentError(f"{error}; {more}") from None
     try:
         reader = package.open_topography(file, format=format)
         channel = reader.default_channel
@@ -156,5 +165,5 @@ def _read_by_surface_topography(
         hx, hy = _pitch_or_error(otherwise, name)
     assumed = f"read by the package SurfaceTopography, as {reader.format()}"
     assumed += "" if own else "; lengths without a unit are in " + (unit or "m")
-    periodic = bool(getattr(topography, "is_periodic", False))
+    periodic = getattr(topography, "is_periodic", False) or None  # the package says False where a file says nothing
     return Surface(np.ascontiguousarray(heights * factor), (hx, hy), periodic, None, "m", assumed)

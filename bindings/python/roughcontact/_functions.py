@@ -58,6 +58,7 @@ class ContactFunctions(Protocol):
     rc_area_measure: Callable[[rc_system, doubles, bytes_, rc_area], rc_status]
     rc_patches_find: Callable[[rc_system, doubles, bytes_, rc_patches], rc_status]
     rc_histogram_fill: Callable[[rc_system, doubles, bytes_, rc_histogram], rc_status]
+    rc_crossing_find: Callable[[rc_system, doubles, bytes_, rc_crossing], rc_status]
     rc_conductance: Callable[[rc_system, rc_result, double, double, doubles, doubles, doubles], rc_status]
     rc_context_create: Callable[[rc_context_config, handles], rc_status]
     rc_context_destroy: Callable[[handle], None]

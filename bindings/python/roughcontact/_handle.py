@@ -83,6 +83,9 @@ class Handle(OwnsHandle):
             with self._holding():
                 self._use.close()
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.system!r}{', closed' if self._use.closed() else ''})"
+
     def __enter__(self: H) -> H:
         return self
 

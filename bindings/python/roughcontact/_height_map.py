@@ -1,29 +1,19 @@
 """Heights on a grid."""
 
+import os
 from dataclasses import dataclass, replace
-from typing import Any, Optional, Tuple
+from typing import Any, ClassVar, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _constants
-from ._arrays import Doubles, Mask, as_doubles, columns_and_rows, pointer
+from ._arrays import Doubles, Mask, as_doubles, as_mask, as_pitch, columns_and_rows, pointer, refuse_one_row, without_masked
 from ._calls import check, check_formats
-from ._errors import ArgumentError
+from ._data_arrays import METRES, described
+from ._errors import ArgumentError, ShapeError
 from ._library import contact_library, formats_library
-
-METRES = {
-    "km": 1e3,
-    "m": 1.0,
-    "mm": 1e-3,
-    "um": 1e-6,
-    "\u00b5m": 1e-6,
-    "\u03bcm": 1e-6,
-    "nm": 1e-9,
-    "A": 1e-10,
-    "\u00c5": 1e-10,
-    "pm": 1e-12,
-}
+from ._surface_writer import save_surface
 
 FORMS = {
     "mean": _constants.RC_SURFACE_FORM_MEAN,
@@ -34,11 +24,12 @@ FORMS = {
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """Heights on a grid.
+    """Heights on a grid. a + b adds the heights of two surfaces on one grid, as those of two rough bodies.
 
-    heights: [ny, nx] or [nx], towards the other body: the highest point touches first [length]
-    pitch: (hx, hy) distance of neighbouring points along the last and along the first axis [length]
-    periodic: whether the surface repeats
+    heights: [ny, nx] or [nx], towards the other body: the highest point touches first [length]. Arrays of any order and type are
+        converted; masked values become missing points
+    pitch: (hx, hy) distance of neighbouring points along the last and along the first axis [length]; one number for both
+    periodic: True: the surface repeats; False: it ends at its edges; None: not known
     mask: [ny, nx] 0 where a point is missing; None: all are there
     unit: of all lengths, where it is known ("um")
     assumed: what a file leaves open and how it was taken; "" for surfaces that were not read
@@ -46,10 +37,32 @@ class Surface:
 
     heights: Doubles
     pitch: Tuple[float, float]
-    periodic: bool = False
+    periodic: Optional[bool] = None
     mask: Optional[Mask] = None
     unit: Optional[str] = None
     assumed: str = ""
+    _leading: ClassVar[int] = 0
+
+    def __post_init__(self) -> None:
+        says = described(self.heights)
+        heights, absent = without_masked(self.heights, "heights")
+        shared = self.mask is not None and np.ndim(self.mask) < heights.ndim
+        mask = as_mask(self.mask, "mask", heights.shape[self._leading :] if shared else heights.shape)
+        if absent is not None:
+            heights = np.where(absent, np.nan, heights)
+            mask = (~absent if mask is None else ~absent & (mask != 0)).view(np.uint8)
+        if heights.ndim - self._leading not in (1, 2):
+            raise ShapeError(f"heights have {heights.ndim} axes: {self._leading + 1} or {self._leading + 2} are needed")
+        refuse_one_row(heights, "heights", self.pitch, self._leading + 1)
+        sides = as_pitch(self.pitch)
+        if says is not None:
+            refuse_contradiction(sides, (says.hx, says.hy))
+            object.__setattr__(self, "unit", self.unit or says.unit)
+            object.__setattr__(self, "periodic", says.periodic if self.periodic is None else self.periodic)
+        found = {"heights": heights, "pitch": sides, "mask": mask}
+        found["periodic"] = None if self.periodic is None else bool(self.periodic)
+        for name, value in found.items():
+            object.__setattr__(self, name, value)
 
     @property
     def shape(self) -> Tuple[int, ...]:
@@ -61,11 +74,16 @@ class Surface:
         unknown: NDArray[np.bool_] = np.isnan(self.heights)
         return unknown if self.mask is None else unknown | (self.mask == 0)
 
+    def _known(self) -> Doubles:
+        """A copy of the heights, NaN where a point is missing."""
+        known: Doubles = np.where(self.missing, np.nan, self.heights)
+        return known
+
     def filled(self) -> "Surface":
         """The same surface with every missing height the mean of its neighbours, as a soap film spans a hole. What was in the hole
         is unknown: contact there is a guess."""
         nx, ny = columns_and_rows(self.shape)
-        heights = np.where(self.missing, np.nan, self.heights)
+        heights = self._known()
         check_formats(formats_library().rc_surface_fill(nx, ny, *self.pitch, pointer(heights)))
         return replace(self, heights=heights, mask=None)
 
@@ -74,7 +92,7 @@ class Surface:
         if form not in FORMS:
             raise ArgumentError(f"form is {form!r}: {', '.join(FORMS)}")
         nx, ny = columns_and_rows(self.shape)
-        heights = np.where(self.missing, np.nan, self.heights)
+        heights = self._known()
         check_formats(formats_library().rc_surface_remove_form(nx, ny, FORMS[form], pointer(heights)))
         return replace(self, heights=heights)
 
@@ -88,6 +106,32 @@ class Surface:
         factor = METRES[self.unit] / METRES[unit]
         return replace(self, heights=self.heights * factor, pitch=(self.pitch[0] * factor, self.pitch[1] * factor), unit=unit)
 
+    def __add__(self, other: Any) -> "Surface":
+        if not isinstance(other, Surface):
+            return NotImplemented
+        if other.unit != self.unit and other.unit is not None and self.unit is not None:
+            other = other.in_unit(self.unit)
+        if other.shape != self.shape:
+            raise ShapeError(f"surfaces of {self.shape} and {other.shape} points cannot be added; both need the same grid")
+        if not np.allclose(other.pitch, self.pitch, rtol=1e-9, atol=0):
+            raise ArgumentError(f"surfaces with pitch {self.pitch} and {other.pitch} cannot be added; both need the same grid")
+        repeat = (self.periodic, other.periodic)
+        mask = None if self.mask is None and other.mask is None else (~(self.missing | other.missing)).view(np.uint8)
+        return replace(
+            self,
+            heights=self.heights + other.heights,
+            periodic=False if False in repeat else None if None in repeat else True,
+            mask=mask,
+            unit=self.unit or other.unit,
+            assumed="; ".join(dict.fromkeys(each for each in (self.assumed, other.assumed) if each)),
+        )
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes a file that `read` reads, by the suffix: ".nc" with pitch, unit, missing points and whether the surface repeats;
+        ".gsf" the same with heights in single precision; ".npy" the heights alone, NaN where a point is missing. The file is whole
+        or not there."""
+        save_surface(os.fspath(path), np.atleast_2d(self._known()), self.pitch, self.unit, self.periodic)
+
     def __repr__(self) -> str:
         missing = int(self.missing.sum())
         more = (", periodic" if self.periodic else "") + (f", {missing} missing" if missing else "")
@@ -97,6 +141,21 @@ class Surface:
     def undeformed_gap(self) -> Doubles:
         """Distance of every point to a plane through the highest one [length]."""
         return gap_below(self.heights, self.mask, 0)
+
+
+class Stack(Surface):
+    """Surfaces on one grid; the first axis counts them."""
+
+    _leading: ClassVar[int] = 1
+
+
+def refuse_contradiction(
+    pitch: Tuple[float, float], own: Tuple[Optional[float], Optional[float]], whose: str = "the coordinates of the heights"
+) -> None:
+    """pitch, which is given, against that of an array's coordinates, which may be rounded."""
+    for given, known in zip(pitch, own):
+        if known is not None and not np.isclose(given, known, rtol=1e-3, atol=0):
+            raise ArgumentError(f"pitch is {pitch}, but {whose} say {own}; the surface has its own: leave pitch out")
 
 
 def gap_below(heights: Doubles, mask: Optional[NDArray[Any]], leading: int) -> Doubles:

@@ -1,68 +1,74 @@
 """Loading histories of a contact that exists."""
 
-from typing import Any, Callable, Optional
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Callable, List, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Mask, as_doubles, as_switch, given
 from ._calls import Callbacks
 from ._errors import ArgumentError, as_status
 from ._handle import Handle
+from ._keywords import Prescribed
 from ._library import contact_library
 from ._structs import rc_history, rc_history_fn
-from .result import HistoryResult, Result, result_with_copies
+from ._measures import measures_of
+from ._history_result import HistoryResult
+from .result import Result, result_from, result_with_copies
 
 
 def history_on(
     contact: Handle,
-    control: int,
-    values: ArrayLike,
+    what: Prescribed,
     undeformed_gap: Optional[Doubles],
     mask: Optional[Mask],
     warm_start: Optional[bool],
     stiffness: bool,
     keep_pressure: bool,
+    want_gap: bool,
     each: Optional[Callable[[int, Result], object]],
     check: bool,
 ) -> HistoryResult:
     """`history` on a contact that exists."""
-    targets = np.atleast_1d(as_doubles(values, "the history"))
-    if targets.ndim != 1:
-        raise ArgumentError(f"the history has {targets.ndim} axes: one value for each step is needed")
-    n = len(targets)
-    out = {name: np.full(n, np.nan) for name in ("load", "approach", "contact_area", "certificate")}
-    products, tangents = np.full(n, -1), np.full(n, np.nan) if stiffness else None
+    values = np.atleast_1d(as_doubles(what.given, what.name))
+    if values.ndim != 1:
+        raise ArgumentError(f"{what.name} has {values.ndim} axes: one value for each step is needed")
+    n = len(values)
+    if n == 0:
+        raise ArgumentError(f"{what.name} is empty: one value for each step is needed")
+    targets, tangents = np.atleast_1d(as_doubles(what.targets, what.name)), np.empty(n) if stiffness else None
     pressures = np.zeros((n, *contact.system.shape)) if keep_pressure else None
+    results: List[Result] = []
 
-    struct = given(rc_history(), control=control, warm_start=as_switch(warm_start), n=n, targets=targets, **out)
-    given(struct, undeformed_gap=undeformed_gap, mask=mask, products=products, stiffness=tangents)
+    struct = given(rc_history(), control=what.control, warm_start=as_switch(warm_start), n=n, targets=targets)
+    given(struct, undeformed_gap=undeformed_gap, mask=mask, stiffness=tangents, want_gap=int(want_gap or each is not None))
 
     def after(step: int, answer: Any, _: Any) -> object:
-        found = result_with_copies(answer.contents, contact.grid(), contact._handle)
+        found, grid = answer.contents, contact.grid()
+        pressure = np.ctypeslib.as_array(found.p, grid.shape)
         if pressures is not None:
-            pressures[step] = found.pressure
-        return each is not None and each(step, found)
+            pressures[step] = pressure
+        alone = result_from(found, "", grid, None, None, contact._handle)
+        results.append(replace(alone, measures=measures_of(pressure, grid)))
+        return each is not None and each(step, result_with_copies(found, grid, contact._handle))
 
     callbacks = Callbacks()
-    if pressures is not None or each is not None:
-        struct.fn = rc_history_fn(callbacks.guarded(after))
-    keep = (targets, undeformed_gap, mask, out, products, tangents, callbacks)
+    struct.fn = rc_history_fn(callbacks.guarded(after))
+    keep = (targets, undeformed_gap, mask, tangents, callbacks)
     bar = contact._bar("steps", n, lambda: int(struct.completed))
     with contact._holding() as handle, contact._pressing(undeformed_gap, mask), bar:
-        status, message, interrupt = contact._run(
-            lambda: int(contact_library().rc_contact_solve_history(handle, struct)), keep, n > 0
-        )
+        status, message, interrupt = contact._run(lambda: int(contact_library().rc_contact_solve_history(handle, struct)), keep)
         done = struct.completed
         answer = HistoryResult(
             status=as_status(status),
             message=message,
-            targets=targets,
-            products=products[:done],
-            stiffness=None if tangents is None else tangents[:done],
+            prescribed=what.name,
+            targets=values,
+            results=tuple(results[:done]),
             pressure=None if pressures is None else pressures[:done],
             grid=contact.grid(),
-            **{name: array[:done] for name, array in out.items()},
         )
         callbacks.raise_first()
         contact._conclude(status, message, interrupt, answer, check)

@@ -1,15 +1,16 @@
 """Height maps: what is accepted for one."""
 
 from dataclasses import replace
-from typing import Any, Optional, Tuple
+from typing import Any, Optional, Tuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, as_pitch, refuse_one_row
+from ._arrays import Doubles, Mask, Pitch, as_mask, as_pitch, refuse_one_row, without_masked
+from ._data_arrays import Described, described
 from ._errors import ArgumentError, ShapeError
 from ._files import is_file, surface_in
-from ._height_map import Surface
+from ._height_map import Stack, Surface, refuse_contradiction
 
 
 def _own_pitch(own: Tuple[float, float], pitch: Optional[Pitch]) -> Tuple[float, float]:
@@ -42,8 +43,7 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
     """(heights, mask) where masked values and NaN are missing points."""
     if missing not in ("reject", "exclude"):
         raise ArgumentError(f"missing is {missing!r}: 'reject', 'exclude' or 'fill'")
-    absent = np.ma.getmaskarray(values) if np.ma.isMaskedArray(values) else None
-    heights = as_doubles(np.ma.getdata(values) if absent is not None else values, "heights")
+    heights, absent = without_masked(values, "heights")
     shared = mask is not None and np.ndim(mask) < heights.ndim
     given = as_mask(mask, "mask", heights.shape[leading:] if shared else heights.shape)
     unknown = ~np.isfinite(heights)
@@ -69,6 +69,21 @@ def _without_missing(values: Any, mask: Optional[ArrayLike], missing: str, leadi
         )
     present = ~unknown if given is None else ~unknown & (given != 0)
     return heights, present.view(np.uint8)
+
+
+def pitch_beside(gap: Any, pitch: Optional[Pitch]) -> Tuple[float, float]:
+    """The pitch that is given for an undeformed gap, or that of its coordinates."""
+    return _pitch_of_coordinates(described(gap) or Described(None, None, None, None), pitch, None)
+
+
+def _pitch_of_coordinates(says: Described, pitch: Optional[Pitch], otherwise: Optional[Pitch]) -> Tuple[float, float]:
+    """The pitch that is given, if it is that of the coordinates; else theirs."""
+    own = (says.hx, says.hy)
+    if pitch is None and None not in own:
+        return cast(Tuple[float, float], own)
+    sides = _pitch_needed(otherwise if pitch is None else pitch)
+    refuse_contradiction(sides, own)
+    return sides
 
 
 def as_surface(
@@ -101,16 +116,16 @@ def as_surface(
         refuse_one_row(heights, "the topography", pitch)
         silent = thing.physical_sizes is None or (pitch is not None and heights.ndim == 1)
         sides = _pitch_needed(fallback) if silent else _own_pitch(_pitch_of_topography(thing, heights.shape), pitch)
-        found = Surface(heights, sides, bool(getattr(thing, "is_periodic", False)), found_mask, getattr(thing, "unit", None))
+        repeats = getattr(thing, "is_periodic", False) or None  # False is what the package says where nobody knows
+        found = Surface(heights, sides, repeats, found_mask, getattr(thing, "unit", None))
     else:
-        sides = _pitch_needed(fallback)
-        if unit is not None:
+        says = described(thing) or Described(None, None, None, None)
+        sides = _pitch_of_coordinates(says, pitch, otherwise)
+        if unit is not None and says.unit is None:
             raise ArgumentError(f"unit is {unit!r}, but an array does not say its own: give Surface(heights, pitch, unit=)")
         heights, found_mask = _without_missing(thing, mask, missing, leading)
         refuse_one_row(heights, "heights", pitch, leading + 1)
-        found = Surface(heights, sides, False, found_mask)
-    if found.heights.ndim - leading not in (1, 2):
-        raise ShapeError(f"heights have {found.heights.ndim} axes: {leading + 1} or {leading + 2} are needed")
+        found = (Stack if leading else Surface)(heights, sides, says.periodic, found_mask, says.unit)
     if periodic is not None:
         found = replace(found, periodic=bool(periodic))
     return found.in_unit(unit) if unit is not None and found.unit != unit else found

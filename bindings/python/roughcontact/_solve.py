@@ -1,20 +1,27 @@
 """One contact in one call, a step or a history."""
 
-from typing import Any, Callable, Optional, Tuple
+from __future__ import annotations
+
+from typing import Any, Callable, Optional, Tuple, Union
 
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Mask, Pitch, as_doubles, as_mask, refuse_one_row
+from ._arrays import Mask, Pitch, as_doubles, as_mask, refuse_one_row
+from ._calls import short_traceback
 from ._device import device_array
+from ._elastic import Constant, modulus_of, needed_modulus
 from ._errors import ArgumentError
 from ._handle import Watch
+from ._height_map import Surface
 from ._history import history_on
-from ._keywords import Constant, lists_options, load_of, modulus_of, options_of, refuse_beside_system
-from ._maps import as_surface
-from .contact import Contact, control_and_target, gap_and_mask
+from ._keywords import options_of, prescribed, refuse_beside_system
+from ._maps import as_surface, pitch_beside
+from ._preparation import prepared
+from .contact import Contact, gap_and_mask
 from .context import Context, Options
-from .result import HistoryResult, Result
-from .system import HalfSpace, System
+from ._history_result import HistoryResult
+from .result import Result
+from .system import HalfSpace, System, boundary_of
 
 
 def system_for(
@@ -28,33 +35,44 @@ def system_for(
     boundary: Optional[str],
     unit: Optional[str],
     hardness: Optional[float],
+    against: Any,
+    shape: Union[None, str, Surface],
+    remove: Optional[str],
     devices: bool = False,
 ) -> Tuple[System, Any, Optional[Mask]]:
     """(system, undeformed_gap, mask) from what one-shot functions are given. devices: a gap on a device stays there."""
     if (heights is None) == (undeformed_gap is None):
-        raise ArgumentError("exactly one of heights and undeformed_gap is needed")
+        raise ArgumentError(
+            f"{'both are' if heights is not None else 'neither is'} given: one of heights, undeformed_gap is needed"
+        )
     if system is not None:
         refuse_beside_system(pitch=pitch, modulus=modulus, boundary=boundary, unit=unit, hardness=hardness)
+    if against is not None or shape is not None or remove is not None:
+        if heights is None:
+            raise ArgumentError("against, shape and remove change heights, but undeformed_gap is given")
+        otherwise = None if system is None else system.pitch
+        changes: Any = {"against": against, "shape": shape, "remove": remove}
+        heights = prepared(heights, pitch=pitch, mask=mask, missing=missing, unit=unit, otherwise=otherwise, **changes)
+        mask, missing, pitch, unit = None, "reject", None, None
+    if system is not None:
         found, mask_array = gap_and_mask(system, heights, undeformed_gap, mask, missing, devices=devices)
         assert found is not None
         return system, found, mask_array
-    if modulus is None:
-        raise ArgumentError("modulus is missing: the contact modulus E*, or E and nu, or system=")
+    modulus = needed_modulus(modulus, None, None, ", or system=")
     if heights is not None:
         surface = as_surface(heights, pitch, mask=mask, missing=missing, unit=unit)
-        boundary = boundary or ("periodic" if surface.periodic else None)
+        boundary = boundary_of(boundary, surface.periodic)
         half_space = HalfSpace(surface.shape, pitch=surface.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
         return half_space, surface.undeformed_gap(), surface.mask
-    if pitch is None:
-        raise ArgumentError("pitch is missing: the distance of neighbouring points, one number or (hx, hy)")
+    sides = pitch_beside(undeformed_gap, pitch)
     there = device_array(undeformed_gap, "undeformed_gap") if devices else None
     array: Any = as_doubles(undeformed_gap, "undeformed_gap") if there is None else there  # type: ignore[arg-type]
     refuse_one_row(array, "undeformed_gap", pitch)
-    half_space = HalfSpace(array.shape, pitch=pitch, modulus=modulus, boundary=boundary, hardness=hardness)
+    half_space = HalfSpace(array.shape, pitch=sides, modulus=modulus, boundary=boundary, hardness=hardness)
     return half_space, array, as_mask(mask, "mask", array.shape)
 
 
-@lists_options
+@short_traceback
 def solve(
     heights: Any = None,
     *,
@@ -76,6 +94,9 @@ def solve(
     boundary: Optional[str] = None,
     unit: Optional[str] = None,
     hardness: Optional[float] = None,
+    against: Any = None,
+    shape: Union[None, str, Surface] = None,
+    remove: Optional[str] = None,
     options: Options = None,
     progress: Watch = None,
     every: int = 1,
@@ -103,11 +124,16 @@ def solve(
     modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
     E, nu: in the place of modulus: Young's modulus [force/length^2] and Poisson's ratio of the one body that is elastic, or two
         each
-    boundary: "free" or "periodic"; None: as the surface says, free for arrays
+    boundary: "periodic": the map is a sample of a larger surface; "free": the body ends at the map's edges; None: as the surface
+        says, else periodic, with an `AssumedBoundary` warning
     unit: the lengths of a surface that knows its unit are converted to this one first ("m"); None: they stay
     hardness: the largest pressure [force/length^2], see `HalfSpace`; None: none
-    options: {"tol": 1e-6, "fft.precision": "single"} and the like; the same as keywords, with _ for dots and hyphens: tol=1e-6,
-        fft_precision="single". None: the defaults, and every core that pays
+    against: heights of the other body on the same grid, which are added: a `Surface`, a file or an array
+    shape: put on at last: "sphere:R=1mm", "cylinder:R=1mm,axis=x" or "wedge:angle=5deg,axis=x", in the middle of the grid, or a
+        `Surface`
+    remove: the form that is taken off before, over the points that are there: "mean", "plane" or "quadric"; None: none
+    options: {"tol": 1e-6, "fft.precision": "single"} and the like, see `roughcontact.options()`; the same as keywords, with _ for
+        dots and hyphens: tol=1e-6, fft_precision="single"
     progress: True: a bar of the package tqdm. Or a function, called with a `Progress` at least every `every` iterations on the thread
         that solves; where it returns True, the step ends with Status.STOP_CANCELLED
     every: iterations between two calls of progress
@@ -115,13 +141,13 @@ def solve(
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(solve, options, keywords, context)
     system, undeformed_gap, mask = system_for(
-        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, devices=True
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, against, shape, remove, True
     )
-    load = load_of(load, pressure, approach, system)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
         return contact.solve(
             approach=approach,
             load=load,
+            pressure=pressure,
             undeformed_gap=undeformed_gap,
             mask=mask,
             start=start,
@@ -132,7 +158,7 @@ def solve(
         )
 
 
-@lists_options
+@short_traceback
 def history(
     heights: Any = None,
     *,
@@ -145,6 +171,7 @@ def history(
     warm_start: Optional[bool] = None,
     stiffness: bool = False,
     keep_pressure: bool = False,
+    want_gap: bool = False,
     each: Optional[Callable[[int, Result], object]] = None,
     check: bool = True,
     system: Optional[System] = None,
@@ -155,6 +182,9 @@ def history(
     boundary: Optional[str] = None,
     unit: Optional[str] = None,
     hardness: Optional[float] = None,
+    against: Any = None,
+    shape: Union[None, str, Surface] = None,
+    remove: Optional[str] = None,
     options: Options = None,
     progress: Watch = None,
     every: int = 1,
@@ -163,10 +193,11 @@ def history(
 ) -> HistoryResult:
     """Solves the steps of a loading history in order, each from the pressures of the one before.
 
-    approach or load: one value for each step, in any order [length] or [force]
+    approach, load or pressure: one value for each step, in any order
     stiffness: whether to compute dW/dd
     keep_pressure: whether to keep the pressures of all steps
-    each: called with (step, `Result`) after every step, on the thread that solves. True ends the path with
+    want_gap: whether each step computes its deformed gap, for the mean gap of sparse contact; with `each` it does
+    each: called with (step, `Result`) after every step, on the thread that solves. True ends the history with
         Status.STOP_CANCELLED; an exception ends it and is raised
     check: whether a step that is not certified raises `NotCertifiedError`. That, every other `RoughContactError` and
         `Interrupted` (Ctrl-C) have the steps that were completed as their `result`
@@ -174,9 +205,8 @@ def history(
     """
     modulus, options = modulus_of(modulus, E, nu), options_of(history, options, keywords, context)
     system, found_gap, mask = system_for(
-        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness
+        heights, undeformed_gap, mask, missing, system, pitch, modulus, boundary, unit, hardness, against, shape, remove
     )
-    load = load_of(load, pressure, approach, system)
+    what = prescribed(system, approach=approach, load=load, pressure=pressure)
     with Contact(system, options=options, progress=progress, every=every, context=context) as contact:
-        control, targets = control_and_target(approach, load)
-        return history_on(contact, control, targets, found_gap, mask, warm_start, stiffness, keep_pressure, each, check)
+        return history_on(contact, what, found_gap, mask, warm_start, stiffness, keep_pressure, want_gap, each, check)

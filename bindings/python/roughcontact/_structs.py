@@ -11,8 +11,8 @@ rc_apply_fn = callback(int32_t, doubles, doubles, int64_t, handle)
 
 @struct
 class rc_system(Sized):
-    members = """size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary=RC_BOUNDARY_FREE; int64_t nx ny;
-    double hx hy modulus; doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user; double hardness"""
+    members = """size_t struct_size; int32_t op=RC_OPERATOR_HALFSPACE boundary; int64_t nx ny; double hx hy modulus;
+    doubles dense; int64_t dense_ld; rc_apply_fn apply; handle user; double hardness"""
 
 
 @struct
@@ -29,7 +29,8 @@ class rc_result(Sized):
     double kkt_control seconds setup_seconds; char*32 solver backend kernel; char*160 note;
     double duality_gap load_lower load_upper area_lower area_upper;
     int64_t proven_contacts proven_open undecided levels; double tolerance stiffness_lower stiffness_upper;
-    int64_t capped; double plastic_volume; int64_t proven_capped; singles p_single gap_single; text memory"""
+    int64_t capped; double plastic_volume; int64_t proven_capped; singles p_single gap_single; text memory;
+    double area_fraction max_pressure mean_gap punch_stiffness"""
 
 
 @struct
@@ -52,7 +53,7 @@ rc_history_fn = callback(int32_t, int64_t, rc_result, handle)
 class rc_history(Sized):
     members = """size_t struct_size; int32_t control warm_start=1; int64_t n; doubles targets undeformed_gap; bytes_ mask;
     doubles load approach contact_area stiffness certificate; integers products; rc_history_fn fn; handle user;
-    int64_t completed"""
+    int64_t completed; int32_t want_gap=1 reserved"""
 
 
 @struct
@@ -114,6 +115,11 @@ class rc_patches(Sized):
 class rc_histogram(Sized):
     members = """size_t struct_size; int64_t bins; double upper; integers counts; doubles density; double width;
     int64_t contacts above; double mean_pressure max_pressure"""
+
+
+@struct
+class rc_crossing(Sized):
+    members = "size_t struct_size; int32_t contact_x contact_y gap_x gap_y"
 
 
 rc_log_fn = callback(None, int32_t, text, handle)
@@ -184,8 +190,8 @@ class rc_surface_read_spec(Sized):
 
 @struct
 class rc_surface_file(Sized):
-    members = """size_t struct_size; int64_t nx ny; double hx hy; doubles heights; int64_t missing; int32_t periodic reserved;
-    char*32 format; char*400 assumed; handle storage"""
+    members = """size_t struct_size; int64_t nx ny; double hx hy; doubles heights; int64_t missing;
+    int32_t periodic=-1 reserved; char*32 format; char*400 assumed; handle storage"""
 
 
 @struct

@@ -1,8 +1,10 @@
-"""What a contact looks like: area, patches and pressures. Functions of pressures alone, yours or a `Result`'s, which has them
+"""What a contact looks like: area, patches, pressures and crossing. Functions of pressures alone, yours or a `Result`'s, which has them
 as methods.
 
 A point is in contact where its pressure is positive. periodic joins opposite sides of the grid.
 """
+
+from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
@@ -17,10 +19,14 @@ from ._c import members_for
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
-from ._structs import rc_area, rc_histogram, rc_patches, rc_result
+from ._brief import brief
+from ._structs import rc_area, rc_crossing, rc_histogram, rc_patches, rc_result
 from .system import grid_struct
 
-__all__ = ["area", "patches", "histogram", "conductance", "Area", "Patches", "Histogram", "Conductance"]
+__all__ = [
+    *("area", "patches", "histogram", "crossing", "conductance"),
+    *("Area", "Patches", "Histogram", "Crossing", "Conductance"),
+]
 
 
 def __dir__() -> Sequence[str]:
@@ -37,7 +43,7 @@ class Area:
     corrected_area: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Patches:
     """Connected parts of a contact, numbered by their lowest point.
 
@@ -58,8 +64,12 @@ class Patches:
     def __len__(self) -> int:
         return len(self.cells)
 
+    def __repr__(self) -> str:
+        largest = f", the largest of {self.cells.max()} points" if len(self) else ""
+        return f"Patches({len(self)}{largest})"
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Histogram:
     """Distribution of pressure over the points in contact.
 
@@ -74,6 +84,16 @@ class Histogram:
     above: int
     mean_pressure: float
     max_pressure: float
+
+    __repr__ = brief
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Along which axes a connected part of the contact, and of the open gap, reaches across: "none", "x", "y" or "xy"."""
+
+    contact: str
+    gap: str
 
 
 @dataclass(frozen=True)
@@ -141,6 +161,16 @@ def histogram(
     check(contact_library().rc_histogram_fill(system, pointer(p), pointer(m), struct))
     own = {"edges": struct.width * np.arange(bins + 1), "counts": counts, "density": density}
     return Histogram(**{**members_for(Histogram, struct), **own})
+
+
+def crossing(pressure: ArrayLike, *, pitch: Pitch = 1.0, periodic: bool = False, mask: Optional[ArrayLike] = None) -> Crossing:
+    """Percolation of contact and gap: whether they join opposite sides of the grid, or a periodic grid's copies of themselves.
+    Points are connected across edges, and a masked one belongs to neither. pitch does not matter. Others as in `area`."""
+    system, p, m = _grid(pressure, pitch, periodic, mask)
+    out = rc_crossing()
+    check(contact_library().rc_crossing_find(system, pointer(p), pointer(m), out))
+    along = {(0, 0): "none", (1, 0): "x", (0, 1): "y", (1, 1): "xy"}
+    return Crossing(along[out.contact_x, out.contact_y], along[out.gap_x, out.gap_y])
 
 
 def conductance(result: Any, rho1: float, rho2: float) -> Conductance:

@@ -1,5 +1,7 @@
 """One system, many steps."""
 
+from __future__ import annotations
+
 import ctypes
 import dataclasses
 from typing import Any, Callable, List, Optional, Tuple
@@ -7,7 +9,6 @@ from typing import Any, Callable, List, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _constants
 from ._arrays import Doubles, Mask, Reals, as_doubles, as_mask, as_reals, as_switch, given, pointer
 from ._calls import check
 from ._errors import ArgumentError, ShapeError
@@ -16,21 +17,15 @@ from ._derivatives import Gradient, Tangent, gradient_from, gradient_request, ta
 from ._handle import Handle
 from ._history import history_on
 from ._height_map import Surface
+from ._keywords import prescribed
 from ._library import contact_library
 from ._maps import as_surface
 from ._status import Status
 from ._structs import rc_level, rc_result, rc_state, rc_step
 from .context import Options, OptionSet
-from .result import Level, HistoryResult, Result, level_from, result_from
+from ._history_result import HistoryResult
+from .result import Level, Result, level_from, result_from
 from .system import HalfSpace, System
-
-
-def control_and_target(approach: Any, load: Any) -> Tuple[int, Any]:
-    if (approach is None) == (load is None):
-        raise ArgumentError("exactly one of approach and load is needed")
-    if load is None:
-        return _constants.RC_CONTROL_APPROACH, approach
-    return _constants.RC_CONTROL_LOAD, load
 
 
 def refuse_another_pitch(surface: Surface, system: System) -> None:
@@ -95,7 +90,7 @@ class Contact(Handle):
 
     system: `HalfSpace`, `Matrix` or `Product`
     options: see `roughcontact.options()`; those that are fixed cannot be changed later. keywords: as in `solve`
-    progress: True: a bar of the package tqdm, over the iterations of a step or the steps of a path. Or a function, called with a
+    progress: True: a bar of the package tqdm, over the iterations of a step or the steps of a history. Or a function, called with a
         `Progress` at least every `every` iterations, on the thread that solves, which is not the main one; where it returns
         True, the step ends with Status.STOP_CANCELLED; an exception ends it and is raised by the call
     context: a registry of its own
@@ -110,6 +105,7 @@ class Contact(Handle):
         *,
         approach: Optional[float] = None,
         load: Optional[float] = None,
+        pressure: Optional[float] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
@@ -127,7 +123,7 @@ class Contact(Handle):
             [length]
         undeformed_gap: the undeformed gap instead [length]. Neither: as in the previous step. An array of CuPy, PyTorch or JAX on a
             CUDA device, float64 or float32, is handed over where it is, and the result's arrays are of the same kind there
-        approach: approach of the bodies [length], or load: normal force [force]
+        approach: approach of the bodies [length], load: normal force [force], or pressure: load over the area of the grid
         mask: of the system's shape, 0 where a point carries no pressure; its gap may then be NaN
         missing: what is done with masked or NaN heights: "reject", "exclude" or "fill"
         start: pressures to begin with [force/length^2]
@@ -140,12 +136,12 @@ class Contact(Handle):
         check: whether a stop before the tolerance raises `NotCertifiedError`, which has the result; otherwise look at its
             status. Status.WITHIN_GOAL never raises
         """
-        control, target = control_and_target(approach, load)
+        what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing, single, devices=True)
         first = None if start is None else as_doubles(start, "start", self.system.shape)
         there = gap_array if isinstance(gap_array, DeviceArray) else None
         single = single if there is None else there.dtype == "float32"
-        step = given(rc_step(), control=control, target=float(target))
+        step = given(rc_step(), control=what.control, target=float(what.targets))
         given(step, warm_start=as_switch(warm_start), borrow=as_switch(borrow))
         sent: Tuple[Any, ...] = (gap_array, mask_array, first)
         if there is not None:
@@ -153,13 +149,13 @@ class Contact(Handle):
         else:
             given(step, mask=mask_array, p0=first, **{"undeformed_gap_single" if single else "undeformed_gap": gap_array})
         width = np.float32 if single else np.float64
-        pressure = np.zeros(self.system.shape, width) if want_pressure else None
+        pressures = np.zeros(self.system.shape, width) if want_pressure else None
         deformed = np.zeros(self.system.shape, width) if want_gap else None
         with self._holding(), self._bar("iterations"):
             if borrow:
                 self._borrowed.append(sent)
             with self._pressing(gap_array, mask_array):
-                answer = self._run_step(contact_library().rc_contact_solve, step, pressure, deformed, check, *sent)
+                answer = self._run_step(contact_library().rc_contact_solve, step, pressures, deformed, check, *sent)
             if gap_array is not None:
                 self._borrowed = self._borrowed[-1:] if borrow else []
             elif borrow:  # the gap stays that of the step which brought one; of masks, the last one is looked at
@@ -180,10 +176,10 @@ class Contact(Handle):
         check: bool = True,
     ) -> Result:
         """Certifies given pressures [force/length^2] for this step; nothing is solved. Arguments as in `solve`."""
-        control, target = control_and_target(approach, load)
+        what = prescribed(self.system, approach=approach, load=load)
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
         judged = as_doubles(pressure, "pressure", self.system.shape).copy()
-        step = given(rc_step(), control=control, target=float(target), undeformed_gap=gap_array, mask=mask_array)
+        step = given(rc_step(), control=what.control, target=float(what.targets), undeformed_gap=gap_array, mask=mask_array)
         deformed = np.zeros(self.system.shape) if want_gap else None
         with self._holding(), self._pressing(gap_array, mask_array):
             inputs = (gap_array, mask_array)
@@ -245,19 +241,21 @@ class Contact(Handle):
         *,
         approach: Optional[ArrayLike] = None,
         load: Optional[ArrayLike] = None,
+        pressure: Optional[ArrayLike] = None,
         undeformed_gap: Optional[ArrayLike] = None,
         mask: Optional[ArrayLike] = None,
         missing: str = "reject",
         warm_start: Optional[bool] = None,
         stiffness: bool = False,
         keep_pressure: bool = False,
+        want_gap: bool = False,
         each: Optional[Callable[[int, Result], object]] = None,
         check: bool = True,
     ) -> HistoryResult:
         """Solves a loading history; see `roughcontact.history`. Without either, on the surface of the last step."""
         gap_array, mask_array = gap_and_mask(self.system, heights, undeformed_gap, mask, missing)
-        control, targets = control_and_target(approach, load)
-        return history_on(self, control, targets, gap_array, mask_array, warm_start, stiffness, keep_pressure, each, check)
+        what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
+        return history_on(self, what, gap_array, mask_array, warm_start, stiffness, keep_pressure, want_gap, each, check)
 
     def levels(self) -> List[Level]:
         """Coarse solutions of the last step, the coarsest first."""

@@ -1,10 +1,12 @@
 """What there is: backends, solvers, kernels and options by name, in the default registry or one of your own."""
 
+from __future__ import annotations
+
 import ctypes
 import sys
 import weakref
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 
@@ -21,6 +23,14 @@ from ._use import OwnsHandle
 
 OptionValue = Union[int, float, str]
 Options = Optional[Mapping[str, OptionValue]]
+T = TypeVar("T")
+
+
+class Lines(List[T]):
+    """A list that shows one item a line."""
+
+    def __repr__(self) -> str:
+        return "\n".join(map(str, self))
 
 
 @dataclass(frozen=True)
@@ -31,6 +41,9 @@ class Component:
     summary: str
     license: str
     origin: str
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.summary} ({self.license}, {self.origin})"
 
 
 @dataclass(frozen=True)
@@ -46,6 +59,12 @@ class OptionSpec:
     fixed: bool
     minimum: Optional[float]
     maximum: Optional[float]
+
+    def __str__(self) -> str:
+        """As a keyword."""
+        values = ", ".join(self.choices or ()) or ("" if self.minimum is None else f"{self.minimum:g} .. {self.maximum:g}")
+        keyword = self.key.replace(".", "_").replace("-", "_")
+        return f"{keyword}={self.default!r}{f' ({values})' if values else ''}: {self.help}{' (fixed)' if self.fixed else ''}"
 
 
 class Context(OwnsHandle):
@@ -86,6 +105,9 @@ class Context(OwnsHandle):
         symbol: called with wave numbers qx, qy >= 0, arrays of one shape [1/length], when a contact is made and on its threads;
             returns E* times what a wave of unit pressure deflects [length], 2 / hypot(qx, qy) on a half-space. The mean's, at
             qx = qy = 0, is not looked at. What it raises comes back as the message of an ExternalError
+
+        The function, all that it refers to and about 3 kB stay until the process ends, whatever becomes of the context: add a
+        kernel once, and let it read what changes from an object that you keep.
         """
         register(self.handle, name, symbol, summary)
 
@@ -143,7 +165,7 @@ def _text(value: Optional[bytes]) -> str:
 
 def _components(kind: str, context: Optional[Context]) -> List[Component]:
     library, handle = contact_library(), context_handle(context)
-    found = []
+    found: Lines[Component] = Lines()
     for i in range(getattr(library, f"rc_{kind}_count")(handle)):
         each = rc_component()
         check(getattr(library, f"rc_{kind}_describe")(handle, i, each))
@@ -167,10 +189,10 @@ def kernels(context: Optional[Context] = None) -> List[Component]:
 
 
 def options(context: Optional[Context] = None) -> List[OptionSpec]:
-    """All options: the core's, then those of every component."""
+    """All options: the core's, then those of every component; printed, one a line, as the keywords that `solve` takes."""
     library, handle = contact_library(), context_handle(context)
     kinds: Dict[int, Any] = {_constants.RC_TYPE_INT: int, _constants.RC_TYPE_REAL: float, _constants.RC_TYPE_TEXT: str}
-    found = []
+    found: Lines[OptionSpec] = Lines()
     for i in range(library.rc_options_count(handle)):
         each = rc_option_spec()
         check(library.rc_options_describe(handle, i, each))

@@ -3,6 +3,8 @@
 With influence coefficients per force, p are forces.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence, Tuple
 
@@ -10,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Pitch, as_doubles, as_int, as_pitch, as_text, columns_and_rows, pointer, refuse_one_row
+from ._brief import brief
 from ._c import members_for
 from ._calls import interruptible
 from ._constants import RC_OPT_MAX_ITER, RC_OPT_TOL
@@ -27,7 +30,7 @@ def __dir__() -> Sequence[str]:
     return __all__
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class DirectResult:
     """Answer of a direct routine.
 
@@ -52,6 +55,8 @@ class DirectResult:
     load_lower: float
     load_upper: float
     note: str
+
+    __repr__ = brief
 
 
 def _call(function: Any, arguments: Tuple[Any, ...], p: Doubles, w: Optional[Doubles], check: bool) -> DirectResult:

@@ -27,16 +27,14 @@ from ._arrays import Doubles, Mask, as_doubles, as_mask, as_switch, given
 from ._c import members_for
 from ._calls import check as check_status
 from ._errors import ArgumentError, error_for
-from ._keywords import load_of, options_of
+from ._keywords import Prescribed, options_of, prescribed
 from ._library import contact_library, mpi_library
 from ._status import Status
 from ._structs import rc_ranks_counts, rc_result, rc_step
 from ._use import OwnsHandle
-from .contact import control_and_target
 from .context import Context, Options, OptionSet
 from .result import Grid, Result, result_from
 from .system import HalfSpace
-
 
 Made = TypeVar("Made")
 
@@ -108,7 +106,13 @@ class Contact(OwnsHandle):
     """
 
     def __init__(
-        self, system: HalfSpace, comm: Any = None, *, options: Options = None, context: Optional[Context] = None, **keywords: Any
+        self,
+        system: HalfSpace,
+        comm: Any = None,
+        *,
+        options: Options = None,
+        context: Optional[Context] = None,
+        **keywords: Any,
     ) -> None:
         self._world = world = _world(comm)
         self._handle = ctypes.c_void_p()
@@ -157,11 +161,12 @@ class Contact(OwnsHandle):
         check: bool = True,
     ) -> Result:
         """Solves one step and certifies the answer. Arguments as in `roughcontact.Contact.solve`, arrays of this rank's rows; pressure:
-        mean pressure over the whole grid. The answer's arrays and its grid are of this rank's rows, all numbers of the whole grid."""
-
+        mean pressure over the whole grid. The answer's arrays and its grid are of this rank's rows, all numbers of the whole grid.
+        """
 
         def prepared() -> Any:
-            step = self._step(approach, load_of(load, pressure, approach, self.system), undeformed_gap, mask)
+            what = prescribed(self.system, approach=approach, load=load, pressure=pressure)
+            step = self._step(what, undeformed_gap, mask)
             given(step, p0=None if start is None else as_doubles(start, "start", self.shape), warm_start=as_switch(warm_start))
             return step, np.zeros(self.shape) if want_pressure else None
 
@@ -180,10 +185,9 @@ class Contact(OwnsHandle):
     ) -> Result:
         """Certifies given pressures [force/length^2] for this step; nothing is solved."""
 
-
         def prepared() -> Any:
             judged = as_doubles(pressure, "pressure", self.shape).copy()
-            return self._step(approach, load, undeformed_gap, mask), judged
+            return self._step(prescribed(self.system, approach=approach, load=load), undeformed_gap, mask), judged
 
         return self._run(mpi_library().rc_mpi_contact_certify, prepared, want_gap, check)
 
@@ -198,15 +202,14 @@ class Contact(OwnsHandle):
         if not self._close.alive:
             raise ArgumentError("the contact is closed")
 
-    def _step(self, approach: Any, load: Any, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
+    def _step(self, what: Prescribed, undeformed_gap: Optional[ArrayLike], mask: Optional[ArrayLike]) -> rc_step:
         self._refuse_closed()
-        control, target = control_and_target(approach, load)
         gap = None if undeformed_gap is None else as_doubles(undeformed_gap, "undeformed_gap", self.shape)
         chosen = as_mask(mask, "mask", self.shape)
         self._keep = gap, chosen
         if gap is not None or chosen is not None:
             self._mask = chosen
-        return given(rc_step(), control=control, target=float(target), undeformed_gap=gap, mask=chosen)
+        return given(rc_step(), control=what.control, target=float(what.targets), undeformed_gap=gap, mask=chosen)
 
     def _run(self, function: Any, prepared: Callable[[], Any], want_gap: bool, must_be_certified: bool) -> Result:
         step, pressure = _together(self._world, prepared)

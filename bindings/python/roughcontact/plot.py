@@ -17,7 +17,8 @@ from ._maps import as_surface
 from ._pictures import COLOURS, GROUND
 from ._status import Status
 from .analysis import Histogram, Patches
-from .result import Grid, HistoryResult, Result
+from ._history_result import HistoryResult
+from .result import Grid, Result
 from .surface import PowerLaw, Spectrum
 
 DARK = "#{:02x}{:02x}{:02x}".format(*GROUND)
@@ -104,7 +105,7 @@ def pressure(result: Result, *, ax: Any = None, si: bool = True, **how: Any) -> 
 
 def patches(result: Result, found: Optional[Patches] = None, *, ax: Any = None, si: bool = True, **how: Any) -> Any:
     """A map of the contact in 20 colours, by the patches' numbers. how: for imshow."""
-    label = (result.patches() if found is None else found).label
+    label = (result.find_patches() if found is None else found).label
     shown = np.ma.array(label % 20, mask=label < 0)
     ax = _map(shown, result.grid, ax, "", "m" if si else None, None, **{"cmap": "tab20", **how})
     ax.set_facecolor(DARK)

@@ -1,6 +1,9 @@
 """Answers."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
@@ -9,17 +12,18 @@ from numpy.typing import NDArray
 from . import analysis
 from ._answers import Answer, Stored
 from ._arrays import Doubles, Mask, Reals, Shape
+from ._brief import brief
 from ._c import members_for
 from ._device import on_host
 from ._errors import as_status
 from ._library import contact_library
-from ._pictures import curve, pressure_image
+from ._measures import STEP_COLUMNS, UNKNOWN, Measures, measures_of
+from ._pictures import pressure_image
 from ._status import Status
-from ._steps import Steps
 from ._structs import rc_accuracy, rc_level, rc_result
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Grid(Stored):
     """Where an answer lives: shape, (hx, hy) [length], whether it repeats, the points left out, and the half-space's E*."""
 
@@ -28,6 +32,13 @@ class Grid(Stored):
     periodic: bool = False
     mask: Optional[Mask] = None
     modulus: Optional[float] = None
+
+    @property
+    def area(self) -> float:
+        """Of all cells [length^2]."""
+        return float(np.prod(self.shape)) * self.pitch[0] * self.pitch[1]
+
+    __repr__ = brief
 
 
 @dataclass(frozen=True)
@@ -47,9 +58,10 @@ class Accuracy(Stored):
     left_out: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Result(Answer):
-    """Answer of one step. All numbers are those of rc_result in <roughcontact/roughcontact.h>.
+    """Answer of one step. All numbers are those of rc_result in <roughcontact/roughcontact.h>, and those that the command
+    computes from the pressures: corrected_area, patches, largest_patch, contact_crosses, gap_crosses.
 
     pressure: of the grid's shape [force/length^2]; None if not wanted
     gap: deformed gap, of the grid's shape [length]; None if not wanted. Where the undeformed gap was on a device, both are arrays
@@ -117,12 +129,23 @@ class Result(Answer):
     #: the exact dW/dd at this approach lies between [force/length]; NaN unless option stiffness is 2
     stiffness_lower: float
     stiffness_upper: float
+    #: dW/dd of a rigid flat punch as large as the map, which bounds that of a map with free edges [force/length]; NaN where stiffness
+    #: is, and with periodic boundaries
+    punch_stiffness: float
     #: points that carry the system's hardness; 0 without one
     capped: int
     #: of the overlap of these points in this step [length^3]
     plastic_volume: float
     #: points proven to carry the hardness; -1 where no proof is known
     proven_capped: int
+    #: contacts / points
+    area_fraction: float
+    #: [force/length^2]
+    max_pressure: float
+    #: of the points that are not masked [length]; NaN in sparse contact unless want_gap=True
+    mean_gap: float
+    #: what was computed from the pressures; None: it is computed when asked for
+    measures: Optional[Measures]
     #: which grid it is of, and estimated errors; None in `batch`
     accuracy: Optional[Accuracy]
 
@@ -136,12 +159,41 @@ class Result(Answer):
         """The largest kkt_* residual."""
         return max(self.kkt_primal, self.kkt_dual, self.kkt_complementarity, self.kkt_control)
 
-    def area(self) -> analysis.Area:
+    @property
+    def corrected_area(self) -> float:
+        """Contact area less what cells at its border add [length^2]."""
+        return self._measured.corrected_area
+
+    @property
+    def patches(self) -> int:
+        """How many parts the contact has, connected across edges; `find_patches` finds them."""
+        return self._measured.patches
+
+    @property
+    def largest_patch(self) -> float:
+        """Its area [length^2]."""
+        return self._measured.largest_patch
+
+    @property
+    def contact_crosses(self) -> str:
+        """Along which axes a connected part of the contact reaches across: "none", "x", "y" or "xy"."""
+        return self._measured.contact_crosses
+
+    @property
+    def gap_crosses(self) -> str:
+        """The same for what is left open: through "none" nothing leaks."""
+        return self._measured.gap_crosses
+
+    @cached_property
+    def _measured(self) -> Measures:
+        return self.measures or measures_of(self._needed(), self.grid)
+
+    def measure_area(self) -> analysis.Area:
         """Contact area corrected for the grid, and perimeter."""
         return analysis.area(self._needed(), **self._grid())
 
-    def patches(self, corners: bool = False) -> analysis.Patches:
-        """Connected parts of the contact."""
+    def find_patches(self, corners: bool = False) -> analysis.Patches:
+        """Connected parts of the contact; corners: across corners of cells as well as edges."""
         return analysis.patches(self._needed(), **self._grid(), corners=corners)
 
     def histogram(self, bins: int, upper: Optional[float] = None) -> analysis.Histogram:
@@ -163,13 +215,20 @@ class Result(Answer):
             raise ValueError("the result has no pressures; solve with want_pressure=True")
         return self.pressure
 
+    def _columns(self) -> Dict[str, Any]:
+        known = self.measures is not None or self.pressure is not None and np.prod(self.grid.shape) == self.points
+        own = {**super()._columns(), **vars(self._measured if known else UNKNOWN)}
+        accuracy = self.accuracy or Accuracy(-1, -1, np.nan, np.nan, np.nan)
+        own.update(vars(accuracy))
+        return {name: own.pop(name) for name in STEP_COLUMNS} | own
+
     def _rows(self) -> Dict[str, str]:
         return {
             "status": self.status.name,
             "load": f"{self.load:.6g} ({self.load_lower:.6g} to {self.load_upper:.6g})",
             "approach": f"{self.approach:.6g}",
             "contact": f"{self.contacts} of {self.points} points, {self.contacts / self.points:.2%}",
-            "largest pressure": "" if self.pressure is None else f"{np.max(on_host(self.pressure), initial=0):.6g}",
+            "largest pressure": f"{self.max_pressure:.6g}",
             "mean pressure": f"{self.mean_pressure:.6g}",
             "by": f"{self.solver} on {self.backend}, residual {self.residual:.1e}",
             **({"note": self.note} if self.note else {}),
@@ -192,6 +251,7 @@ def result_from(
     own = {"status": as_status(struct.status), "message": message, "pressure": pressure, "gap": gap, "grid": grid}
     accuracy = rc_accuracy()
     known = contact is not None and contact_library().rc_contact_accuracy(contact, accuracy) == Status.OK
+    own["measures"] = None
     own["accuracy"] = Accuracy(**members_for(Accuracy, accuracy)) if known else None
     return Result(**{**members_for(Result, struct), **own})
 
@@ -206,7 +266,7 @@ def result_with_copies(struct: rc_result, grid: Grid, contact: Any = None) -> Re
     return result_from(struct, "", grid, copy(struct.p), copy(struct.gap), contact)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Level:
     """A solution on a coarser grid that a multilevel solver left behind. pressure: [ny, nx] [force/length^2]; pitch
     [length]."""
@@ -219,60 +279,15 @@ class Level:
     candidates: int
     contacts: int
 
+    __repr__ = brief
+
 
 def level_from(struct: rc_level, pressure: Doubles) -> Level:
     own = {"status": as_status(struct.status), "pressure": pressure, "pitch": (struct.hx, struct.hy)}
     return Level(**{**members_for(Level, struct), **own})
 
 
-@dataclass(frozen=True, eq=False)
-class HistoryResult(Steps, Answer):
-    """Answers of a loading history. Arrays have one value for each completed step.
-
-    load [force], approach [length], contact_area [length^2], certificate: largest residual, products: products with H
-    stiffness: dW/dd [force/length]; None unless asked for
-    pressure: [steps, ny, nx] [force/length^2]; None unless asked for
-    targets: as given, those of steps that were not completed as well
-    """
-
-    status: Status
-    message: str
-    targets: Doubles
-    load: Doubles
-    approach: Doubles
-    contact_area: Doubles
-    certificate: Doubles
-    products: NDArray[np.int64]
-    stiffness: Optional[Doubles]
-    pressure: Optional[Doubles]
-    grid: Grid
-
-    @property
-    def completed(self) -> int:
-        """Steps that were completed."""
-        return len(self.load)
-
-    steps = ("step",)
-
-    def _counts(self) -> Tuple[int, ...]:
-        return (self.completed,)
-
-    def _rows(self) -> Dict[str, str]:
-        ends = {"load": self.load, "approach": self.approach, "contact area": self.contact_area}
-        return {
-            "status": self.status.name,
-            "steps": f"{self.completed} of {len(self.targets)}",
-            **{name: f"{values.min():.6g} to {values.max():.6g}" for name, values in ends.items() if len(values)},
-        }
-
-    def _picture(self) -> Optional[str]:
-        return curve(self.approach, self.load)
-
-    def __repr__(self) -> str:
-        return f"HistoryResult({self.status.name}, {self.completed} of {len(self.targets)} steps)"
-
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BatchResult(Answer):
     """Answers of many contacts. Arrays are [contacts, steps]; NaN and -1 stand for steps that failed or were not reached.
 
@@ -299,7 +314,20 @@ class BatchResult(Answer):
     first: int
     grid: Grid
 
+    @property
+    def mean_pressure(self) -> Doubles:
+        """load over the area of the grid [force/length^2]"""
+        return self.load / self.grid.area
+
+    @property
+    def area_fraction(self) -> Doubles:
+        """contact_area over the area of the grid"""
+        return self.contact_area / self.grid.area
+
     steps = ("contact", "step")
+
+    def _columns(self) -> Dict[str, Any]:
+        return {**super()._columns(), "mean_pressure": self.mean_pressure, "area_fraction": self.area_fraction}
 
     def _counts(self) -> Tuple[int, ...]:
         return self.load.shape

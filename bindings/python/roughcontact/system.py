@@ -1,5 +1,10 @@
 """What stays fixed over a loading sequence: a half-space grid, your own matrix, or your own product."""
 
+from __future__ import annotations
+
+import inspect
+import os
+import warnings
 from abc import ABC, abstractmethod
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
@@ -9,6 +14,7 @@ from numpy.typing import ArrayLike
 from . import _constants
 from ._arrays import Doubles, Pitch, Shape, as_doubles, as_pitch, as_shape, as_text, columns_and_rows, pointer
 from ._calls import Callbacks, check
+from ._elastic import Constant, needed_modulus
 from ._errors import ArgumentError, ShapeError
 from ._library import contact_library
 from ._maps import as_surface
@@ -17,6 +23,30 @@ from ._structs import rc_apply_fn, rc_system
 from .context import Context, Options, OptionSet, context_handle
 
 BOUNDARIES = {"free": _constants.RC_BOUNDARY_FREE, "periodic": _constants.RC_BOUNDARY_PERIODIC}
+
+
+class AssumedBoundary(UserWarning):
+    """Neither the caller nor the surface says whether it ends at its edges: it is taken as a sample of a larger surface."""
+
+
+def boundary_of(given: Optional[str], periodic: Optional[bool]) -> str:
+    """What is given, else what the surface says (periodic), else "periodic", with a warning that the caller sees at its own line."""
+    if given is None and periodic is None:
+        package = os.path.dirname(__file__)
+        frame, level = inspect.currentframe(), 1
+        while frame is not None and os.path.dirname(frame.f_code.co_filename).startswith(package):
+            frame, level = frame.f_back, level + 1
+        warnings.warn(
+            "boundary is taken as 'periodic', the map as a sample of a larger surface; pass boundary='free' if the body ends at the "
+            "map's edges, as a ball or a punch does, else boundary='periodic'",
+            AssumedBoundary,
+            stacklevel=level,
+        )
+        return "periodic"
+    boundary = given if given is not None else "periodic" if periodic else "free"
+    if boundary not in BOUNDARIES:
+        raise ArgumentError(f"boundary is {boundary!r}: 'free' or 'periodic'")
+    return boundary
 
 
 class System(ABC):
@@ -36,6 +66,12 @@ class System(ABC):
     @abstractmethod
     def fill(self, system: rc_system) -> Callbacks:
         """Completes the C struct; what it returns knows what a callback raised. Arrays live as long as this object."""
+
+    def __repr__(self) -> str:
+        modulus = "" if self.modulus is None else f", modulus {self.modulus:.6g}, {'periodic' if self.periodic else 'free'}"
+        hard = "" if self.hardness is None else f", hardness {self.hardness:.6g}"
+        points = " x ".join(map(str, self.shape[::-1]))
+        return f"{type(self).__name__}({points} points, pitch {self.pitch[0]:g}, {self.pitch[1]:g}{modulus}{hard})"
 
     def struct(self) -> Tuple[rc_system, Callbacks]:
         system = grid_struct(self.shape, self.pitch, self.periodic)
@@ -60,8 +96,9 @@ class HalfSpace(System):
 
     shape: (ny, nx) or nx points
     pitch: cell size, one number or (hx, hy) with hx along the last axis [length]
-    modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]
-    boundary: "free" or "periodic"; None: the library's
+    modulus: contact modulus E* = 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [force/length^2]; or E and nu, as in `solve`
+    boundary: "periodic": the grid is a sample of a larger surface; "free": the body ends at the grid's edges; None: periodic,
+        with an `AssumedBoundary` warning
     hardness: the largest pressure [force/length^2]; None: none. Where it acts the bodies may overlap, and the overlap is a
         plastic indentation that stays for the steps that follow, see `Contact.indentation`
     """
@@ -71,15 +108,14 @@ class HalfSpace(System):
         shape: Union[int, Sequence[int]],
         *,
         pitch: Pitch,
-        modulus: float,
+        modulus: Optional[float] = None,
+        E: Optional[Constant] = None,
+        nu: Optional[Constant] = None,
         boundary: Optional[str] = None,
         hardness: Optional[float] = None,
     ) -> None:
-        if boundary is None:
-            boundary = next(name for name, number in BOUNDARIES.items() if number == rc_system().boundary)
-        if boundary not in BOUNDARIES:
-            raise ArgumentError(f"boundary is {boundary!r}: 'free' or 'periodic'")
-        self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(modulus)
+        boundary = boundary_of(boundary, None)
+        self.shape, self.pitch, self.modulus = as_shape(shape), as_pitch(pitch), float(needed_modulus(modulus, E, nu))
         self.boundary, self.periodic, self.hardness = boundary, boundary == "periodic", as_hardness(hardness)
 
     @classmethod
@@ -87,15 +123,17 @@ class HalfSpace(System):
         cls,
         surface: Any,
         *,
-        modulus: float,
+        modulus: Optional[float] = None,
+        E: Optional[Constant] = None,
+        nu: Optional[Constant] = None,
         pitch: Optional[Pitch] = None,
         boundary: Optional[str] = None,
         hardness: Optional[float] = None,
-    ) -> "HalfSpace":
+    ) -> HalfSpace:
         """The grid of a surface: a `Surface`, a topography of SurfaceTopography, or an array with a pitch."""
         found = as_surface(surface, pitch, missing="exclude")
-        boundary = boundary or ("periodic" if found.periodic else None)
-        return cls(found.shape, pitch=found.pitch, modulus=modulus, boundary=boundary, hardness=hardness)
+        boundary = boundary_of(boundary, found.periodic)
+        return cls(found.shape, pitch=found.pitch, modulus=modulus, E=E, nu=nu, boundary=boundary, hardness=hardness)
 
     def fill(self, system: rc_system) -> Callbacks:
         system.op, system.modulus = _constants.RC_OPERATOR_HALFSPACE, self.modulus

@@ -24,7 +24,7 @@ def sphere_gap():
 
 @pytest.fixture
 def half_space():
-    return rc.HalfSpace((64, 64), pitch=PITCH, modulus=MODULUS)
+    return rc.HalfSpace((64, 64), pitch=PITCH, modulus=MODULUS, boundary="free")
 
 
 @pytest.fixture

@@ -232,7 +232,7 @@ def test_contacts_are_freed(half_space, sphere_gap):
 
 def test_modulus_scales_the_load(sphere_gap):
     how = {"undeformed_gap": sphere_gap, "pitch": PITCH, "approach": 2e-7}
-    loads = [rc.solve(modulus=m, **how).load for m in (MODULUS, 2 * MODULUS)]
+    loads = [rc.solve(modulus=m, boundary="free", **how).load for m in (MODULUS, 2 * MODULUS)]
     assert loads[1] == pytest.approx(2 * loads[0], rel=1e-7)
 
 
@@ -241,7 +241,7 @@ def test_a_refused_step_keeps_the_mask(rough):
         mask = rough.heights < 1e-7
         contact.solve(rough, mask=mask, approach=5e-8)
         refused(rc.ArgumentError, "", contact.solve, rough, approach=np.nan)
-        refused(rc.InfeasibleError, "", contact.path, rough, approach=[1.0, 2.0])
+        refused(rc.InfeasibleError, "", contact.history, rough, approach=[1.0, 2.0])
         assert np.array_equal(contact.solve(approach=5e-8).grid.mask, mask)
 
 

@@ -14,7 +14,7 @@ def pressed(request):
     """(system, undeformed gap, {control: target})"""
     rng = np.random.default_rng(3)
     gap = rng.random(SHAPE) + 0.05 * (np.arange(12) - 5.5) ** 2
-    system = rc.HalfSpace(SHAPE, pitch=(1.0, 0.7), modulus=2.0)
+    system = rc.HalfSpace(SHAPE, pitch=(1.0, 0.7), modulus=2.0, boundary="free")
     target = 1.5 if request.param == "approach" else 8.0
     return system, gap, request.param, target
 
@@ -27,7 +27,7 @@ def slopes(pressed, change, step=1e-5):
     system, gap, control, target = pressed
     ends = []
     for way in (-step, step):
-        moved = rc.HalfSpace(SHAPE, pitch=system.pitch, modulus=system.modulus + way * change["modulus"])
+        moved = rc.HalfSpace(SHAPE, pitch=system.pitch, boundary="free", modulus=system.modulus + way * change["modulus"])
         ends.append(answer(moved, gap + way * change["gap"], control, target + way * change["target"]))
     return {
         name: (getattr(ends[1], name) - getattr(ends[0], name)) / (2 * step) for name in ("pressure", "gap", "load", "approach")

@@ -9,11 +9,11 @@ import roughcontact as rc
 SHAPE, OPTIONS = (6, 7), {"tol": 1e-12}
 CONTROLS = {"approach": 1.1, "load": 6.0}
 GAP = np.random.default_rng(5).random(SHAPE) + 0.05 * (np.arange(7) - 3) ** 2
-SYSTEM = rc.HalfSpace(SHAPE, pitch=(1.0, 0.8), modulus=1.5)
+SYSTEM = rc.HalfSpace(SHAPE, pitch=(1.0, 0.8), modulus=1.5, boundary="free")
 
 
 def expected(control, gap=GAP, target=None, modulus=1.5):
-    system = rc.HalfSpace(SHAPE, pitch=SYSTEM.pitch, modulus=modulus)
+    system = rc.HalfSpace(SHAPE, pitch=SYSTEM.pitch, modulus=modulus, boundary="free")
     step = {control: CONTROLS[control] if target is None else target}
     return rc.solve(undeformed_gap=gap, system=system, options=OPTIONS, want_gap=True, **step)
 

@@ -14,7 +14,7 @@ DOCUMENT = pathlib.Path(__file__).resolve().parents[3] / "docs" / "python.md"
 
 def blocks(document=DOCUMENT):
     if not document.exists():
-        pytest.skip(f"docs/{document.name} is not beside the tests")
+        pytest.skip(f"{document.name} is not beside the tests")
     return re.findall(r"^```python\n(.*?)^```", document.read_text(), re.M | re.S)
 
 
@@ -24,6 +24,15 @@ def test_first_example_runs_in_an_empty_folder(tmp_path):
     assert ran.returncode == 0, ran.stderr
     printed = re.search(r"^```python\n.*?^```\n+prints\n+```\n(.*?)^```", DOCUMENT.read_text(), re.M | re.S)[1]
     assert ran.stdout == printed
+
+
+def test_the_first_program_of_the_readme_runs_as_printed(tmp_path):
+    readme = DOCUMENT.parents[1] / "README.md"
+    program = blocks(readme)[0]
+    (tmp_path / "press.py").write_text(program)
+    ran = subprocess.run([sys.executable, "press.py"], cwd=tmp_path, capture_output=True, text=True)
+    printed = re.search(r"^python3 press.py\n```\n+```text\n(.*?)^```", readme.read_text(), re.M | re.S)[1]
+    assert (ran.stderr, ran.stdout) == ("", printed)
 
 
 def test_other_examples_run_one_after_another(tmp_path, monkeypatch):

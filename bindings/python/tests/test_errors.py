@@ -108,3 +108,11 @@ def test_names_that_are_not_choices(half_space, sphere_gap):
         rc.solve(undeformed_gap=sphere_gap, system=half_space, pitch=1.0, load=1)
     refused(rc.ShapeError, "3 axes", rc.HalfSpace, (4, 4, 4), pitch=1, modulus=1)
     refused(rc.ShapeError, "pitch has 3 values", rc.HalfSpace, (4, 4), pitch=(1, 2, 3), modulus=1)
+
+
+def test_every_exception_has_its_status():
+    from roughcontact._errors import _BY_STATUS
+
+    assert rc.InternalError("x").status == rc.Status.ERR_INTERNAL and rc.NotCertifiedError("x").status == rc.Status.UNCERTIFIED
+    failures = {status for status in rc.Status if status < 0}
+    assert set(_BY_STATUS) == failures and all(kind("x").status == status for status, kind in _BY_STATUS.items())

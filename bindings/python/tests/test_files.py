@@ -36,7 +36,7 @@ def test_a_path(map_file):
         surface = rc.read(given)
         assert np.allclose(surface.heights, [[1e-9, 2e-9, 3e-9], [4e-9, np.nan, 6e-9]], equal_nan=True, rtol=1e-12, atol=0)
         assert surface.pitch == pytest.approx((2e-6, 2e-6)) and surface.unit == "m" and surface.assumed == ""
-        assert surface.missing.tolist() == [[False] * 3, [False, True, False]] and not surface.periodic
+        assert surface.missing.tolist() == [[False] * 3, [False, True, False]] and surface.periodic is None
     assert "3 x 2 points, pitch 2e-06, 2e-06 m, 1 missing" in repr(surface)
 
 
@@ -172,3 +172,31 @@ def test_a_file_that_says_that_its_surface_repeats(tmp_path):
         path.write_bytes(writers.contact_engineering(heights, 1e-6, 1e-6, periodic=periodic))
         assert rc.read(path).periodic is bool(periodic)
         assert rc.read(path.read_bytes()).periodic is bool(periodic)
+
+
+def test_a_surface_of_gwyddion_repeats_only_if_the_file_says_so(tmp_path):
+    plain = gsf(np.arange(12.0).reshape(3, 4), 1e-6, 1e-6)
+    for line, known in (("", None), ("Periodic = 0\n", False), ("Periodic = 1\n", True)):
+        text = plain[: plain.index(b"\0")] + line.encode()
+        padded = text + b"\0" * (4 - len(text) % 4) + plain[-48:]
+        assert rc.read(padded).periodic is known
+    assert rc.read(b"1 2\n3 4\n", format="text", pitch=1).periodic is None
+    refused(rc.ArgumentError, 'Periodic "yes" is neither 0 nor 1', rc.read, padded.replace(b"= 1\n\0\0\0", b"= yes\n\0"))
+
+
+def test_files_of_other_instruments_with_a_suffix_of_ours_are_handed_over(tmp_path, monkeypatch):
+    path = tmp_path / "a.dat"
+    path.write_bytes(b"\x88\x1b\x03\x6f" + bytes(60))
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
+    refused(rc.ArgumentError, "a MetroPro file.*SurfaceTopography is not installed", rc.read, path)
+    asked = []
+
+    def refuses(file, format):
+        asked.append(file)
+        raise RuntimeError("no heights")
+
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", types.SimpleNamespace(open_topography=refuses))
+    refused(rc.ArgumentError, "a MetroPro file.*nor does SurfaceTopography: RuntimeError: no heights", rc.read, path)
+    (tmp_path / "b.dat").write_text("1 2\n3\n")
+    refused(rc.ArgumentError, "row 2 has 1 values", rc.read, tmp_path / "b.dat")
+    assert asked == [str(path)]  # our own formats are not

@@ -59,7 +59,7 @@ def test_contact_can_be_used_afterwards(large):
 
 def test_path_keeps_its_steps(large):
     with pytest.raises(rc.Interrupted) as caught:
-        rc.history(large, modulus=1.0, load=np.tile([1e3, 2e3], 5000), each=lambda k, result: press() if k == 2 else None)
+        rc.history(large, modulus=1.0, boundary="free", load=np.tile([1e3, 2e3], 5000), each=lambda k, result: press() if k == 2 else None)
     done = caught.value.result
     assert done.status == rc.Status.STOP_CANCELLED and 3 <= done.completed < 10000
     assert np.all(np.isfinite(done.load)) and np.allclose(done.load, done.targets[: done.completed], rtol=1e-6)
@@ -73,7 +73,7 @@ def test_batch_keeps_its_contacts():
         with pytest.raises(rc.Interrupted) as caught:
             if each is None:
                 timer.start()
-            rc.batch(undeformed_gap=gaps, pitch=1.0, modulus=1.0, approach=targets, each=each, options={"threads": 2})
+            rc.batch(undeformed_gap=gaps, pitch=1.0, modulus=1.0, boundary="free", approach=targets, each=each, options={"threads": 2})
     timer.join()
     done = caught.value.result
     assert (done.statuses == rc.Status.STOP_CANCELLED).sum() > 4
@@ -94,7 +94,9 @@ def test_products_in_python_end():
         return H @ x
 
     with pytest.raises(rc.Interrupted):
-        rc.solve(undeformed_gap=np.linspace(0, 1, n), approach=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"])
+        rc.solve(
+            undeformed_gap=np.linspace(0, 1, n), approach=0.9, system=rc.Product(product, n, pitch=1), options=LONG["options"]
+        )
 
 
 def test_handlers_of_the_caller_are_respected(large):
@@ -127,11 +129,11 @@ def test_pressing_it_often_does_no_harm(large):
                 started = True
                 for timer in timers:
                     timer.start()
-            rc.solve(large, approach=2.0, check=False, modulus=1.0, options={**LONG["options"], "time_limit": 0.2})
+            rc.solve(large, approach=2.0, check=False, modulus=1.0, boundary="free", options={**LONG["options"], "time_limit": 0.2})
         except KeyboardInterrupt:
             interrupted += 1
     assert interrupted >= 1
-    assert rc.solve(large, approach=1.0, modulus=1.0).certified
+    assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 
 
 def test_a_handler_that_raises_when_the_call_has_ended_is_not_waited_for():
@@ -204,7 +206,7 @@ def test_calls_that_are_left_too_early_end_by_themselves(large, monkeypatch, kin
     monkeypatch.undo()
     for thread in workers():
         thread.join()
-    assert rc.solve(large, approach=1.0, modulus=1.0).certified
+    assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 
 
 def test_two_signals_at_the_same_time():
@@ -223,13 +225,13 @@ for _ in range(10):
             os.kill(os.getpid(), signal.SIGINT)
             os.kill(os.getpid(), signal.SIGTERM)
     try:
-        rc.solve(large, approach=2.0, modulus=1.0, progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
+        rc.solve(large, approach=2.0, modulus=1.0, boundary="free", progress=both, options={"solver": "gp", "tol": 1e-14, "max_iter": 10**9})
     except BaseException as error:
         kept = error
     for thread in threading.enumerate():
         if thread.name == "roughcontact":
             thread.join()
-assert rc.solve(large, approach=1.0, modulus=1.0).certified
+assert rc.solve(large, approach=1.0, modulus=1.0, boundary="free").certified
 print("sound")
 """
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)

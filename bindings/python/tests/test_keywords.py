@@ -82,10 +82,8 @@ def test_a_mean_pressure_is_a_load(rough):
     assert found.load == pytest.approx(1e4 * area) and found.mean_pressure == pytest.approx(1e4)
     assert rc.history(rough, modulus=1e9, pressure=[1e4, 2e4]).load == pytest.approx([1e4 * area, 2e4 * area])
     assert rc.batch([rough], modulus=1e9, pressure=1e4).load[0, 0] == pytest.approx(1e4 * area)
-    refused(rc.ArgumentError, "pressure and load are both given", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
-    refused(
-        rc.ArgumentError, "pressure and approach are both", rc.solve, rough, modulus=1e9, pressure=1e4, approach=1.0
-    )
+    refused(rc.ArgumentError, "load and pressure are both given", rc.solve, rough, modulus=1e9, pressure=1e4, load=1.0)
+    refused(rc.ArgumentError, "approach and pressure are both", rc.solve, rough, modulus=1e9, pressure=1e4, approach=1.0)
 
 
 def test_one_row_has_to_be_said():
@@ -94,8 +92,8 @@ def test_one_row_has_to_be_said():
         refused(
             rc.ArgumentError, "one axis: give pitch=\\(hx, hy\\)", rc.solve, **{name: row}, pitch=1.0, modulus=1.0, load=0.1
         )
-    said = rc.solve(row, pitch=(1.0, 1.0), modulus=1.0, load=0.1)
-    assert said.load == rc.solve(row[None], pitch=1.0, modulus=1.0, load=0.1).load
+    said = rc.solve(row, pitch=(1.0, 1.0), modulus=1.0, boundary="free", load=0.1)
+    assert said.load == rc.solve(row[None], pitch=1.0, modulus=1.0, boundary="free", load=0.1).load
     refused(rc.ArgumentError, "one axis", rc.solve, list(row), pitch=1.0, modulus=1.0, load=0.1)
 
 
@@ -105,9 +103,9 @@ ROW = -np.linspace(-1, 1, 32) ** 2
 @pytest.mark.parametrize(
     "call",
     [
-        lambda pitch: rc.history(ROW, pitch=pitch, modulus=1.0, load=[0.1]),
-        lambda pitch: rc.batch(undeformed_gap=-ROW, pitch=pitch, modulus=1.0, load=0.1),
-        lambda pitch: rc.HalfSpace.under(ROW, pitch=pitch, modulus=1.0),
+        lambda pitch: rc.history(ROW, pitch=pitch, modulus=1.0, boundary="free", load=[0.1]),
+        lambda pitch: rc.batch(undeformed_gap=-ROW, pitch=pitch, modulus=1.0, boundary="free", load=0.1),
+        lambda pitch: rc.HalfSpace.under(ROW, pitch=pitch, modulus=1.0, boundary="free"),
         lambda pitch: rc.surface.analyze(ROW, pitch=pitch),
         lambda pitch: rc.surface.psd(ROW, pitch=pitch),
         lambda pitch: rc.surface.power_law(ROW, pitch=pitch),
@@ -131,7 +129,7 @@ def test_a_surface_is_pressed_with_its_own_pitch(rough):
     refused(rc.ArgumentError, "surface has its own", rc.batch, [rough], **PRESS, pitch=2e-6)
     for judge in (rc.surface.analyze, rc.surface.psd, rc.plot.heights):
         refused(rc.ArgumentError, "surface has its own", judge, rough, pitch=2e-6)
-    other = rc.HalfSpace(rough.shape, pitch=2e-6, modulus=1e9)
+    other = rc.HalfSpace(rough.shape, pitch=2e-6, modulus=1e9, boundary="free")
     for call, pressed in ((rc.solve, rough), (rc.batch, [rough]), (rc.batch, rough)):
         refused(rc.ArgumentError, "surface has the pitch", call, pressed, system=other, load=1e-4)
     with rc.Contact(other) as contact:
@@ -196,9 +194,69 @@ def test_help_names_every_keyword_with_its_default():
         assert name == "keywords" or re.search(rf"^(E, )?{name}(, nu)?: ", text, re.M), name
     for name in ("load", "approach", "pressure", "hardness", "pitch"):
         assert re.search(rf"^{name}: [^\n]*(\n +[^\n]*)?\[(force|length)", text, re.M), f"{name} has no unit"
-    known = [spec for spec in rc.options(rc.Context(environment=False)) if spec.key not in ("threads",)]
+
+
+def test_options_are_printed_as_keywords(rough):
+    options = rc.options()
+    lines = str(options).splitlines()
+    assert len(lines) == len(options) and all(spec.help.splitlines()[0] in line for spec, line in zip(options, lines))
+    assert "tol=1e-08 (1e-16 .. 0.1): " in lines[3] and "solver='auto': " in lines[0]
+    for spec, line in zip(options, lines):
+        keyword, _, rest = line.partition("=")
+        assert rest.startswith(repr(spec.default)), line
+        rc.solve(rough, **PRESS, **({} if spec.key == "threads" else {keyword: spec.default}))
     for function in (rc.solve, rc.history, rc.batch):
-        lines = dict(re.findall(r"^ +(\w+)=(\S*?)(?: \([^)]*\))?: ", inspect.getdoc(function), re.M))
-        for spec in known:
-            said = lines[re.sub("[.-]", "_", spec.key)]
-            assert (said.strip("'") if spec.kind is str else spec.kind(float(said))) == spec.default, spec
+        assert len(function.__doc__.splitlines()) < 60 and "fft_patience" not in function.__doc__
+    assert "`roughcontact.options()`" in rc.solve.__doc__
+
+
+def test_signatures_are_readable():
+    """Names of types instead of what they stand for."""
+    import inspect
+
+    for function in (rc.solve, rc.history, rc.batch, rc.Contact.solve, rc.HalfSpace, rc.analysis.patches, rc.direct.nnls):
+        text = str(inspect.signature(function))
+        assert "ndarray" not in text and "SupportsArray" not in text and "Union[float" not in text, text
+    assert "undeformed_gap: 'Optional[ArrayLike]'" in str(inspect.signature(rc.solve))
+
+
+@pytest.mark.parametrize("how", [{"pressure": 1e4}, {"load": 1e4 * 48 * 64 * 1e-12}])
+def test_twins_take_the_same_keywords(rough, how):
+    """Whoever presses takes E and nu, and pressure beside load."""
+    system = rc.HalfSpace.under(rough, E=2e9, nu=0.3)
+    assert system.modulus == rc.HalfSpace(rough.shape, pitch=1e-6, E=2e9, nu=0.3).modulus == pytest.approx(2e9 / 0.91)
+    expected = rc.solve(rough, modulus=system.modulus, **how)
+    many = {name: [value] for name, value in how.items()}
+    with rc.Contact(system) as contact:
+        found = [contact.solve(rough, **how), contact.history(rough, **many)[0]]
+    found += [rc.solve(rough, E=2e9, nu=0.3, **how), rc.history(rough, E=2e9, nu=0.3, **many)[0]]
+    found += [rc.batch([rough], E=2e9, nu=0.3, **how)]
+    for each in found:
+        assert np.ravel(each.load)[0] == pytest.approx(expected.load, rel=1e-9)
+        assert np.ravel(each.approach)[0] == pytest.approx(expected.approach, rel=1e-6)
+
+
+@pytest.mark.parametrize("call", [rc.solve, rc.history, rc.batch, rc.Contact.solve, rc.Contact.history])
+def test_errors_name_all_ways(rough, call):
+    system = rc.HalfSpace.under(rough, modulus=1e9)
+    with rc.Contact(system) as contact:
+        given = (contact, rough) if "Contact" in call.__qualname__ else (rough,)
+        more = {} if len(given) == 2 else {"system": system}
+        refused(rc.ArgumentError, "nothing presses: one of approach, load, pressure is needed", call, *given, **more)
+        both = {"load": 1.0, "pressure": 1.0}
+        words = "load and pressure are both given: one of approach, load, pressure is needed"
+        refused(rc.ArgumentError, words, call, *given, **more, **both)
+        refused(rc.ArgumentError, "are all given", call, *given, **more, **both, approach=1e-8)
+    for call in (rc.solve, rc.history, rc.batch):
+        refused(
+            rc.ArgumentError, "modulus is missing: the contact modulus E\\*, or E and nu, or system=", call, rough, load=1e-4
+        )
+    refused(rc.ArgumentError, "modulus is missing", rc.HalfSpace, (4, 4), pitch=1.0)
+
+
+@pytest.mark.parametrize("name", ["load", "approach", "pressure"])
+def test_histories_without_a_step_are_refused(rough, name):
+    for call in (rc.history, rc.batch):
+        refused(rc.ArgumentError, f"{name} is empty: one value for each step", call, rough, modulus=1e9, **{name: []})
+    with rc.Contact(rc.HalfSpace.under(rough, modulus=1e9)) as contact:
+        refused(rc.ArgumentError, f"{name} is empty", contact.history, rough, **{name: []})

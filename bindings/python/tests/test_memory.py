@@ -29,14 +29,14 @@ def calls():
     gap = rc.surface.noise((24, 24)).undeformed_gap()
     how = {"pitch": 1.0, "modulus": 1.0, "approach": 1.0}
 
-    contact = rc.Contact(rc.HalfSpace((24, 24), pitch=1.0, modulus=1.0), progress=lambda p: None)
+    contact = rc.Contact(rc.HalfSpace((24, 24), pitch=1.0, modulus=1.0, boundary="free"), progress=lambda p: None)
     H = np.eye(30)
     return {
         "solve": lambda: rc.solve(undeformed_gap=gap, **how, want_gap=True),
         "step": lambda: contact.solve(undeformed_gap=gap, approach=1.0),
         "refused": lambda: refused(rc.OptionError, "", rc.solve, undeformed_gap=gap, **how, options={"unknown": 1}),
         "product": lambda: rc.solve(undeformed_gap=np.ones(30), approach=2.0, system=rc.Product(H.dot, 30, pitch=1)),
-        "path": lambda: rc.history(undeformed_gap=gap, pitch=1.0, modulus=1.0, approach=[1.0], each=lambda k, r: None),
+        "path": lambda: rc.history(undeformed_gap=gap, pitch=1.0, modulus=1.0, boundary="free", approach=[1.0], each=lambda k, r: None),
     }
 
 

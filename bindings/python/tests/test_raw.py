@@ -10,7 +10,10 @@ import pytest
 import roughcontact as rc
 from roughcontact import raw
 
-GOLDEN = [pathlib.Path(__file__).resolve().parents[3] / "tests" / "abi" / f"golden_{name}.c" for name in ("contact", "surface", "formats")]
+GOLDEN = [
+    pathlib.Path(__file__).resolve().parents[3] / "tests" / "abi" / f"golden_{name}.c"
+    for name in ("contact", "surface", "formats")
+]
 STRUCTS = {
     name: each
     for name, each in vars(raw).items()

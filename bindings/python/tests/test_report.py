@@ -1,7 +1,10 @@
 """What a report tells, without the packages that make a page of it."""
 
+import dataclasses
+import datetime
 import math
 import pathlib
+import re
 
 import numpy as np
 import pytest
@@ -63,7 +66,7 @@ def test_a_request():
     assert not read_request(["a b.x3p", "--modulus", "1GPa", "--load", "1,2"]).curve
 
 
-def test_one_clear_line_and_status_2(file, tmp_path, capsys, monkeypatch):
+def test_one_clear_line_and_status_1(file, tmp_path, capsys, monkeypatch):
     good = [file, "--pitch", "1um", *STEEL, "--load", "1mN", "--out", str(tmp_path / "page.html")]
     for arguments, words in (
         (["report"], "required: FILE"),
@@ -73,6 +76,8 @@ def test_one_clear_line_and_status_2(file, tmp_path, capsys, monkeypatch):
         (["report", *good, "--pressure", "1"], "only one of"),
         (["report", *good, "--modulus", "1"], "not both"),
         (["report", *good, "--hardnes", "1"], "did you mean '--hardness'?"),
+        (["report", *good, "--plot", "1"], "'--plot' is not expected; see --help"),
+        (["report", *good, "--load=2mN"], "--load is given twice, give several steps as a,b,c"),
         (["report", *good, "--threads", "1.5"], "whole number"),
         (["report", *good, "--tol", "small"], "is not a number"),
         (["report", *good, "--remove", "plain"], "invalid choice"),
@@ -83,11 +88,11 @@ def test_one_clear_line_and_status_2(file, tmp_path, capsys, monkeypatch):
         (["report", *good, "--tol", "-1"], "tol"),
     ):
         monkeypatch.setattr(page, "NEEDED", ("numpy",))
-        assert command.main(arguments) == 2, arguments
+        assert command.main(arguments) == 1, arguments
         told = capsys.readouterr()
         assert told.out == "" and told.err.count("\n") == 1 and words in told.err, (arguments, told.err)
     monkeypatch.setattr(page, "NEEDED", ("numpy", "no_such_package"))
-    assert command.main(["report", *good]) == 2
+    assert command.main(["report", *good]) == 1
     assert (
         "no_such_package not installed, which a page is made with: pip install 'roughcontact[report]'"
         in capsys.readouterr().err
@@ -107,7 +112,7 @@ def test_the_numbers_are_those_of_solve(file, rough):
             result.pressure.max(), rel=1e-4
         )
         assert step.result.stiffness == pytest.approx(result.stiffness, rel=1e-3)
-        assert step.corrected == pytest.approx(result.area().corrected_area / content.nominal_area, rel=1e-3)
+        assert step.corrected == pytest.approx(result.corrected_area / content.nominal_area, rel=1e-3)
     assert step.patches == len(content.patches) and content.histogram.contacts == step.result.contacts
     assert content.persson == pytest.approx(rc.surface.analyze(rough).rms_slope)
     assert content.persson_area(step.result.load) == pytest.approx(
@@ -122,7 +127,7 @@ def test_the_numbers_are_those_of_solve(file, rough):
 
 def test_words(file):
     content = collected(file, "--pressure", "5GPa")
-    assert f"{100 * content.steps[-1].fraction:.3g} % of the area carries" in wording.conclusion(content)
+    assert f"Contact area {100 * content.steps[-1].fraction:.3g} % at" in wording.conclusion(content)
     assert "above the hardness of any steel" in wording.conclusion(content)
     assert "10 of 10 steps are certified" in wording.certificate(content)
     told = " ".join(wording.assumptions(content))
@@ -143,7 +148,7 @@ def test_words(file):
             [file, "--unit", "um", "--pitch", "0.1", "--modulus", "3GPa", "--pressure", "1GPa", "--boundary", "periodic"]
         )
     )
-    assert "E*: strains are large" in wording.conclusion(soft)
+    assert "E*, linear elasticity does not hold there" in wording.conclusion(soft)
     assert wording.conclusion(collected(file, "--pressure", "5GPa", "--hardness", "1TPa")).endswith(
         "below the hardness of 1 TPa."
     )
@@ -153,6 +158,53 @@ def test_words(file):
         and yielding.steps[-1].mean_gap >= 0
     )
     assert "no hardness" not in " ".join(wording.assumptions(yielding))
+
+
+def test_what_was_pressed_stands_below_the_title(file):
+    content = collected(file, "--pressure", "20MPa,100MPa", "--hardness", "8GPa")
+    told = " ".join(wording.facts(content))
+    loads = [with_prefix(step.result.load, "N") for step in content.steps]
+    for words in ("E* 231 GPa", "hardness 8 GPa", "periodic boundary", f"2 loads, {loads[0]} to {loads[1]}", content.version):
+        assert words in told, told
+    assert datetime.date.fromisoformat(content.date) and content.date in told
+
+
+def test_intervals_have_a_half_width(file):
+    content = collected(file, "--pressure", "20MPa")
+    r = content.steps[-1].result
+    middle, half = (r.load_lower + r.load_upper) / 2, (r.load_upper - r.load_lower) / 2
+    assert wording.proof_rows(content)[-1][3] == f"{with_prefix(middle, 'N', 6)} ± {with_prefix(half, 'N', 2)}"
+    assert "load, proven" in wording.PROOF_HEAD and "area, proven" in wording.PROOF_HEAD
+    assert wording._interval(np.nan, 1.0, "N") == "not known" and wording._interval(1.0, 2.0, "%") == "1.5 % ± 0.5 %"
+
+
+def test_what_analyze_remarks(file):
+    content = collected(file, "--pressure", "20MPa")
+    assert content.law is not None and not any("self-affine" in doubt for doubt in wording.doubts(content))
+    steep = dataclasses.replace(content, law=dataclasses.replace(content.law, hurst=1.41, hurst_error=0.05))
+    assert any("1.41" in doubt and "not self-affine" in doubt for doubt in wording.doubts(steep))
+    assert dict(wording.surface_rows(steep))["Hurst exponent"] == "1.41 ± 0.05, not self-affine"
+
+
+def test_theory_only_where_it_holds(file):
+    assert collected(file, "--pressure", "20MPa").persson
+    assert collected(file, "--pressure", "20MPa", "--hardness", "8GPa").persson is None
+    free = [file, "--pitch", "1um", "--unit", "um", *STEEL, "--boundary", "free", "--pressure", "20MPa"]
+    assert collect(read_request(free)).persson is None
+
+
+def test_ranges_of_equal_ratios():
+    asked = ["a.x3p", "--modulus", "1GPa", "--load"]
+    assert read_request([*asked, "1uN:100uN:3log"]).targets == pytest.approx([1e-6, 1e-5, 1e-4])
+    refused(rc.ArgumentError, "two ends above 0", read_request, [*asked, "0:1:3log"])
+
+
+def test_the_page_follows_the_dark():
+    template = (pathlib.Path(page.__file__).parent / "page.html.j2").read_text(encoding="utf-8")
+    assert "prefers-color-scheme: dark" in template and "facts" in template
+    style = template[template.index("<style>") : template.index("</style>")]
+    found = [line for line in style.splitlines() if re.search("#[0-9a-f]{3,6};", line) and ":root" not in line]
+    assert found == []  # every colour is in the two sets
 
 
 def test_a_goal_for_the_accuracy(tmp_path):
@@ -175,7 +227,7 @@ def test_a_goal_for_the_accuracy(tmp_path):
     content = collect(read_request(goal))
     assert content.certified and [step.result.status for step in content.steps] == 2 * [rc.Status.WITHIN_GOAL]
     assert "2 were solved on a coarser grid" in wording.certificate(content)
-    assert "% of the area carries" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
+    assert "Contact area" in wording.conclusion(content) and "Not certified" not in wording.conclusion(content)
     assert all("points solved" in row[-2] for row in wording.proof_rows(content))
 
 
@@ -199,7 +251,7 @@ def test_the_template_is_in_the_package():
 
 def test_nothing_in_contact(file):
     content = collected(file, "--load", "0")
-    assert wording.conclusion(content) == "Nothing carries pressure." and content.histogram is None
+    assert wording.conclusion(content) == "Load 0 N, no contact." and content.histogram is None
 
 
 def test_blocks_are_true():

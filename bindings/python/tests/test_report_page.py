@@ -102,7 +102,7 @@ def test_a_step_that_is_not_certified(tmp_path, capsys, monkeypatch):
         command.main(
             ["report", str(tmp_path / "z.npy"), "--pitch", "1um", "--modulus", "1GPa", "--load", "1mN", "--out", str(out)]
         )
-        == 1
+        == 2
     )
     assert "Not certified" in capsys.readouterr().out and "STOP_MAX_ITER" in out.read_text(encoding="utf-8")
 

@@ -9,7 +9,7 @@ import roughcontact as rc
 
 def test_midpoint_displacement():
     fine = rc.surface.rmd(5, hurst=0.8, rms_height=2e-6, pitch=1e-6, seed=7, crop=False)
-    assert fine.heights.shape == (33, 33) and fine.pitch == (1e-6, 1e-6) and not fine.periodic
+    assert fine.heights.shape == (33, 33) and fine.pitch == (1e-6, 1e-6) and fine.periodic is None
     assert fine.heights.std() == pytest.approx(2e-6, rel=1e-9)
     coarse = rc.surface.rmd(5, hurst=0.8, rms_height=2e-6, seed=7, crop=False, stage=4)
     assert np.array_equal(coarse.heights, fine.heights[::2, ::2])
@@ -31,6 +31,7 @@ def test_spectral_surfaces():
 
 def test_shapes():
     x = np.arange(10.0) - 4.5
+    assert all(made((4, 4), radius=5.0).periodic is False for made in (rc.surface.sphere, rc.surface.paraboloid))
     r2 = x[:, None] ** 2 + x**2
     assert np.allclose(rc.surface.paraboloid((10, 10), radius=5.0).heights, -r2 / 10)
     inside = r2 < 25

@@ -86,16 +86,16 @@ def cores(monkeypatch, number, **variables):
 
 
 def test_every_core_is_used_where_it_pays(monkeypatch):
-    large = rc.HalfSpace((256, 256), pitch=1, modulus=1)
+    large = rc.HalfSpace((256, 256), pitch=1, modulus=1, boundary="free")
     cores(monkeypatch, 3)
     for given, expected in (({}, 3), ({"threads": 2}, 2), ({"options": {"threads": 1}}, 1)):
         with rc.Contact(large, **given) as contact:
             assert contact._options["threads"] == expected
-    assert with_threads(None, rc.HalfSpace((128, 128), pitch=1, modulus=1)) == {"threads": 1}  # too small
-    assert with_threads({"tol": 1}, rc.HalfSpace((512, 512), pitch=1, modulus=1)) == {"threads": 3, "tol": 1}
+    assert with_threads(None, rc.HalfSpace((128, 128), pitch=1, modulus=1, boundary="free")) == {"threads": 1}  # too small
+    assert with_threads({"tol": 1}, rc.HalfSpace((512, 512), pitch=1, modulus=1, boundary="free")) == {"threads": 3, "tol": 1}
     assert with_threads(None, rc.Product(lambda p: p, (512, 512), pitch=1)) == {"threads": 1}
     assert with_threads(None, rc.Matrix(np.eye(1024), pitch=1)) == {"threads": 3}
-    assert with_threads(None, rc.HalfSpace((8, 8), pitch=1, modulus=1), 2) == {"threads": 2}
+    assert with_threads(None, rc.HalfSpace((8, 8), pitch=1, modulus=1, boundary="free"), 2) == {"threads": 2}
     cores(monkeypatch, 3, OMP_NUM_THREADS="2")
     assert with_threads(None, large) == {"threads": 2}
     cores(monkeypatch, 3, OMP_NUM_THREADS="2", OMP_THREAD_LIMIT="1")
@@ -114,7 +114,7 @@ def test_the_number_of_cores_does_not_change_the_bits(monkeypatch):
 
 def test_a_contact_keeps_its_threads_when_options_change(monkeypatch):
     cores(monkeypatch, 2)
-    with rc.Contact(rc.HalfSpace((128, 128), pitch=1.0, modulus=1.0)) as contact:
+    with rc.Contact(rc.HalfSpace((128, 128), pitch=1.0, modulus=1.0, boundary="free")) as contact:
         contact.set_options({"tol": 1e-7})
         cores(monkeypatch, 4)
         contact.set_options({"tol": 1e-8})

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # wheel.sh SOURCE PYTHON CC CXX WERROR: makes the source distribution and the wheel as packaging/wheel.sh does, installs the wheel in a
 # clean virtual environment with NumPy and pytest alone, and runs the tests against it; then in a bare system, where that can be
-# made. Exits with 77 where pip cannot get what it needs. Compilers and flags are those of the build around it.
+# made. With RC_TEST_QUICK only tests of the command, of solves and of files, and no bare system. Exits with 77 where pip cannot get
+# what it needs. Compilers and flags are those of the build around it.
 set -euo pipefail
 source=$1 python=$2 werror=$5
 export CC=$3 CXX=$4 CMAKE_GENERATOR="Unix Makefiles" PYTHON=$python
@@ -57,8 +58,15 @@ for file in package.rglob("*.so*"):
     assert b"/tmp/" not in file.read_bytes(), f"{file} names a temporary folder"
 print("installed, with", ", ".join(names))
 END
+for command in "$scratch/clean/bin/roughcontact" "$scratch/clean/bin/python -m roughcontact"; do
+  $command generate spectral --help >"$scratch/log" 2>&1 || fail "$command: $(tail -1 "$scratch/log")"
+  $command backends | grep -q "^fft " || fail "$command knows no plugin"
+done
+tests=("$source/bindings/python/tests")
+[ -z "${RC_TEST_QUICK-}" ] || tests=("$source"/bindings/python/tests/test_{command,solve,files}.py)
 PYTHONDONTWRITEBYTECODE=1 "$source/bindings/python/tests/run.sh" "$scratch/clean/bin/python" -c "$source/pyproject.toml" \
-  -m "not slow" "$source/bindings/python/tests"
+  -m "not slow" "${tests[@]}"
+[ -z "${RC_TEST_QUICK-}" ] || exit 0
 status=0
 "$source/packaging/bare.sh" "$wheel" || status=$?
 [ $status = 0 ] || [ $status = 77 ] || exit $status

@@ -73,8 +73,8 @@ rc_status AccuracyGoal::solve_on(std::size_t k, const Workspace& given, const rc
   Grid& grid = grids_[k - 1];
   GridContact& contact = grid.halved.contact();
   rc_options options = coarse_options(given.options, monitor);
-  // difference() needs the stiffness.
-  if (k > 1 && step.control == RC_CONTROL_LOAD) options.set(RC_OPT_STIFFNESS, std::int64_t{1});
+  // difference() and look() need the stiffness.
+  if (step.control == RC_CONTROL_LOAD) options.set(RC_OPT_STIFFNESS, std::int64_t{1});
   contact.set_options(options);
   contact.watched_by(monitor, true);
   rc_step on_grid = RC_STEP_INIT;
@@ -165,7 +165,7 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   result.p_single = to_p.in_single;
   result.gap = to_gap.in_double;
   result.gap_single = to_gap.in_single;
-  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = nan;
+  if (given.options.integer(RC_OPT_STIFFNESS) == 0) result.stiffness = result.punch_stiffness = nan;
   result.stiffness_lower = result.stiffness_upper = nan;
   Bounds{}.write(result);
   result.points = given.system.points();
@@ -175,6 +175,8 @@ void AccuracyGoal::deliver_stopped(Workspace& given, const rc_step& step, const 
   result.load = sum * given.system.cell_area();
   result.mean_pressure = sum / static_cast<double>(given.system.points());
   result.contact_area = static_cast<double>(p.on.n) * given.system.cell_area();
+  result.area_fraction = static_cast<double>(p.on.n) / static_cast<double>(given.system.points());
+  result.max_pressure = p.p.empty() ? 0 : *std::ranges::max_element(p.p);
   if (step.control == RC_CONTROL_LOAD) result.kkt_control = load_imbalance(result.load, step.target);
   result.levels = 0;
   result.iterations = result.products = 0;

@@ -113,7 +113,10 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
     for (double& p : kept) p *= factor;
     for (double& p : corrected.pressures.p) p *= factor;
     for (double& deflection : corrected.product) deflection *= factor;
-    depth = fitting_compression(work, corrected);
+    // The load is not proportional to the deflection if a stiffer part is just reached. An infinite stiffness is that of full
+    // contact, in which no approach belongs to a load.
+    const double rate = grid.result.stiffness;
+    depth = std::isinf(rate) ? fitting_compression(work, corrected) : depth + (step.target - rest.load) / rate;
     // A larger approach reaches points that are not listed.
     const bool all = static_cast<std::int64_t>(corrected.size()) == system.points();
     if (!all && depth > answer.compression + (screened ? corrected.beyond : 0)) {
@@ -121,18 +124,19 @@ bool AccuracyGoal::look(GridContact& given, const rc_step& step, Found& found, M
       corrected = deflected(work, answer, true);
     }
   }
-  if (!(error <= work.goal.error)) {
+  if (!(error <= work.goal.error) || std::isnan(depth)) {
+    if (std::isnan(depth)) depth = answer.compression;
     found.estimate = Estimate{corrected.pressures.positive(work.team()), surface.lowest() + depth};
     return false;
   }
   name_components(work, answer, result);
-  certify_and_fill(work, step, corrected, depth, result);
+  const bool wanted = work.options.integer(RC_OPT_STIFFNESS) != 0;
+  certify_and_fill(work, step, corrected, depth, wanted ? grid.result.stiffness : std::numeric_limits<double>::quiet_NaN(),
+                   result);
   std::copy(std::begin(grid.result.solver), std::end(grid.result.solver), result.solver);
   std::copy(std::begin(grid.result.backend), std::end(grid.result.backend), result.backend);
   result.status = RC_WITHIN_GOAL;
   result.modelled = answer.op->modelled();
-  result.stiffness =
-      work.options.integer(RC_OPT_STIFFNESS) != 0 ? grid.result.stiffness : std::numeric_limits<double>::quiet_NaN();
   count_work(work, monitor, result);
   result.levels = 0;
   add_work(result);

@@ -8,6 +8,7 @@
 #include "contact/grids/sparse_contact.h"
 #include "contact/output_array.h"
 #include "contact/proof/plausibility.h"
+#include "contact/proof/survey.h"
 #include "contact/step/auto_choice.h"
 #include "contact/step/trial_set.h"
 
@@ -57,8 +58,8 @@ template <class Take> void each_own(const Workspace& work, std::size_t n, const 
     if (point(k) >= before && point(k) < end) take(point(k) - before, k);
 }
 
-// The deformed gap at all points of the rows, by one product of all ranks.
-void write_gap(Workspace& work, const Pressures& own, double compression, const rc_result& result) {
+// The deformed gap at all points of the rows and its mean, by one product of all ranks.
+void write_gap(Workspace& work, const Pressures& own, double compression, rc_result& result) {
   const TrialSet rows{work.own_points(), {}};
   Answer answer = prepared(rows, RC_CONTROL_APPROACH, 1, work);
   answer.op = &work.bound_operator(*answer.choice.backend, rows);
@@ -71,6 +72,7 @@ void write_gap(Workspace& work, const Pressures& own, double compression, const 
   answer.op->field(answer.p, found.product);
   for (double& value : found.product) value *= work.system.length_per_pressure;
   found.pressures = {rows, std::move(answer.p)};
+  result.mean_gap = mean_gap(work, survey(work.surface, compression, found), result.plastic_volume / work.system.cell_area());
   write_arrays(work, found, compression, result);
 }
 
@@ -85,8 +87,8 @@ std::optional<Finished> shared_sparse_contact(Workspace& work, const Memory& mem
   const auto sparse = [&](std::int64_t n) { return few(n, work.system.points(), work.system.periodic()); };
   const bool older_sparse = step.warm_start && sparse(contacts_of(memory.before, work));
   if (contacts > 0 && !sparse(contacts) && memory.last.same_gap && step.target >= before) return std::nullopt;  // it grows denser
-  if (!work.facts.tilt && !work.system.periodic())
-    work.facts.tilt = plane_share(work.surface, work.system.given.nx, work.system.given.ny);
+  if (!work.facts.tilt)
+    work.facts.tilt = plane_share(work.surface, work.system.given.nx, work.system.given.ny, work.system.periodic());
 
   rc_result told = result;
   told.p = told.gap = nullptr;

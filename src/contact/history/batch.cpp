@@ -13,6 +13,7 @@
 
 #include "contact/contact.h"
 #include "contact/history/many.h"
+#include "contact/history/many_check.h"
 #include "core/cancelled.h"
 #include "core/error.h"
 #include "core/limits.h"
@@ -222,23 +223,29 @@ class Worker {
   // Contacts i .. end-1, or the first of them; returns how many they are. Those that are not solved together, for whatever
   // reason, are solved by themselves.
   std::int64_t together(std::int64_t i, std::int64_t end) {
-    const ManyAnswers answers = many_->solved(i, end);
-    std::vector<std::int64_t> others;
-    for (std::int64_t k = 0; k < answers.contacts; ++k)
-      if (!take(i + k, answers.all.data() + k * request_.given.steps)) others.push_back(i + k);
-    const std::int64_t taken = answers.contacts - static_cast<std::int64_t>(others.size());
-    if (taken > 0) progress_.add(taken * request_.given.steps);
-    for (const std::int64_t other : others) follow(other);
-    if (answers.contacts > 0) return answers.contacts;
-    for (std::int64_t k = i; k < end; ++k) follow(k);
-    return end - i;
+    ManyAnswers answers = many_->solved(i, end);
+    const std::int64_t count = answers.contacts > 0 ? answers.contacts : end - i, steps = request_.given.steps;
+    std::vector<std::int64_t> solved, others;
+    for (std::int64_t k = 0; k < count; ++k) (k < answers.contacts && answers.solved(k, steps) ? solved : others).push_back(k);
+    if (const std::string why = refusal(request_.given, answers, solved, i, *contact_); !why.empty()) {
+      many_->log(i, i + count, why.c_str());
+      others.insert(others.end(), solved.begin(), solved.end());
+      std::sort(others.begin(), others.end());
+      solved.clear();
+    }
+    for (const std::int64_t k : solved) take(i + k, answers, k);
+    if (!solved.empty()) progress_.add(static_cast<std::int64_t>(solved.size()) * steps);
+    answers = {};
+    for (const std::int64_t k : others) follow(i + k);
+    return count;
   }
-  // Whether every step is certified.
-  bool take(std::int64_t i, const rc_many_answer* answers) {
-    for (std::int64_t k = 0; k < request_.given.steps; ++k)
-      if (!many_->result(answers[k], i, k)) return false;
-    for (std::int64_t k = 0; k < request_.given.steps; ++k) request_.write(i, k, *many_->result(answers[k], i, k));
-    return true;
+  // Contact i is number k of these answers.
+  void take(std::int64_t i, const ManyAnswers& answers, std::int64_t k) {
+    const std::int64_t steps = request_.given.steps, first = k * steps;
+    for (std::int64_t step = 0; step < steps; ++step)
+      request_.write(i, step, many_->result(answers.all[static_cast<std::size_t>(first + step)], i, step));
+    if (double* const to = request_.pressures(i))
+      std::copy_n(answers.p.data() + (first + steps - 1) * request_.points, request_.points, to);
   }
 
   void follow(std::int64_t i) {

@@ -16,7 +16,8 @@ namespace {
 void check_history(const rc_history& history) {
   if (history.n < 0) fail(RC_ERR_ARGUMENT, "rc_history.n = ", history.n, " must be >= 0");
   if (history.control != RC_CONTROL_APPROACH && history.control != RC_CONTROL_LOAD)
-    fail(RC_ERR_ARGUMENT, "rc_history.control = ", history.control, " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
+    fail(RC_ERR_ARGUMENT, "rc_history.control = ", history.control,
+         " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
   if (history.n > 0 && !history.targets) fail(RC_ERR_ARGUMENT, "rc_history.targets is null but rc_history.n = ", history.n);
   for (std::int64_t i = 0; i < history.n; ++i)
     if (!std::isfinite(history.targets[i]))
@@ -48,7 +49,9 @@ void write_outputs(const rc_history& history, std::int64_t i, const rc_result& r
   put(history.products, i, result.products);
 }
 
-std::string where(const rc_history& history, std::int64_t i) { return join("step ", i, ", targets[", i, "] = ", history.targets[i]); }
+std::string where(const rc_history& history, std::int64_t i) {
+  return join("step ", i, ", targets[", i, "] = ", history.targets[i]);
+}
 
 // While it lives, every step computes the stiffness, whatever the option says.
 class StiffnessAsked {
@@ -78,7 +81,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, std::int64_
   std::vector<double> p, gap;
   on_all(contact.work().ranks(), [&] {
     p.resize(history.fn ? static_cast<std::size_t>(contact.work().own_points()) : 0);
-    gap.resize(p.size());
+    gap.resize(history.want_gap != 0 ? p.size() : 0);
   });
   std::string within_goal;  // what the last step said that was within its goal
   for (std::int64_t i = 0; i < history.n; ++i) {
@@ -86,7 +89,7 @@ rc_status solve_history(Contact& contact, const rc_history& history, std::int64_
     rc_result result{};
     result.struct_size = sizeof(rc_result);
     result.p = history.fn ? p.data() : nullptr;
-    result.gap = history.fn ? gap.data() : nullptr;
+    result.gap = history.fn && history.want_gap != 0 ? gap.data() : nullptr;
     rc_status status = RC_OK;
     try {
       contact.begin(step);

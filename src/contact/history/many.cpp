@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
-#include "contact/proof/certificate.h"
 #include "contact/step/auto_choice.h"
 #include "core/certificate_terms.h"
 #include "core/error.h"
+#include "core/large_memory.h"
 
 namespace rc {
 
 namespace {
 
-// Points of one call: enough to be worth it, few enough for a stop to be seen soon.
-constexpr std::int64_t least_points_together = std::int64_t{1} << 22, most_points_together = std::int64_t{1} << 25;
+// Pressures of one call: enough to be worth it, few enough for a stop to be seen soon and for 256 MiB of memory.
+constexpr std::int64_t least_together = std::int64_t{1} << 22, most_together = std::int64_t{1} << 25;
 
 // What answers of many have no place for.
 bool asks_for_more(const Workspace& work, const rc_batch& batch) {
@@ -50,7 +51,8 @@ std::optional<ManySolve> ManySolve::of(const Workspace& work, const rc_batch& ba
   clear_message();
   if (status != RC_OK) return std::nullopt;
   const std::int64_t share = (batch.n + threads - 1) / threads;
-  many.at_once_ = std::max<std::int64_t>(1, std::clamp(share, least_points_together / points, most_points_together / points));
+  const std::int64_t values = batch.steps > most_together / points ? most_together : batch.steps * points;  // of a contact
+  many.at_once_ = std::max<std::int64_t>(1, std::clamp(share, least_together / values, most_together / values));
   return many;
 }
 
@@ -71,7 +73,6 @@ ManySolve::Request ManySolve::request(std::int64_t first, std::int64_t n) const 
   request.mask = batch_.mask ? batch_.mask + first * batch_.mask_stride : nullptr;
   request.mask_stride = batch_.mask_stride;
   request.p0 = batch_.p0 ? batch_.p0 + first * system.points() : nullptr;
-  request.p = batch_.p ? batch_.p + first * system.points() : nullptr;
   request.length_per_pressure = system.length_per_pressure;
   request.hardness = system.hardness;
   request.least_deflection = system.least_deflection * system.length_per_pressure;
@@ -88,35 +89,43 @@ ManySolve::Request ManySolve::request(std::int64_t first, std::int64_t n) const 
 
 ManyAnswers ManySolve::solved(std::int64_t first, std::int64_t last) const {
   ManyAnswers answers;
-  answers.all.resize(static_cast<std::size_t>((last - first) * batch_.steps));
+  const std::int64_t slots = (last - first) * batch_.steps;
+  try {
+    answers.all.resize(static_cast<std::size_t>(slots));
+    answers.p = large_vector<double>(static_cast<std::size_t>(slots * work_.system.points()));
+  } catch (const std::bad_alloc&) {
+    log(first, last, "out of memory");
+    return {};
+  }
   Request asked = request(first, last - first);
   asked.answers = answers.all.data();
+  asked.p = answers.p.data();
   const rc_status status = solver_->solve_many(&work_.host, &asked, &work_.options);
-  if (status != RC_OK)
-    work_.host.log(
-        &work_.host, RC_LOG_WARNING,
-        join("solver \"", solver_->name, "\": contacts ", first, " .. ", last - 1, " are solved one at a time: ", last_message())
-            .c_str());
+  if (status != RC_OK) log(first, last, last_message());
   clear_message();
   if (status == RC_OK) answers.contacts = std::clamp<std::int64_t>(asked.done, 0, last - first);
   return answers;
 }
 
-std::optional<rc_result> ManySolve::result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const {
+void ManySolve::log(std::int64_t first, std::int64_t last, const char* why) const {
+  const std::string text =
+      join("solver \"", solver_->name, "\": contacts ", first, " .. ", last - 1, " are solved one at a time: ", why);
+  work_.host.log(&work_.host, RC_LOG_WARNING, text.c_str());
+}
+
+rc_result ManySolve::result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const {
   const double target = batch_.targets[i * batch_.target_stride + k], load = answer.sum * work_.system.cell_area();
   const bool by_load = batch_.control == RC_CONTROL_LOAD;
-  const Certificate certificate{answer.primal, answer.dual, answer.complementarity, by_load ? load_imbalance(load, target) : 0};
-  if (answer.solved == 0 || !certificate.within(work_.options.real(RC_OPT_TOL)) || !std::isfinite(load)) return std::nullopt;
   rc_result result = RC_RESULT_INIT;
   result.status = RC_OK;
   result.load = load;
   result.approach = by_load ? answer.lowest + answer.compression : target;
   result.contact_area = static_cast<double>(answer.contacts) * work_.system.cell_area();
-  result.stiffness = std::numeric_limits<double>::quiet_NaN();
-  result.kkt_primal = certificate.primal;
-  result.kkt_dual = certificate.dual;
-  result.kkt_complementarity = certificate.complementarity;
-  result.kkt_control = certificate.control;
+  result.stiffness = result.punch_stiffness = std::numeric_limits<double>::quiet_NaN();
+  result.kkt_primal = answer.primal;
+  result.kkt_dual = answer.dual;
+  result.kkt_complementarity = answer.complementarity;
+  result.kkt_control = by_load ? load_imbalance(load, target) : 0;
   result.iterations = answer.iterations;
   result.products = answer.products;
   return result;

@@ -4,6 +4,7 @@
 #include <roughcontact/history.h>
 #include <roughcontact/plugin.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,10 +14,17 @@
 
 namespace rc {
 
-// What the solver said of the contacts from `first` on; those that are not solved are solved one at a time.
+// The solver's answers for the contacts from `first` on; those that are not solved are solved one at a time.
 struct ManyAnswers {
   std::vector<rc_many_answer> all;  // [contacts * steps]
+  std::vector<double> p;            // [contacts * steps * points]
   std::int64_t contacts = 0;        // 0: the call failed
+
+  // Whether the solver reports that every step of contact i is solved.
+  bool solved(std::int64_t i, std::int64_t steps) const {
+    const auto begin = all.begin() + i * steps;
+    return std::all_of(begin, begin + steps, [](const rc_many_answer& answer) { return answer.solved != 0; });
+  }
 };
 
 class ManySolve {
@@ -28,8 +36,10 @@ class ManySolve {
   std::int64_t at_once() const { return at_once_; }  // contacts of one call
   // Solves contacts first .. last-1, or as many of them as fit. Several threads may call it at the same time.
   ManyAnswers solved(std::int64_t first, std::int64_t last) const;
-  // Step k of contact i as a result, where the certificate holds.
-  std::optional<rc_result> result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const;
+  // Step k of contact i, which is solved, as a result.
+  rc_result result(const rc_many_answer& answer, std::int64_t i, std::int64_t k) const;
+  // In the context's log: contacts first .. last-1 are solved one at a time.
+  void log(std::int64_t first, std::int64_t last, const char* why) const;
 
  private:
   struct Request : rc_many {

@@ -89,8 +89,9 @@ class Proof {
   double u(std::size_t i) const { return (compression_ - height(i)) / length_; }
   double w(std::size_t i) const { return distance_to_surface(i) / length_; }
   double distance_to_surface(std::size_t i) const { return product_[i] - (compression_ - height(i)); }  // [length]
-  // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0.
-  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ > height(i)); }
+  // Where H has no negative entries, p*_i > 0 needs u_i = (H p*)_i > 0. Points with u_i = 0 carry nothing either, but do at any
+  // larger approach: they are not counted as open.
+  bool may_carry(std::size_t i) const { return included(i) && (!system_.positive || compression_ >= height(i)); }
 
   // Sizes, and doubt_, a bound of the error of every w_i: round-off of the product, round-off of the approach as it is returned,
   // and the product of the pressures below 0 and above the hardness that were cut off (no entry of H is larger than its largest

@@ -11,7 +11,11 @@ namespace {
 constexpr std::int64_t most_samples = 32;  // along each side
 constexpr std::size_t least_judged_points = 16;
 constexpr double most_mean_pressure = 0.1;  // over E*
+constexpr double least_hardness = 1e-3;     // over E*; metals, polymers and ceramics have 4e-3 to 0.1
 constexpr double most_tilt = 0.5;
+constexpr double most_of_punch = 0.5;  // stiffness over that of the grid as a flat punch
+constexpr double rim_width = 0.025;
+constexpr std::int64_t least_rimmed = 16;  // points along a side
 
 struct Sample {
   double x, y, z;
@@ -32,6 +36,23 @@ std::vector<Sample> samples_of(const StepSurface& surface, std::int64_t nx, std:
   return surface.ranks() ? surface.ranks()->of_any(samples) : samples;
 }
 
+// The mean height of the samples at x or y = place.
+double mean_at(const std::vector<Sample>& samples, double Sample::*axis, double place) {
+  double sum = 0, n = 0;
+  for (const Sample& s : samples) {
+    sum += s.*axis == place ? s.z : 0;
+    n += s.*axis == place ? 1 : 0;
+  }
+  return sum / n;
+}
+
+// Whether the heights jump from one end of an axis to the other by more than half of what a plane of this slope rises.
+bool jumps(const std::vector<Sample>& samples, double Sample::*axis, double slope, std::int64_t points) {
+  const auto [least, most] = std::ranges::minmax(samples, {}, axis);
+  const double step = mean_at(samples, axis, most.*axis) - mean_at(samples, axis, least.*axis);
+  return std::abs(step) > 0.5 * std::abs(slope) * static_cast<double>(points) && slope != 0;
+}
+
 std::string text(const char* format, double value) {
   char written[96];
   std::snprintf(written, sizeof written, format, value);
@@ -40,7 +61,7 @@ std::string text(const char* format, double value) {
 
 }  // namespace
 
-double plane_share(const StepSurface& surface, std::int64_t nx, std::int64_t ny) {
+double plane_share(const StepSurface& surface, std::int64_t nx, std::int64_t ny, bool periodic) {
   if (!(surface.range() > 0)) return 0;
   const std::vector<Sample> samples = samples_of(surface, nx, ny);
   if (samples.size() < least_judged_points) return 0;
@@ -60,8 +81,37 @@ double plane_share(const StepSurface& surface, std::int64_t nx, std::int64_t ny)
   }
   if (!(zz > 0)) return 0;
   const double determinant = xx * yy - xy * xy;
+  // A wave as long as the grid looks like a plane to the fit, but repeats.
+  if (periodic && !(xx > 0 && jumps(samples, &Sample::x, xz / xx, nx)) && !(yy > 0 && jumps(samples, &Sample::y, yz / yy, ny)))
+    return 0;
   if (determinant > 1e-9 * xx * yy) return (xz * xz * yy - 2 * xz * yz * xy + yz * yz * xx) / determinant / zz;
   return std::max(xx > 0 ? xz * xz / xx : 0, yy > 0 ? yz * yz / yy : 0) / zz;  // points on a line
+}
+
+RimPoints::RimPoints(const rc_system& system, std::int64_t first_row)
+    : nx_(system.nx),
+      ny_(system.ny),
+      first_row_(first_row),
+      wide_(static_cast<std::int64_t>(std::ceil(rim_width * static_cast<double>(nx_)))),
+      high_(static_cast<std::int64_t>(std::ceil(rim_width * static_cast<double>(ny_)))),
+      rows_per_point_(1 / static_cast<double>(nx_)),
+      any_(system.op == RC_OPERATOR_HALFSPACE && system.boundary == RC_BOUNDARY_FREE && std::min(nx_, ny_) >= least_rimmed) {}
+
+double RimPoints::share() const {
+  const double inner = static_cast<double>((nx_ - 2 * wide_) * (ny_ - 2 * high_));
+  return any_ ? 1 - inner / (static_cast<double>(nx_) * static_cast<double>(ny_)) : 0;
+}
+
+std::string edge_effects(const rc_result& result, const Rim& rim, double tilt) {
+  std::string seen;
+  if (tilt > most_tilt) return seen;  // such a map touches at its edge because of that
+  if (rim.load > rim.points)
+    seen = text("%.0f %% of the load", 100 * rim.load) + (rim.largest ? " and the largest pressure" : "") + " at the rim";
+  else if (rim.largest)
+    seen = "the largest pressure at the rim";
+  const double of_punch = result.stiffness / result.punch_stiffness;
+  if (of_punch > most_of_punch) seen += (seen.empty() ? "" : ", ") + text("stiffness %.2g of a flat punch", of_punch);
+  return seen.empty() ? "" : "free edges: " + seen + " (a sample is periodic)";
 }
 
 std::vector<std::string> doubts(const System& system, const rc_result& result, double compression, double tilt) {
@@ -69,9 +119,12 @@ std::vector<std::string> doubts(const System& system, const rc_result& result, d
   std::vector<std::string> remarks;
   if (result.mean_pressure > most_mean_pressure * s.modulus)
     remarks.push_back(text("mean pressure %.3g E*: check the units", result.mean_pressure / s.modulus));
+  if (s.hardness > 0 && s.hardness < least_hardness * s.modulus)
+    remarks.push_back(text("hardness %.3g E*: check the units", s.hardness / s.modulus));
   if (compression > std::max(s.hx * static_cast<double>(s.nx), s.hy * static_cast<double>(s.ny)))
-    remarks.push_back("approach above the grid's side: check the units");
-  if (result.contacts == 1 && system.points() > 1) remarks.push_back("one point in contact: check the pitch");
+    remarks.emplace_back("approach above the grid's side: check the units");
+  if (result.contacts == 1 && system.points() > 1)
+    remarks.emplace_back("one point in contact: check the pitch, or the map for a spike");
   if (tilt > most_tilt) remarks.push_back(text("a plane is %.0f %% of the heights' variance: level them", 100 * tilt));
   return remarks;
 }

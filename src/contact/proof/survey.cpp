@@ -3,20 +3,32 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace rc {
 
 namespace {
 
-struct LargestTerms {
-  double product = 0, gap = 0;
+struct Terms {
+  double largest_product = 0, largest_gap = 0, sum_of_gaps = 0;
 
-  friend LargestTerms operator+(const LargestTerms& a, const LargestTerms& b) {
-    return {std::max(a.product, b.product), std::max(a.gap, b.gap)};
+  friend Terms operator+(const Terms& a, const Terms& b) {
+    return {std::max(a.largest_product, b.largest_product), std::max(a.largest_gap, b.largest_gap),
+            a.sum_of_gaps + b.sum_of_gaps};
   }
 };
 
 constexpr double largest_double = std::numeric_limits<double>::max();
+
+// The gaps of ranks are summed by pieces of rows, whose borders do not depend on how many ranks there are.
+double sum_by_pieces(const StepSurface& surface, double compression, const Deflected& answer) {
+  const auto add = [&](Terms& part, std::size_t k) {
+    const std::size_t i = answer.point(k);
+    if (surface.included(i)) part.sum_of_gaps += answer.product[k] - (compression - surface.height(i));
+  };
+  const auto itself = [](std::size_t k) { return k; };
+  return surface.sum_over<Terms>(answer.size(), itself, add).sum_of_gaps;
+}
 
 }  // namespace
 
@@ -46,6 +58,7 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
   const auto body = [&](std::int64_t begin, std::int64_t count) {
     constexpr std::size_t lanes = 8;
     double product_of[lanes] = {}, gap_of[lanes] = {};  // largest
+    double sum[lanes] = {};                             // of gaps
     double gap[Marks::together], flag[Marks::together];
     const auto end = static_cast<std::size_t>(begin + count);
     for (auto first = static_cast<std::size_t>(begin); first < end; first += Marks::together) {
@@ -74,16 +87,20 @@ Survey survey(const StepSurface& surface, double compression, const Deflected& a
         for (std::size_t lane = 0; lane < lanes; ++lane) {
           larger(product_of[lane], product[k + lane]);
           larger(gap_of[lane], gap[k + lane]);
+          sum[lane] += gap[k + lane];
         }
       for (; k < n_here; ++k) {
         larger(product_of[0], product[k]);
         larger(gap_of[0], gap[k]);
+        sum[0] += gap[k];
       }
     }
-    return LargestTerms{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes)};
+    return Terms{*std::max_element(product_of, product_of + lanes), *std::max_element(gap_of, gap_of + lanes),
+                 std::accumulate(sum, sum + lanes, 0.0)};
   };
-  const LargestTerms largest = surface.united(reduce<LargestTerms>(n, surface.team(), body));
-  return {touching.list(), largest.product, largest.gap};
+  const Terms mine = reduce<Terms>(n, surface.team(), body), all = surface.united(mine);
+  return {touching.list(), all.largest_product, all.largest_gap,
+          surface.ranks() ? sum_by_pieces(surface, compression, answer) : mine.sum_of_gaps};
 }
 
 }  // namespace rc

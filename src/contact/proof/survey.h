@@ -18,6 +18,7 @@ struct Survey {
   std::vector<std::size_t> touching;
   double largest_product = 0;  // [length] of the sizes of H p
   double largest_gap = 0;      // [length] of the sizes of the deformed gap, at included points
+  double sum_of_gaps = 0;      // [length] at included points; the same bits for any number of threads and ranks
 };
 
 Survey survey(const StepSurface& surface, double compression, const Deflected& answer);

@@ -82,7 +82,8 @@ struct Question {
   const System& system;
   const StepFacts& facts;
   const std::vector<std::string>& failed;
-  const bool explain;  // obstacles come with their text, and what cannot be chosen is listed as well
+  const bool explain;           // obstacles come with their text, and what cannot be chosen is listed as well
+  const bool optional = false;  // the step can be solved in another way
   // A look is for steps that come near soon, whatever solves the problem.
   const rc_solver* const solver =
       options.text(RC_OPT_SOLVER) == "auto" || facts.partial ? nullptr : &options.context->solver(options.text(RC_OPT_SOLVER));
@@ -98,8 +99,8 @@ struct Question {
     return list;
   }
 
-  // With this backend or, for null, with any. Plugins are opened only where what is built in takes longer than that or cannot do
-  // it, and all of them only where nothing else can.
+  // With this backend or, for null, with any. Plugins are opened only if what is built in takes longer than that or cannot do it,
+  // and all of them only if nothing else can do what must be done.
   std::vector<Candidate> pairs(const rc_backend* backend) const {
     Context& context = *options.context;
     const auto solvers = [&](std::int64_t points) { return solver ? Solvers{solver} : tables(context.solvers_for_auto(points)); };
@@ -108,7 +109,7 @@ struct Question {
       list = pairs(backend ? Backends{backend} : tables(context.backends_for_auto(points)), solvers(points));
       if (can(list) && (backend || static_cast<double>(facts.at_once) * list.front().seconds <= worth_opening)) return list;
     }
-    return can(list) || backend ? list : pairs(tables(context.backends()), solvers(system.points()));
+    return can(list) || backend || optional ? list : pairs(tables(context.backends()), solvers(system.points()));
   }
 
   // All that are in question, the best first. missing: why a named backend is not there.
@@ -279,7 +280,7 @@ Choice choose(const rc_options& options, const System& system, const StepFacts& 
 const rc_solver& solver_inside(const rc_options& options, const System& system, const StepFacts& facts,
                                const rc_backend& backend) {
   const std::vector<std::string> none;
-  const Question question{options, system, facts, none, false, nullptr, false};
+  const Question question{options, system, facts, none, false, false, nullptr, false};
   const std::vector<Candidate> all = question.pairs({&backend}, tables(options.context->solvers_for_auto(0)));
   clear_message();
   if (!can(all)) fail(RC_ERR_NO_SOLVER, "no solver suits backend \"", backend.name, "\"");
@@ -335,7 +336,7 @@ std::optional<Choice> choose_for_few(const rc_options& options, const System& sy
       .few = !system.periodic(),
       .shared = by_rows};
   const std::vector<std::string> none;
-  const std::vector<Candidate> all = answered({options, system, facts, none, false});
+  const std::vector<Candidate> all = answered({options, system, facts, none, false, true});
   if (!can(all)) return std::nullopt;
   return Choice{all.front().solver, all.front().backend, facts};
 }

@@ -11,6 +11,7 @@
 #include "contact/proof/certificate.h"
 #include "contact/proof/plausibility.h"
 #include "contact/proof/survey.h"
+#include "contact/step/punch_stiffness.h"
 #include "contact/step/stiffness.h"
 #include "contact/step/target.h"
 #include "contact/step/trial_set.h"
@@ -34,15 +35,18 @@ std::string explain(rc_status status, const rc_result& result, double tol, const
 }
 
 // Whole remarks only, the gravest first.
-void write_note(Workspace& work, double compression, rc_result& result) {
+void write_note(Workspace& work, double compression, const Rim& rim, rc_result& result) {
   const System& system = work.system;
   std::vector<std::string> all;
+  std::string edges;
   if (system.halfspace() && result.contacts > 0) {
-    if (!work.facts.tilt) work.facts.tilt = system.periodic() ? 0 : plane_share(work.surface, system.given.nx, system.given.ny);
+    if (!work.facts.tilt) work.facts.tilt = plane_share(work.surface, system.given.nx, system.given.ny, system.periodic());
     all = doubts(system, result, compression, *work.facts.tilt);
+    edges = edge_effects(result, rim, *work.facts.tilt);
   }
   if (std::isinf(result.load_upper)) all.emplace_back("no upper bound of the load is proven");
   all.insert(all.end(), work.record.remarks.begin(), work.record.remarks.end());
+  if (!edges.empty()) all.push_back(edges);
   std::string note;
   for (const std::string& remark : all) {
     if (note.size() + remark.size() + 6 > sizeof result.note) {
@@ -58,6 +62,22 @@ Stiffness wanted_stiffness(Workspace& work, const Answer& answer) {
   return work.options.integer(RC_OPT_STIFFNESS) != 0 ? stiffness(work, answer) : Stiffness{};
 }
 
+// The operator whose products certify, for the trial set of the one that solved.
+Operator& certifying(Workspace& work, Operator& solving) {
+  const std::string& name = work.options.text(RC_OPT_CERTIFY_BACKEND);
+  return name.empty() ? solving : work.bound_operator(certifying_backend(name, work.options, work.system), solving.trial());
+}
+
+// For the interval of the stiffness; null if it is proven that nothing touches.
+Operator* proving(Workspace& work, const Answer& answer) {
+  if (answer.op) return &certifying(work, *answer.op);
+  const std::vector<std::int64_t>& possible = work.record.proven->possible;
+  TrialSet trial{static_cast<std::int64_t>(possible.size()), possible};
+  if (work.surface.united(trial.n) == 0) return nullptr;
+  if (work.ranks() || trial.n == work.system.points()) trial = {work.own_points(), {}};
+  return &certifying(work, work.bound_operator(*prepared(trial, RC_CONTROL_APPROACH, 1, work).choice.backend, trial));
+}
+
 // Where no entry of H and no pressure is negative, points whose gap is no smaller than the approach cannot overlap.
 bool only_unknowns_matter(const Workspace& work, const Answer& answer) {
   return answer.op && work.system.positive && answer.status == RC_OK && answer.compression <= answer.limit &&
@@ -69,9 +89,9 @@ void finish(Workspace& work, const rc_step& step, const Answer& answer, const De
             std::optional<Stiffness> rate, const Monitor& monitor, rc_result& result) {
   result.modelled = answer.op ? answer.op->modelled() : 0;
   name_components(work, answer, result);
-  const rc_status checked = certify_and_fill(work, step, found, depth, result);
   if (!rate) rate = wanted_stiffness(work, answer);
-  prove_interval(work, answer.op, *rate);
+  const rc_status checked = certify_and_fill(work, step, found, depth, rate->value, result);
+  if (work.record.proven) prove_interval(work, proving(work, answer), *rate);
   result.stiffness = rate->value;
   result.stiffness_lower = rate->lower;
   result.stiffness_upper = rate->upper;
@@ -93,7 +113,8 @@ void name_components(Workspace& work, const Answer& answer, rc_result& result) {
     if (answer.op && !(answer.op->capabilities() & operation))
       work.record.remarks.push_back(join(systems, " by conjugate gradients: backend \"", answer.op->name(), "\" cannot factor"));
   };
-  if (answer.handed_over) work.record.remarks.push_back("load control of the solver stalled: iteration on the approach instead");
+  if (answer.handed_over)
+    work.record.remarks.emplace_back("load control of the solver stalled: iteration on the approach instead");
   if (answer.handed_over || (needs & RC_CAP_SUBSET)) replaced(RC_CAP_SUBSET, "systems on subsets");
   if (needs & RC_CAP_SHIFTED) replaced(RC_CAP_SHIFTED, "shifted systems");
   const System& system = work.system;
@@ -105,15 +126,18 @@ void name_components(Workspace& work, const Answer& answer, rc_result& result) {
 namespace {
 
 struct Totals {
-  double sum = 0, energy = 0, overlap = 0, largest_p = 0, largest_product = 0;
+  double sum = 0, energy = 0, overlap = 0, max_pressure = 0, largest_p = 0, largest_product = 0, on_rim = 0, largest_on_rim = 0;
   std::int64_t contacts = 0, capped = 0;
 
   Totals operator+(const Totals& b) const {
     return {sum + b.sum,
             energy + b.energy,
             overlap + b.overlap,
+            std::max(max_pressure, b.max_pressure),
             std::max(largest_p, b.largest_p),
             std::max(largest_product, b.largest_product),
+            on_rim + b.on_rim,
+            std::max(largest_on_rim, b.largest_on_rim),
             contacts + b.contacts,
             capped + b.capped};
   }
@@ -121,10 +145,16 @@ struct Totals {
 
 }  // namespace
 
-rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, rc_result& result) {
+double mean_gap(const Workspace& work, const Survey& everywhere, double overlap) {
+  return (everywhere.sum_of_gaps + overlap) / static_cast<double>(work.surface.included_points());
+}
+
+rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected& answer, double compression, double stiffness,
+                           rc_result& result) {
   const System& system = work.system;
   const StepSurface& surface = work.surface;
   const std::span<const double> p = answer.p();
+  const RimPoints rim(system.given, surface.first_row());
   double curved = 0;
   const Survey found = survey(surface, compression, answer);
   const auto add = [&](Totals& part, std::size_t k) {
@@ -138,10 +168,15 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
       part.overlap += std::max(0.0, compression - surface.height(i) - answer.product[k]);
     }
     part.energy += (0.5 * answer.product[k] - (compression - surface.height(i))) * p[k];
+    part.max_pressure = std::max(part.max_pressure, p[k]);
     part.largest_p = std::max(part.largest_p, std::abs(p[k]));
+    if (rim.holds(i)) {
+      part.on_rim += p[k];
+      part.largest_on_rim = std::max(part.largest_on_rim, p[k]);
+    }
     part.largest_product = std::max(part.largest_product, std::abs(answer.product[k]));
   };
-  const auto [sum, energy, overlap, largest_p, largest_product, contacts, capped] =
+  const auto [sum, energy, overlap, max_pressure, largest_p, largest_product, on_rim, largest_on_rim, contacts, capped] =
       surface.sum_over<Totals>(std::span<const std::size_t>(found.touching), add);
   if (!system.halfspace() && largest_p > 0) {
     // Scaled, so that the products do not underflow.
@@ -181,6 +216,9 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.mean_pressure = sum / static_cast<double>(system.points());
   result.capped = capped;
   result.plastic_volume = overlap * area;
+  result.area_fraction = static_cast<double>(contacts) / static_cast<double>(system.points());
+  result.max_pressure = max_pressure;
+  result.mean_gap = static_cast<std::int64_t>(answer.size()) == work.own_points() ? mean_gap(work, found, overlap) : nan;
   result.contact_area = static_cast<double>(contacts) * area;
   result.energy = energy * area;
   result.kkt_primal = certificate.primal;
@@ -190,8 +228,12 @@ rc_status certify_and_fill(Workspace& work, const rc_step& step, const Deflected
   result.tolerance = work.options.real(RC_OPT_TOL);
   const double estimate = work.goal.error > 0 ? 0 : nan;
   work.record.accuracy = {sizeof(rc_accuracy), system.given.nx, system.given.ny, estimate, estimate, 0};
+  result.stiffness = stiffness;
+  if (!std::isnan(stiffness) && !work.facts.punch) work.facts.punch = punch_stiffness(system);
+  result.punch_stiffness = std::isnan(stiffness) ? nan : *work.facts.punch;
   bounds.write(result);
-  write_note(work, compression, result);
+  write_note(work, compression, {rim.share(), sum > 0 ? on_rim / sum : 0, largest_on_rim > 0 && largest_on_rim == largest_p},
+             result);
   return certificate.within(work.options.real(RC_OPT_TOL)) ? RC_OK : RC_UNCERTIFIED;
 }
 
@@ -226,7 +268,6 @@ void take_units(const Answer& answer, const Workspace& work, std::vector<double>
 }  // namespace
 
 Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
-  const System& system = work.system;
   if (answer.checked && (!everywhere || answer.checked->on().n == work.own_points())) return std::move(*answer.checked);
   Deflected result;
   if (!answer.op) {
@@ -237,9 +278,7 @@ Deflected deflected(Workspace& work, Answer& answer, bool everywhere) {
     });
     return result;
   }
-  const std::string& certifier = work.options.text(RC_OPT_CERTIFY_BACKEND);
-  Operator& op = certifier.empty() ? *answer.op
-                                   : work.bound_operator(certifying_backend(certifier, work.options, system), answer.op->trial());
+  Operator& op = certifying(work, *answer.op);
   if (!everywhere && !work.ranks() && only_unknowns_matter(work, answer)) {
     result.product = large_vector<double>(answer.p.size(), work.team());
     raise_if_failed(op.apply(answer.p.data(), result.product.data()), "the certificate's product");
@@ -312,7 +351,8 @@ Finished certified_result(Workspace& work, const rc_step& step, Answer&& answer,
   return {result.status, std::move(found.pressures), std::move(overlap), std::move(answer.history.own)};
 }
 
-rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result) {
+Finished certify_given(Workspace& work, const rc_step& step, const Monitor& monitor, rc_result& result,
+                       std::optional<double> compression) {
   const System& system = work.system;
   std::vector<double> p;
   TrialSet trial;
@@ -332,16 +372,20 @@ rc_status certify_given(Workspace& work, const rc_step& step, const Monitor& mon
   Answer answer;
   if (loaded) {
     answer = prepared(trial, RC_CONTROL_APPROACH, 1, work);
+    const std::string& certifier = work.options.text(RC_OPT_CERTIFY_BACKEND);
+    if (!certifier.empty()) answer.choice.backend = &certifying_backend(certifier, work.options, system);
     answer.op = &work.bound_operator(*answer.choice.backend, trial);
     for (std::int64_t i = 0; i < trial.n; ++i) answer.p.push_back(p[static_cast<std::size_t>(trial.point(i))]);
     answer.op->field(answer.p, product);
     for (double& value : product) value *= system.length_per_pressure;
   }
   given.pressures.p = std::move(p);
-  const double depth = step.control == RC_CONTROL_LOAD ? fitting_compression(work, given) : compression_of(step, work);
+  const double depth = step.control != RC_CONTROL_LOAD ? compression_of(step, work)
+                       : compression                   ? *compression
+                                                       : fitting_compression(work, given);
   finish(work, step, answer, given, depth, std::nullopt, monitor, result);
   copy_text(result.solver, "none");
-  return result.status;
+  return {.status = result.status, .overlap = overlap_of(work, given, depth)};
 }
 
 }  // namespace rc

@@ -117,7 +117,6 @@ Stiffness stiffness(Workspace& work, const Answer& answer) {
 
 void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
   const System& system = work.system;
-  if (!work.record.proven) return;
   const auto& [contacts, possible, listed] = *work.record.proven;
   const std::int64_t least_points = count(work, contacts), most_points = count(work, possible);
   double lower = 0, upper = most_points == 0 ? 0 : unbounded;

@@ -22,8 +22,8 @@ struct Stiffness {
 Stiffness stiffness(Workspace& work, const Answer& answer);
 // The interval, from the points that work.record.proven holds: 1' H_SS^-1 1 grows with S, being the largest value of
 // 2 1'x - x'Hx over all x that are 0 off S. So that of the points proven to carry less than the hardness is a lower bound,
-// that of the points proven neither to be open nor to carry it an upper one, each widened by the error of its solve. op: null
-// where nothing touches.
+// that of the points proven neither to be open nor to carry it an upper one, each widened by the error of its solve. op: whose
+// products make the proof; null if no point is possibly in contact.
 void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness);
 
 }  // namespace rc

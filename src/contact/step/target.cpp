@@ -9,6 +9,12 @@
 
 namespace rc {
 
+namespace {
+
+constexpr double least_depth = 1e-30;  // over the gap's range; periodic solvers work on all points, in single precision too
+
+}  // namespace
+
 void check_target(const rc_step& step, const Workspace& work, const StepSurface& surface) {
   const bool by_load = step.control == RC_CONTROL_LOAD, by_approach = step.control == RC_CONTROL_APPROACH;
   if (!by_load && !by_approach)
@@ -27,6 +33,10 @@ void check_target(const rc_step& step, const Workspace& work, const StepSurface&
       beyond_mean_plane(step.target - surface.lowest(), surface.mean_height()))
     fail(RC_ERR_INFEASIBLE, "approach = ", step.target, " reaches the mean plane of the gap, ", surface.mean(),
          ": with periodic boundaries the load is not determined there; prescribe the load");
+  if (const double depth = step.target - surface.lowest();
+      by_approach && work.system.periodic() && depth > 0 && depth < least_depth * surface.range())
+    fail(RC_ERR_ARGUMENT, "approach = ", step.target, " is above the lowest gap by ", depth, ", less than ", least_depth,
+         " of the gap's range, ", surface.range(), "; check the units, or prescribe the load");
   if (surface.included_points() > 0 &&
       !(std::isfinite(surface.highest() - surface.lowest()) && (by_load || std::isfinite(step.target - surface.lowest()))))
     fail(RC_ERR_ARGUMENT, "the gap's range, ", surface.lowest(), " .. ", surface.highest(), ", and the target ", step.target,

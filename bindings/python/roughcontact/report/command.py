@@ -5,12 +5,13 @@ import sys
 from typing import Sequence
 
 from .._errors import ArgumentError, Interrupted, RoughContactError
+from .._whole_file import whole_file
 from .content import collect
-from .page import missing_packages, page, write_whole
+from .page import missing_packages, page
 from .request import read_request
 from .wording import conclusion
 
-CERTIFIED, UNCERTIFIED, WRONG, INTERRUPTED = 0, 1, 2, 130
+CERTIFIED, WRONG, UNCERTIFIED, INTERRUPTED = 0, 1, 2, 130  # those of the command `roughcontact`
 USAGE = "usage: python -m roughcontact report FILE [options]; see python -m roughcontact report --help"
 
 
@@ -31,7 +32,8 @@ def report(arguments: Sequence[str]) -> int:
     if out.is_dir():
         raise ArgumentError(f"--out: {request.out!r} is a folder, name the page")
     content = collect(request)
-    write_whole(out, page(content))
+    with whole_file(str(out)) as file:
+        file.write(page(content).encode())
     print(f"{request.out}: {conclusion(content)}")
     return CERTIFIED if content.certified else UNCERTIFIED
 

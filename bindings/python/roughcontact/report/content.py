@@ -1,5 +1,6 @@
 """What a report tells: the surface is read and pressed, and all that the page shows is gathered. Lengths in m, forces in N."""
 
+import datetime
 import math
 from dataclasses import dataclass, replace
 from typing import Any, Dict, List, Optional, Tuple
@@ -55,14 +56,17 @@ class Maps:
 @dataclass(frozen=True, eq=False)
 class Content:
     """surface: as pressed; missing: points that the file does not have
+    assumes_boundary: neither the request nor the file says it
     statistics, spectrum, law: None where the library for them is absent or points are missing
-    persson: rms slope of Persson's line; None where it is not known
+    persson: rms slope of Persson's line; None if the surface is not one of his theory, elastic, periodic and nearly Gaussian
+    date: of the day on which the surface was pressed, as 2026-11-27
     bearing: (share of the area that is higher, height)
     """
 
     request: Request
     surface: Surface
     assumed: str
+    assumes_boundary: bool
     missing: int
     statistics: Optional[Statistics]
     spectrum: Optional[Spectrum]
@@ -73,10 +77,13 @@ class Content:
     histogram: Optional[Histogram]
     patches: Patches
     version: str
+    date: str
 
     @property
     def persson(self) -> Optional[float]:
-        return self.statistics.rms_slope if self.statistics else None
+        s = self.statistics
+        gaussian = s is not None and abs(s.skewness) < 1 and 2.3 < s.kurtosis < 5  # 0 and 3 for a Gaussian, 1.5 for a wave
+        return s.rms_slope if s and gaussian and self.surface.periodic and not self.request.hardness else None
 
     @property
     def nominal_area(self) -> float:
@@ -136,7 +143,7 @@ def _step(result: Result, patches: Patches) -> Step:
     return Step(
         result=replace(result, pressure=None, gap=None),
         fraction=result.contacts / result.points,
-        corrected=result.area().corrected_area / cells,
+        corrected=result.corrected_area / cells,
         mean_gap=float(np.nanmean(_closed(result))),
         max_pressure=float(result.pressure.max()),
         patches=len(patches),
@@ -165,7 +172,7 @@ def _options(request: Request) -> Dict[str, Any]:
 
 def collect(request: Request) -> Content:
     surface, missing, assumed = _prepared(request)
-    boundary = request.boundary or ("periodic" if surface.periodic else "free")
+    boundary = request.boundary or ("free" if surface.periodic is False else "periodic")
     system = HalfSpace(
         surface.shape, pitch=surface.pitch, modulus=request.modulus, boundary=boundary, hardness=request.hardness
     )
@@ -180,16 +187,17 @@ def collect(request: Request) -> Content:
                 undeformed_gap=gap, mask=mask, want_gap=True, check=False, **{control: scale * target}  # type: ignore[arg-type]
             )
             gap = mask = None  # as in the step before
-            patches = result.patches()
+            patches = result.find_patches()
             steps.append(_step(result, patches))
     assert result.pressure is not None
     heights = np.sort(surface.heights[~surface.missing])[::-1]
     shares = np.linspace(0, 1, 201)
-    statistics, spectrum, law = _judged(surface, boundary == "periodic")
+    statistics, spectrum, law = _judged(surface, request.boundary == "periodic" or surface.periodic is True)
     return Content(
         request=request,
         surface=replace(surface, periodic=boundary == "periodic"),
         assumed=assumed,
+        assumes_boundary=request.boundary is None and surface.periodic is None,
         missing=missing,
         statistics=statistics,
         spectrum=spectrum,
@@ -200,4 +208,5 @@ def collect(request: Request) -> Content:
         histogram=result.histogram(BINS) if result.contacts else None,
         patches=patches,
         version=".".join(map(str, version())),
+        date=datetime.date.today().isoformat(),
     )

@@ -110,9 +110,9 @@ class Figures:
             others.append(
                 self.graph.Scatter(
                     x=line / factor,
-                    y=[100 * c.persson_area(load) for load in line],
+                    y=[100 * area if area < 0.5 else None for area in map(c.persson_area, line)],
                     mode="lines",
-                    name=f"Persson{', elastic' if c.request.hardness else ''}, rms slope {c.persson:.3g}",
+                    name=f"Persson, rms slope {c.persson:.3g}",
                     line={"color": BLACK, "dash": "dash"},
                     hovertemplate=hover,
                 )

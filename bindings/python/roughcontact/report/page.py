@@ -4,7 +4,6 @@ import base64
 import gzip
 import importlib.util
 import json
-import os
 import pathlib
 from typing import Any, Dict, Tuple
 
@@ -31,6 +30,7 @@ def page(content: Content) -> str:
     drawn = ",".join(f"{json.dumps(each.name)}:{each.figure.to_json()}" for each in figures)
     words: Dict[str, Any] = {
         "name": pathlib.Path(content.request.file).name,
+        "facts": wording.facts(content),
         "conclusion": wording.conclusion(content),
         "certificate": wording.certificate(content),
         "doubts": wording.doubts(content),
@@ -53,16 +53,3 @@ def page(content: Content) -> str:
     made = jinja.Environment(autoescape=True, undefined=jinja.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     rendered: str = made.from_string(text).render(words)
     return rendered
-
-
-def write_whole(path: pathlib.Path, text: str) -> None:
-    """Under a temporary name first, so that a page is whole or not there."""
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with open(temporary, "x", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)

@@ -52,14 +52,18 @@ def quantities(option: str, texts: List[str], kind: str, alone: float = 1.0) -> 
 
 
 def targets(option: str, text: str, kind: str, alone: float = 1.0) -> List[float]:
-    """The steps that a number, a list a,b,c or a range a:b:n stands for, in SI units."""
+    """The steps that a number, a list a,b,c or a range a:b:n or a:b:nlog stands for, in SI units."""
     if ":" not in text:
         return quantities(option, text.split(","), kind, alone)
     parts = text.split(":")
-    if len(parts) != 3 or not re.fullmatch(r"\s*\d+\s*", parts[2]) or not 1 <= int(parts[2]) <= MOST_POINTS:
-        raise ArgumentError(f"{option}: {text!r} is not a range a:b:n with 1 <= n <= {MOST_POINTS}")
+    count = re.fullmatch(r"\s*(\d+)(log)?\s*", parts[-1])
+    if len(parts) != 3 or count is None or not 1 <= int(count[1]) <= MOST_POINTS:
+        raise ArgumentError(f"{option}: {text!r} is not a range a:b:n or a:b:nlog with 1 <= n <= {MOST_POINTS}")
     first, last = quantities(option, parts[:2], kind, alone)
-    return [float(value) for value in np.linspace(first, last, int(parts[2]))]
+    if count[2] and not (first > 0 and last > 0):
+        raise ArgumentError(f"{option}: {text!r} has equal ratios, give two ends above 0")
+    spaced = np.geomspace if count[2] else np.linspace
+    return [float(value) for value in spaced(first, last, int(count[1]))]
 
 
 def prefix_for(magnitude: float) -> Tuple[float, str]:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any, List, NoReturn, Optional, Sequence, Tuple
 
 from .._errors import ArgumentError
-from .._height_map import METRES
-from .._keywords import modulus_of
+from .._data_arrays import METRES
+from .._elastic import modulus_of
 from .quantities import quantities, quantity, targets
 
 CURVE_POINTS, CURVE_SPAN = 10, 100.0  # of the history up to a single target, and how far below that it begins
@@ -49,7 +49,7 @@ def parser() -> Parser:
         prog="python -m roughcontact report",
         description="Press a rough surface against a flat and write one page that tells what was found, how sure it is, and what was assumed.",
         epilog="Lengths, pressures and forces may have a unit with an SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit), Pa and N. "
-        "Exit status: 0 every step is certified, 1 the page is written but a step is not certified, 2 wrong input.",
+        "Exit status: 0 every step is certified, 1 wrong input, 2 the page is written but a step is not certified.",
         allow_abbrev=False,
     )
     made.add_argument("file", metavar="FILE", help="surface file, see roughcontact.formats()")
@@ -61,21 +61,21 @@ def parser() -> Parser:
     made.add_argument(
         "--remove", choices=["none", "mean", "plane", "quadric"], default="none", help="least-squares form to take off (none)"
     )
-    made.add_argument("--boundary", choices=["free", "periodic"], help="as the file says, else free")
+    made.add_argument("--boundary", choices=["free", "periodic"], help="as the file says, else periodic: the map is a sample of a larger surface")
     made.add_argument("--modulus", metavar="E*", help="contact modulus, or")
     made.add_argument("--E", metavar="E", help="Young's modulus, with")
     made.add_argument("--nu", metavar="NU", help="Poisson's ratio")
     made.add_argument("--E2", metavar="E", help="Young's modulus of the other body; rigid without")
     made.add_argument("--nu2", metavar="NU", help="Poisson's ratio of the other body")
     made.add_argument("--hardness", metavar="H", help="largest pressure; above it the surface yields")
-    made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n; or")
+    made.add_argument("--load", metavar="TARGETS", help="normal force: one, a list a,b,c or a range a:b:n, or a:b:nlog with equal ratios; or")
     made.add_argument("--pressure", metavar="TARGETS", help="mean pressure; or")
     made.add_argument("--approach", metavar="TARGETS", help="approach from first touch")
-    made.add_argument("--tol", metavar="TOL", help="largest relative residual of a certified step")
+    made.add_argument("--tol", metavar="TOL", help="convergence tolerance, relative (default 1e-8)")
     made.add_argument(
-        "--accuracy", metavar="GOAL", help="relative error that the load may have: a coarser grid is solved where that will do"
+        "--accuracy", metavar="GOAL", help="accepted relative error of the load: a coarser grid is used if its estimated error is below this"
     )
-    made.add_argument("--threads", metavar="N", help="threads; all cores")
+    made.add_argument("--threads", metavar="N", help="number of threads (default: all cores)")
     return made
 
 
@@ -128,15 +128,27 @@ def _loading(given: Any, unit: float) -> Tuple[str, List[float], bool]:
     return asked[0], [found[0] * CURVE_SPAN ** (k / last - 1) for k in range(last)] + found, True
 
 
+def _check_words(arguments: Sequence[str], known: Sequence[str], unknown: Sequence[str]) -> None:
+    names = [word.split("=")[0] for word in arguments]
+    for name in known:
+        if names.count(name) > 1:
+            times = "twice" if names.count(name) == 2 else f"{names.count(name)} times"
+            several = ", give several steps as a,b,c" if name in ("--load", "--pressure", "--approach") else ""
+            raise ArgumentError(f"{name} is given {times}{several}")
+    if unknown:
+        word = unknown[0].split("=")[0]
+        letters = {name.lstrip("-"): name for name in known}
+        near = [name for name in known if len(name) > 4 and word.startswith(name)]
+        near += [letters[each] for each in difflib.get_close_matches(word.lstrip("-"), letters, 1, 0.75)]
+        raise ArgumentError(f"{unknown[0]!r} is not expected" + (f"; did you mean {near[0]!r}?" if near else "; see --help"))
+
+
 def read_request(arguments: Sequence[str]) -> Request:
-    """Raises an ArgumentError at the first argument that is wrong; exits where help is asked for."""
+    """Raises an ArgumentError at the first argument that is wrong; exits if help is asked for."""
     made = parser()
     given, unknown = made.parse_known_args(arguments)
-    if unknown:
-        known = [name for action in made._actions for name in action.option_strings if name != "--help"]
-        word = unknown[0].split("=")[0]
-        near = [name for name in known if len(name) > 4 and word.startswith(name)] or difflib.get_close_matches(word, known, 1)
-        raise ArgumentError(f"{unknown[0]!r} is not expected" + (f"; did you mean {near[0]!r}?" if near else "; see --help"))
+    known = [name for action in made._actions for name in action.option_strings if name.startswith("--") and name != "--help"]
+    _check_words(arguments, known, unknown)
     unit = METRES[given.unit or "m"]
     modulus, material = _elasticity(given)
     control, steps, curve = _loading(given, unit)

@@ -5,6 +5,7 @@ from typing import List, Sequence, Tuple
 import numpy as np
 
 from .._status import Status
+from ..surface import PowerLaw
 from .content import Content, Step
 from .quantities import with_prefix
 
@@ -26,9 +27,9 @@ def conclusion(content: Content) -> str:
     """What the last step has shown."""
     last = content.steps[-1]
     if not last.result.contacts:
-        return "Nothing carries pressure."
+        return f"Load {with_prefix(last.result.load, 'N')}, no contact."
     line = "" if good(last) else f"Not certified ({status(last)}): "
-    line += f"{100 * last.fraction:.3g} % of the area carries {with_prefix(last.result.load, 'N')}; "
+    line += f"Contact area {100 * last.fraction:.3g} % at {with_prefix(last.result.load, 'N')}; "
     hardness = content.request.hardness
     if hardness and last.result.capped:
         share = 100 * last.result.capped / last.result.contacts
@@ -38,14 +39,29 @@ def conclusion(content: Content) -> str:
             line
             + f"{share:.3g} % of the contact is at the hardness of {with_prefix(hardness, 'Pa')} and carries {carried:.3g} % of the load."
         )
-    line += f"the largest pressure is {with_prefix(last.max_pressure, 'Pa')}"
+    line += f"largest pressure {with_prefix(last.max_pressure, 'Pa')}"
     if hardness:
         return line + f", below the hardness of {with_prefix(hardness, 'Pa')}."
     if last.max_pressure > HARDEST_STEEL:
-        line += ", above the hardness of any steel: most bodies yield there, and this answer is elastic. --hardness bounds it"
+        line += ". Warning: above the hardness of any steel, this is a purely elastic answer (add --hardness)"
     elif last.max_pressure > SMALL_STRAIN * content.request.modulus:
-        line += f", {last.max_pressure / content.request.modulus:.2g} E*: strains are large, and the answer is of small ones"
+        ratio = last.max_pressure / content.request.modulus
+        line += f". Warning: that is {ratio:.2g} E*, linear elasticity does not hold there (add --hardness)"
     return line + "."
+
+
+def facts(content: Content) -> List[str]:
+    """What was pressed and how, when and by what: for the line below the title."""
+    loads = [step.result.load for step in content.steps]
+    least, most = with_prefix(min(loads), "N"), with_prefix(max(loads), "N")
+    return [
+        f"E* {with_prefix(content.request.modulus, 'Pa')}",
+        *([f"hardness {with_prefix(content.request.hardness, 'Pa')}"] if content.request.hardness else []),
+        "periodic boundary" if content.surface.periodic else "free boundary",
+        f"load {most}" if least == most else f"{len(loads)} loads, {least} to {most}",
+        content.date,
+        f"roughcontact {content.version}",
+    ]
 
 
 def step_rows(content: Content) -> List[Tuple[str, ...]]:
@@ -85,8 +101,8 @@ PROOF_HEAD = (
     "step",
     "residual",
     "limit",
-    "load proven between",
-    "area proven between",
+    "load, proven",
+    "area, proven",
     "points proven in contact, open, undecided",
     "estimated error of load, area",
     "by",
@@ -101,23 +117,28 @@ def _errors(step: Step) -> str:
     return f"{100 * accuracy.error_estimate:.2g} %, {100 * accuracy.area_estimate:.2g} % ({accuracy.model_nx} × {accuracy.model_ny} points solved)"
 
 
+def _interval(least: float, most: float, unit: str) -> str:
+    """The middle and the half-width of a proven interval, the middle to the digit that the half-width leaves known."""
+    if not np.isfinite([least, most]).all():
+        return "not known"
+    middle, half = (least + most) / 2, (most - least) / 2
+    if unit == "%":
+        return f"{middle:.6g} % ± {half:.2g} %"
+    return f"{with_prefix(middle, unit, 6)} ± {with_prefix(half, unit, 2)}"
+
+
 def proof_rows(content: Content) -> List[Tuple[str, ...]]:
     rows: List[Tuple[str, ...]] = []
     for k, step in enumerate(content.steps, 1):
         r = step.result
         cells = content.nominal_area
-        known = np.isfinite([r.load_lower, r.load_upper]).all()
         rows.append(
             (
                 str(k),
                 f"{r.residual:.1e}",
                 f"{r.tolerance:.1e}",
-                f"{with_prefix(r.load_lower, 'N', 6)} and {with_prefix(r.load_upper, 'N', 6)}" if known else "not known",
-                (
-                    f"{100 * r.area_lower / cells:.4g} % and {100 * r.area_upper / cells:.4g} %"
-                    if np.isfinite(r.area_upper)
-                    else "not known"
-                ),
+                _interval(r.load_lower, r.load_upper, "N"),
+                _interval(100 * r.area_lower / cells, 100 * r.area_upper / cells, "%"),
                 f"{r.proven_contacts}, {r.proven_open}, {r.undecided}" if r.proven_contacts >= 0 else "not known",
                 _errors(step),
                 f"{r.solver} on {r.backend}, {r.iterations} iterations",
@@ -142,16 +163,22 @@ def surface_rows(content: Content) -> Rows:
             ("rms height", with_prefix(s.rms_height, "m", 4)),
             ("highest, lowest", f"{with_prefix(s.highest, 'm', 4)}, {with_prefix(s.lowest, 'm', 4)}"),
             ("rms slope", f"{s.rms_slope:.4g} (x {s.rms_slope_x:.4g}, y {s.rms_slope_y:.4g})"),
-            ("rms curvature", with_prefix(s.rms_curvature, "/m", 4)),
+            ("rms curvature", f"1/({with_prefix(1 / s.rms_curvature, 'm', 4)})" if s.rms_curvature > 0 else "0"),
             ("skewness, kurtosis", f"{s.skewness:.3g}, {s.kurtosis:.3g} (0, 3 for a Gaussian)"),
             ("Nayak's parameter", f"{s.nayak:.3g}"),
         ]
     if law is not None and np.isfinite(law.hurst):
-        rows_of.append(("Hurst exponent", f"{law.hurst:.2f} ± {law.hurst_error:.2f}"))
+        remark = "" if self_affine(law) else ", not self-affine"
+        rows_of.append(("Hurst exponent", f"{law.hurst:.2f} ± {law.hurst_error:.2f}{remark}"))
     for name, q in (("roll-off", law.q_rolloff), ("cut-off", law.q_cutoff)) if law is not None else ():
         if np.isfinite(q):
             rows_of.append((f"{name} wavelength", with_prefix(2 * np.pi / q, "m")))
     return rows_of
+
+
+def self_affine(law: PowerLaw) -> bool:
+    """Whether the Hurst exponent is in 0 .. 1, within its error."""
+    return bool(-law.hurst_error < law.hurst < 1 + law.hurst_error)
 
 
 def assumptions(content: Content) -> List[str]:
@@ -180,6 +207,10 @@ def assumptions(content: Content) -> List[str]:
         told.append("One target was given; the steps below it were added for the curves.")
     if not content.surface.periodic:
         told.append("Free boundary: nothing presses beyond the map's edges.")
+    elif not content.assumes_boundary:
+        told.append("Periodic boundary: the map is a sample of a larger surface.")
+    else:
+        told.append("Periodic boundary, which the file does not say: give --boundary free if the body ends at the map's edges.")
     return told
 
 
@@ -192,7 +223,12 @@ def doubts(content: Content) -> List[str]:
         note = step.result.note.replace("level them", "level them with --remove plane")
         if note and note not in found:
             found.append(note)
-    last = content.steps[-1]
+    law, last = content.law, content.steps[-1]
+    if law is not None and np.isfinite(law.hurst) and not self_affine(law):
+        found.append(
+            f"The spectrum falls with a Hurst exponent of {law.hurst:.2f}, beyond 0 to 1: the surface is not self-affine, and "
+            "theories of self-affine roughness are not of it."
+        )
     if last.fraction > 0 and last.corrected < 0.9 * last.fraction:
         share = 100 * (1 - last.corrected / last.fraction)
         found.append(

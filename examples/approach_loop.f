@@ -25,11 +25,11 @@ C     Heights z, lengths in mm, modulus in MPa, forces in N.
 
 C     The contact keeps tables and the last pressures from step to step.
       CALL RCF_CONTACT_CREATE(CNTCT, RC_SYSTEM(NX=NX, NY=NY, HX=H,
-     &  HY=H, MODULUS=E))
+     &  HY=H, MODULUS=E, BOUNDARY=RC_BOUNDARY_FREE))
       WRITE (*, '(A)') ' approach mm      load N  points   max p MPa'
       DO 30 K = 1, NSTEP
         D = 2.0D-5 * K
-        CALL RCF_CONTACT_SOLVE(CNTCT, DISPLACEMENT=D,
+        CALL RCF_CONTACT_SOLVE(CNTCT, APPROACH=D,
      &    UNDEFORMED_GAP=RCF_GAP_FROM_HEIGHTS(Z(1:NX,1:NY)),
      &    P=P(1:NX,1:NY), RESULT=RES,
      &    STAT=ISTAT, ERRMSG=MESSAG)

@@ -1,12 +1,15 @@
-#include "percolation.h"
+#include "analysis/crossing.h"
 
 #include <cstddef>
+#include <vector>
 
-#include "problem.h"
-
-namespace cli {
+namespace rc {
 
 namespace {
+
+struct Directions {
+  bool x = false, y = false;
+};
 
 struct Shift {
   std::int64_t x = 0, y = 0;  // periods
@@ -17,8 +20,8 @@ struct Shift {
 
 constexpr unsigned left = 1, right = 2, top = 4, bottom = 8;  // sides of the grid
 
-// Connected runs. Every run knows its shift against its root, so that two ways between the same runs show whether one of them
-// goes around the grid.
+// Connected stretches of rows. Each has its shift against its root, so that two ways between the same stretches show whether one
+// of them goes around the grid.
 class Clusters {
  public:
   std::size_t add(unsigned sides) {
@@ -26,7 +29,7 @@ class Clusters {
     return nodes_.size() - 1;
   }
 
-  // The second run, shifted, is beside the first.
+  // The second stretch, shifted, is beside the first.
   void join(std::size_t first, std::size_t second, Shift shift) {
     const Place a = find(first), b = find(second);
     const Shift between = a.shift + shift - b.shift;
@@ -40,8 +43,8 @@ class Clusters {
     nodes_[a.root].sides |= nodes_[b.root].sides;
   }
 
-  Crossing crossing() const {
-    Crossing found = around_;
+  Directions crossing() const {
+    Directions found = around_;
     for (const Node& node : nodes_) {
       found.x = found.x || (node.sides & (left | right)) == (left | right);
       found.y = found.y || (node.sides & (top | bottom)) == (top | bottom);
@@ -76,15 +79,15 @@ class Clusters {
   }
 
   std::vector<Node> nodes_;
-  Crossing around_;
+  Directions around_;
 };
 
-struct Run {
+struct Stretch {
   std::int64_t begin, end;
   std::size_t number;
 };
 
-void join_rows(const std::vector<Run>& above, const std::vector<Run>& below, Shift shift, Clusters& clusters) {
+void join_rows(const std::vector<Stretch>& above, const std::vector<Stretch>& below, Shift shift, Clusters& clusters) {
   auto lower = below.begin();
   for (auto upper = above.begin(); upper != above.end() && lower != below.end();) {
     if (upper->begin < lower->end && lower->begin < upper->end) clusters.join(upper->number, lower->number, shift);
@@ -96,19 +99,16 @@ void join_rows(const std::vector<Run>& above, const std::vector<Run>& below, Shi
   }
 }
 
-}  // namespace
-
-Crossing find_crossing(const Problem& problem, const std::vector<double>& pressure, bool contact) {
-  const std::int64_t nx = problem.system.nx, ny = problem.system.ny;
-  const bool periodic = problem.system.boundary == RC_BOUNDARY_PERIODIC;
-  const std::vector<std::uint8_t>& mask = problem.input.mask;
+// Finds the axes along which the points with `contact`, or those without it, reach across.
+Directions crossed(const ContactMap& map, bool contact) {
+  const std::int64_t nx = map.system().nx, ny = map.system().ny;
+  const bool periodic = map.periodic();
   const auto inside = [&](std::int64_t x, std::int64_t y) {
-    const auto i = static_cast<std::size_t>(y * nx + x);
-    return (mask.empty() || mask[i] != 0) && (pressure[i] > 0) == contact;
+    return map.included(y * nx + x) && map.touches(y * nx + x) == contact;
   };
 
   Clusters clusters;
-  std::vector<Run> first, before, row;
+  std::vector<Stretch> first, before, row;
   for (std::int64_t y = 0; y < ny; ++y, before.swap(row)) {
     row.clear();
     for (std::int64_t x = 0; x < nx; ++x) {
@@ -127,4 +127,11 @@ Crossing find_crossing(const Problem& problem, const std::vector<double>& pressu
   return clusters.crossing();
 }
 
-}  // namespace cli
+}  // namespace
+
+rc_crossing find_crossing(const ContactMap& map) {
+  const Directions contact = crossed(map, true), gap = crossed(map, false);
+  return {sizeof(rc_crossing), contact.x, contact.y, gap.x, gap.y};
+}
+
+}  // namespace rc

@@ -1,0 +1,130 @@
+"""What is done to heights before they are pressed: another body's heights, a form taken off, a shape put on."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any, Dict, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, Pitch
+from ._errors import ArgumentError, ShapeError
+from ._data_arrays import METRES
+from ._height_map import Surface
+from ._maps import as_surface
+
+_FORMS = "give sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"
+_KEYS = {"sphere": ("R",), "cylinder": ("R", "axis"), "wedge": ("angle", "axis")}
+_ANGLES = {"deg": math.pi / 180, "rad": 1.0}
+
+
+def prepared(
+    heights: Any,
+    *,
+    pitch: Optional[Pitch],
+    mask: Optional[ArrayLike],
+    missing: str,
+    unit: Optional[str],
+    otherwise: Optional[Pitch],
+    against: Any,
+    shape: Union[None, str, Surface],
+    remove: Optional[str],
+) -> Surface:
+    """The surface that is pressed, whose missing points its mask leaves out.
+
+    against: heights of the other body, which are added; remove: a form that is then taken off; shape: one that is then put on
+    """
+    first = "exclude" if missing == "fill" else missing
+    found = as_surface(heights, pitch, None, mask, first, unit, otherwise=otherwise)
+    if against is not None:
+        found = _together(found, against, first, "against")
+    if remove is not None and remove != "none":
+        found = found.without(remove)
+    if missing == "fill":
+        found = found.filled()
+    if isinstance(shape, str):
+        found = replace(found, heights=found.heights - _depth_of(shape, found))
+    elif shape is not None:
+        found = _together(found, shape, "reject", "shape")
+    if shape is not None:
+        found = replace(found, periodic=False)  # a ball ends somewhere
+    return found
+
+
+def _together(surface: Surface, thing: Any, missing: str, name: str) -> Surface:
+    other = as_surface(thing, missing=missing, otherwise=surface.pitch)
+    if surface.unit is not None and other.unit is not None:
+        other = other.in_unit(surface.unit)
+    if other.shape != surface.shape or not np.allclose(other.pitch, surface.pitch, rtol=1e-6, atol=0):  # files round it
+        raise ShapeError(
+            f"{name} has shape {other.shape} and pitch {other.pitch}, the surface {surface.shape} and {surface.pitch}; "
+            "both are needed on the same grid"
+        )
+    periodic = surface.periodic if other.periodic is None else other.periodic
+    return surface + replace(other, pitch=surface.pitch, periodic=periodic)
+
+
+def _depth_of(text: str, surface: Surface) -> Doubles:
+    """How far below its highest point, which is in the middle of the grid, a shape lies at every point."""
+    name, settings = _parsed(text)
+    y, x = ((np.arange(n) - (n - 1) / 2) * h for n, h in zip((1, *surface.shape)[-2:], surface.pitch[::-1]))  # of one axis: x
+    across = y[:, None] + 0 * x if settings.get("axis", "y") == "x" else x + 0 * y[:, None]
+    if name == "wedge":
+        depth = np.abs(across) * math.tan(_angle(settings["angle"]))
+    else:
+        radius = _length(settings["R"], surface.unit)
+        square = x**2 + y[:, None] ** 2 if name == "sphere" else across**2
+        if square.max() > radius**2:
+            raise ArgumentError(
+                f"shape {text!r}: the surface reaches {math.sqrt(square.max()):g} from its middle, beyond R = {radius:g}"
+            )
+        depth = square / (radius + np.sqrt(radius**2 - square))
+    found: Doubles = depth.reshape(surface.shape)
+    return found
+
+
+def _parsed(text: str) -> Tuple[str, Dict[str, str]]:
+    name, colon, rest = text.partition(":")
+    if name not in _KEYS or not colon:
+        raise ArgumentError(f"shape is {text!r}: {_FORMS}")
+    pairs = [setting.partition("=") for setting in rest.split(",")]
+    settings = {key: value for key, _, value in pairs}
+    sized = _KEYS[name][0] in settings
+    if not sized or not set(settings) <= set(_KEYS[name]) or settings.get("axis", "x") not in ("x", "y"):
+        raise ArgumentError(f"shape is {text!r}: {_FORMS}")
+    return name, settings
+
+
+def _number(text: str, units: Dict[str, float]) -> Tuple[float, Optional[str]]:
+    """(number, unit) of a text; the longest unit that fits."""
+    unit = max((each for each in units if text.endswith(each)), key=len, default="")
+    try:
+        number = float(text[: len(text) - len(unit)])
+    except ValueError:
+        number = math.nan
+    if not (math.isfinite(number) and number > 0):
+        raise ArgumentError(f"shape: {text!r} is no positive number with a unit of {', '.join(units)}")
+    return number, unit or None
+
+
+def _length(text: str, unit: Optional[str]) -> float:
+    number, own = _number(text, METRES)
+    if own is None:
+        return number
+    if unit is None:
+        raise ArgumentError(
+            f"shape: R={text} has a unit, but the surface does not say its own; give R as a number in the unit of pitch and "
+            "heights, or a Surface with unit="
+        )
+    return number * METRES[own] / METRES[unit]
+
+
+def _angle(text: str) -> float:
+    number, unit = _number(text, _ANGLES)
+    if unit is None:
+        raise ArgumentError(f"shape: angle {text!r} has no unit, give deg or rad")
+    if not number * _ANGLES[unit] < math.pi / 2:
+        raise ArgumentError(f"shape: angle {text!r} is not below 90deg")
+    return number * _ANGLES[unit]

@@ -1,0 +1,64 @@
+"""Which boundary a surface is pressed with, and what results with free edges say of it."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import roughcontact as rc
+
+HOW = {"modulus": 1e9, "load": 1e-4}
+
+
+def pressed_periodically(*surface, **more):
+    """Whether the grid of the answer is periodic; a warning is an error."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        return rc.solve(*surface, **{**HOW, **more}).grid.periodic
+
+
+def test_the_surface_decides(rough):
+    ball = rc.surface.sphere((16, 16), pitch=1e-6, radius=1e-4)
+    assert rough.periodic is True and pressed_periodically(rough)
+    assert ball.periodic is False and not pressed_periodically(ball)
+    assert not pressed_periodically(rough, boundary="free") and pressed_periodically(ball, boundary="periodic")
+    assert not pressed_periodically(rough, shape="sphere:R=1e-3")
+
+
+def test_files_keep_what_the_surface_says(rough, tmp_path):
+    for surface, periodic in ((rough, True), (rc.surface.sphere((16, 16), pitch=1e-6, radius=1e-4), False)):
+        surface.save(tmp_path / "map.gsf")
+        assert rc.read(tmp_path / "map.gsf").periodic is periodic
+        assert pressed_periodically(tmp_path / "map.gsf") is periodic
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda heights: rc.solve(heights, pitch=1e-6, **HOW).grid.periodic,
+        lambda heights: rc.solve(undeformed_gap=-heights, pitch=1e-6, **HOW).grid.periodic,
+        lambda heights: rc.history(heights, pitch=1e-6, modulus=1e9, load=[1e-4]).certificate.max() < 1,
+        lambda heights: rc.batch(undeformed_gap=-heights, pitch=1e-6, **HOW).certified == 1,
+        lambda heights: rc.HalfSpace(heights.shape, pitch=1e-6, modulus=1e9).periodic,
+        lambda heights: rc.HalfSpace.under(heights, pitch=1e-6, modulus=1e9).periodic,
+    ],
+)
+def test_what_nobody_says_is_periodic_with_a_warning_at_the_callers_line(rough, call):
+    with pytest.warns(rc.AssumedBoundary, match="pass boundary='free' if") as seen:
+        assert call(rough.heights)
+    assert [warning.filename for warning in seen] == [__file__]
+
+
+def test_a_batch_of_surfaces_that_differ_needs_a_boundary(rough):
+    with pytest.raises(rc.ArgumentError, match="differ in whether they repeat"):
+        rc.batch([rough, rc.Surface(rough.heights, rough.pitch)], **HOW)
+
+
+def test_stiffness_with_free_edges_stands_beside_the_flat_punch(rough):
+    free, periodic = (rc.solve(rough, modulus=1e9, pressure=5e6, boundary=name, stiffness=1) for name in ("free", "periodic"))
+    sides = np.array(rough.shape) * 1e-6
+    assert free.punch_stiffness == pytest.approx(1.155 * 1e9 * np.sqrt(sides.prod()), rel=0.01)  # 1.1523 for a square
+    assert np.isnan(periodic.punch_stiffness)
+    assert free.stiffness < free.punch_stiffness < periodic.stiffness
+    assert "of a flat punch" in free.note and "free edges" not in periodic.note
+    assert 1 / (1 / free.stiffness - 1 / free.punch_stiffness) == pytest.approx(periodic.stiffness, rel=0.5)

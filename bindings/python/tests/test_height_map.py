@@ -1,0 +1,153 @@
+"""Surfaces made by hand: arrays of every kind are converted, two are added, files are written and read back."""
+
+import traceback
+
+import numpy as np
+import pytest
+from conftest import refused
+
+import roughcontact as rc
+
+FORMS = {
+    "Fortran order": np.asfortranarray,
+    "single": lambda z: z.astype(np.float32),
+    "half, big endian": lambda z: z.astype(">f2"),
+    "whole numbers": lambda z: z.astype(np.int16),
+    "turned round": lambda z: z[::-1, ::-1].copy()[::-1, ::-1],
+    "every third value": lambda z: np.repeat(z, 3, axis=1)[:, ::3],
+    "nested lists": lambda z: z.tolist(),
+    "objects": lambda z: z.astype(object),
+    "masked without missing points": np.ma.array,
+    "masked in Fortran order": lambda z: np.ma.array(np.asfortranarray(z), mask=False),
+}
+
+
+@pytest.fixture
+def whole():
+    """[7, 9] heights in whole numbers, exact in every type."""
+    return np.random.default_rng(3).integers(-90, 90, (7, 9)).astype(float)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_heights_of_every_form_are_the_same_surface(form, whole):
+    surface, plain = rc.Surface(FORMS[form](whole), 1.0), rc.Surface(whole.copy(), (1.0, 1.0))
+    assert surface.pitch == (1.0, 1.0) and surface.heights.dtype == np.float64 and surface.heights.flags.c_contiguous
+    for each in ("mean", "plane", "quadric"):
+        assert np.array_equal(surface.without(each).heights, plain.without(each).heights)
+    assert np.array_equal(surface.filled().heights, whole) and np.array_equal(surface.undeformed_gap(), plain.undeformed_gap())
+    assert rc.surface.analyze(surface) == rc.surface.analyze(plain)
+    assert rc.solve(surface, modulus=1.0, load=1.0).approach == rc.solve(plain, modulus=1.0, load=1.0).approach
+
+
+def test_masked_heights_are_missing_points(whole):
+    holes = np.random.default_rng(4).random(whole.shape) < 0.2
+    garbage = np.where(holes, 1e9, whole)
+    expected = rc.Surface(np.where(holes, np.nan, whole), (1.0, 2.0))
+    for masked in (np.ma.array(garbage, mask=holes), np.ma.array(np.asfortranarray(garbage), mask=holes, dtype=np.float32)):
+        surface = rc.Surface(masked, (1.0, 2.0))
+        assert np.array_equal(surface.missing, holes) and "missing" in repr(surface)
+        assert np.array_equal(surface.filled().heights, expected.filled().heights) and not surface.filled().missing.any()
+        assert np.array_equal(surface.without("plane").heights, expected.without("plane").heights, equal_nan=True)
+        by_hand = rc.solve(garbage, pitch=(1.0, 2.0), modulus=1.0, approach=9.0, mask=~holes)
+        assert np.array_equal(rc.solve(surface, modulus=1.0, approach=9.0).pressure, by_hand.pressure)
+        halves = [rc.surface.downsample(each, "mean").heights for each in (surface, expected)]
+        assert np.array_equal(*halves, equal_nan=True)
+        refused(rc.ArgumentError, "missing points", rc.surface.analyze, surface)
+        refused(rc.ArgumentError, "missing points", rc.surface.analyze, masked, pitch=1.0)
+    left_out = rc.Surface(np.ma.array(garbage, mask=holes), (1.0, 2.0), mask=np.arange(9) != 4 * np.ones((7, 1)))
+    assert np.array_equal(left_out.missing, holes | (np.arange(9) == 4))
+    two = rc.batch([np.ma.array(garbage, mask=holes), whole], pitch=(1.0, 2.0), modulus=1.0, approach=9.0, missing="exclude")
+    assert np.ravel(two.load)[0] == by_hand.load  # a list forgets no masks
+
+
+@pytest.mark.parametrize(
+    "heights, pitch, error, words",
+    [
+        (np.zeros((2, 3, 4)), 1.0, rc.ShapeError, "3 axes"),
+        (np.float64(1), 1.0, rc.ShapeError, "0 axes"),
+        (np.zeros((3, 4), complex), 1.0, TypeError, "complex"),
+        ([[1, 2], [3]], 1.0, rc.ShapeError, "heights"),
+        (np.zeros((3, 4)), (1, 2, 3), rc.ShapeError, "pitch has 3"),
+        (np.zeros(4), 1.0, rc.ArgumentError, "one axis"),
+    ],
+)
+def test_what_is_no_surface_is_refused(heights, pitch, error, words):
+    refused(error, words, rc.Surface, heights, pitch)
+
+
+def test_masks_are_those_of_the_heights():
+    refused(rc.ShapeError, "mask has shape", rc.Surface, np.zeros((3, 4)), 1.0, mask=np.ones((4, 3), bool))
+    assert rc.Surface(np.zeros((3, 4)), 1.0, mask=np.asfortranarray(np.eye(3, 4) == 0)).missing.sum() == 3
+
+
+def test_surfaces_are_added(whole):
+    one, other = rc.Surface(whole, 1e-6, True, unit="m"), rc.Surface(2e6 * whole, 1.0, None, unit="um")
+    both = one + other
+    assert np.allclose(both.heights, 3 * whole) and both.pitch == (1e-6, 1e-6) and both.unit == "m" and both.periodic is None
+    flags = {(True, True): True, (True, False): False, (False, None): False, (None, None): None}
+    for (first, second), expected in flags.items():
+        assert (rc.Surface(whole, 1.0, first) + rc.Surface(whole, 1.0, second)).periodic is expected
+    holed = rc.Surface(whole, 1.0, mask=whole > -80) + rc.Surface(np.where(whole > 80, np.nan, whole), 1.0)
+    assert np.array_equal(holed.missing, (whole <= -80) | (whole > 80))
+    refused(rc.ShapeError, "same grid", one.__add__, rc.Surface(whole[:, :4], 1e-6))
+    refused(rc.ArgumentError, "same grid", one.__add__, rc.Surface(whole, 2e-6))
+    refused(rc.ArgumentError, "same grid", one.__add__, rc.Surface(whole, 1.0, unit="mm"))
+    with pytest.raises(TypeError):
+        one + whole
+
+
+@pytest.mark.parametrize("periodic", [True, False, None])
+def test_files_keep_what_a_surface_is(tmp_path, whole, periodic):
+    path = tmp_path / "a.gsf"
+    heights = np.where(whole > 80, np.nan, whole)
+    rc.Surface(heights, (0.5, 2.0), periodic, unit="m").save(path)
+    found = rc.read(path)
+    assert np.array_equal(found.heights, heights, equal_nan=True) and found.pitch == (0.5, 2.0) and found.unit == "m"
+    assert found.periodic is periodic and found.assumed == ""
+    rc.Surface(heights, (0.5, 2.0), periodic, unit="um").save(str(path))
+    again = rc.read(path).in_unit("um")
+    assert np.allclose(again.heights, heights, equal_nan=True, rtol=1e-6) and again.pitch == pytest.approx((0.5, 2.0))
+    rc.Surface(whole, (0.5, 2.0), mask=whole > -80).save(path)
+    assert np.array_equal(rc.read(path).missing, whole <= -80) and "without a unit" in rc.read(path).assumed
+    for name in ("b.nc", "b.NC"):
+        precise = rc.Surface(heights / 3, (0.1, 2.0), periodic, unit="m")
+        precise.save(tmp_path / name)
+        found = rc.read(tmp_path / name)
+        assert np.array_equal(found.heights, precise.heights, equal_nan=True) and found.periodic is periodic
+        assert found.pitch == pytest.approx((0.1, 2.0), rel=1e-15) and found.assumed == ""
+    rc.Surface(heights, (0.5, 2.0), periodic, unit="um").save(tmp_path / "b.nc")
+    again = rc.read(tmp_path / "b.nc").in_unit("um")
+    assert np.allclose(again.heights, heights, equal_nan=True, rtol=1e-14) and again.pitch == pytest.approx((0.5, 2.0))
+    rc.Surface(heights, (0.5, 2.0), periodic).save(tmp_path / "b.nc")
+    assert "without a unit" in rc.read(tmp_path / "b.nc").assumed
+    rc.Surface(heights, (0.5, 2.0), periodic).save(tmp_path / "a.npy")
+    array = rc.read(tmp_path / "a.npy", pitch=(0.5, 2.0))
+    assert np.array_equal(array.heights, heights, equal_nan=True) and array.periodic is None
+    rc.Surface([1.0, 2.0], (0.5, 2.0)).save(path)
+    assert rc.read(path).shape == (1, 2) and rc.read(path).pitch == (0.5, 2.0)
+
+
+def test_files_are_whole_or_not_there(tmp_path, whole):
+    path = tmp_path / "a.gsf"
+    surface = rc.Surface(whole, 1.0)
+    surface.save(path)
+    refused(rc.ArgumentError, "unit 'furlong'", rc.Surface(whole, 1.0, unit="furlong").save, path)
+    before = path.read_bytes()
+    refused(rc.ArgumentError, "single precision", rc.Surface(whole * 1e300, 1.0).save, path)
+    refused(rc.ArgumentError, "must end in .gsf, .nc or .npy", surface.save, tmp_path / "a.txt")
+    refused(FileNotFoundError, "absent", surface.save, tmp_path / "absent" / "a.gsf")
+    assert path.read_bytes() == before and [each.name for each in tmp_path.iterdir()] == ["a.gsf"]
+
+
+def test_the_example_is_a_surface_to_try_things_with():
+    surface = rc.example()
+    assert surface.shape == (256, 256) and surface.unit == "m" and surface.periodic is True and not surface.missing.any()
+    assert np.array_equal(surface.heights, rc.example().heights)
+    assert rc.solve(surface, E=200e9, nu=0.3, pressure=500e6).grid.periodic
+
+
+@pytest.mark.parametrize("call", [rc.read, lambda path: rc.solve(path, modulus=1.0, load=1.0), rc.surface.analyze])
+def test_a_missing_file_has_a_short_traceback(call):
+    error = refused(FileNotFoundError, "absent.gsf", call, "absent.gsf")
+    assert len(traceback.extract_tb(error.__traceback__)) <= 4  # two of them in this file and in conftest
+    assert error.__cause__ is None and error.__suppress_context__
