@@ -9,6 +9,7 @@ import sys
 
 CONTACT = {f'roughcontact/{name}.h' for name in ('roughcontact', 'history', 'derivatives', 'direct', 'analysis', 'ranks', 'registry')}
 PUBLIC = CONTACT | {f'roughcontact/{name}' for name in ('mpi.h', 'plugin.h', 'surface.h', 'formats.h', 'plugin.hpp')}
+HAAR_CG = {f'solvers/haar_cg{part}' for part in ('', '/iteration', '/tree', '/near')}
 LAYERS = {  # folder under src: folders it may include, each without the folders below it that stand here themselves
     'platform': {'platform'},
     'core': {'core', 'platform'},
@@ -19,38 +20,36 @@ LAYERS = {  # folder under src: folders it may include, each without the folders
     'analysis': {'analysis', 'core'},
     'solvers': {'solvers', 'solvers/common', 'operator', 'grid', 'core'},
     'solvers/common': {'solvers', 'solvers/common', 'core'},
-    'solvers/haar_cg': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'grid', 'core'},
-    'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg', 'solvers/haar_cg/threads', 'core'},
-    'contact': {'contact', 'solvers', 'solvers/common', 'solvers/haar_cg', 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
-    'ranks': {'ranks', 'contact', 'registry', 'core'},
-    'abi': {'abi', 'analysis', 'contact', 'ranks', 'solvers', 'operator', 'registry', 'kernel', 'core'},
+    'solvers/haar_cg': {'solvers', 'solvers/common', 'grid', 'core', *HAAR_CG, 'solvers/haar_cg/threads'},
+    'solvers/haar_cg/iteration': {'solvers/haar_cg/iteration', 'core'},
+    'solvers/haar_cg/tree': {'solvers/haar_cg/tree', 'solvers/haar_cg/threads', 'grid', 'core'},
+    'solvers/haar_cg/near': {'solvers', *HAAR_CG, 'solvers/haar_cg/threads', 'core'},
+    'solvers/haar_cg/plain': {'solvers/haar_cg/iteration', 'solvers/haar_cg/tree', 'solvers/haar_cg/plain'},
+    'solvers/haar_cg/threads': {'solvers', 'solvers/common', 'solvers/haar_cg/threads', 'core', *HAAR_CG},
+    'contact': {'contact', 'solvers', 'solvers/common', *HAAR_CG, 'operator', 'registry', 'kernel', 'grid', 'core', 'platform'},
+    'abi': {'abi', 'analysis', 'contact', 'solvers', 'operator', 'registry', 'kernel', 'core'},
 }
 NARROW = {  # files under src, by a pattern: beginnings of all that they may include of this tree
-    'solvers/haar_cg/machine.h': (),
-    'solvers/haar_cg/task.h': (),
-    'solvers/haar_cg/known_loads.h': ('core/by_value.h',),
-    'solvers/haar_cg/sought_load.h': ('core/by_value.h',),
-    'solvers/haar_cg/pace.h': ('core/by_value.h',),
-    'solvers/haar_cg/precision.h': ('core/by_value.h',),
-    'solvers/haar_cg/interval.h': ('solvers/haar_cg/pace.h',),
-    'solvers/haar_cg/newton_slope.h': ('core/by_value.h',),
-    'solvers/haar_cg/progress.h': (),
-    'solvers/haar_cg/iteration.h': ('core/by_value.h', 'solvers/haar_cg/machine.h', 'solvers/haar_cg/task.h', 'solvers/haar_cg/known_loads.h',
-                                    'solvers/haar_cg/sought_load.h', 'solvers/haar_cg/pace.h',
-                                    'solvers/haar_cg/precision.h', 'solvers/haar_cg/interval.h',
-                                    'solvers/haar_cg/newton_slope.h', 'solvers/haar_cg/progress.h'),
+    'solvers/haar_cg/iteration/machine.h': (),
+    'solvers/haar_cg/iteration/task.h': (),
+    'solvers/haar_cg/iteration/known_loads.h': ('core/by_value.h',),
+    'solvers/haar_cg/iteration/sought_load.h': ('core/by_value.h',),
+    'solvers/haar_cg/iteration/pace.h': ('core/by_value.h',),
+    'solvers/haar_cg/iteration/precision.h': ('core/by_value.h',),
+    'solvers/haar_cg/iteration/interval.h': ('solvers/haar_cg/iteration/pace.h',),
+    'solvers/haar_cg/iteration/newton_slope.h': ('core/by_value.h',),
+    'solvers/haar_cg/iteration/progress.h': (),
+    'solvers/haar_cg/iteration/iteration.h': ('core/by_value.h', 'solvers/haar_cg/iteration/machine.h', 'solvers/haar_cg/iteration/task.h', 'solvers/haar_cg/iteration/known_loads.h',
+                                    'solvers/haar_cg/iteration/sought_load.h', 'solvers/haar_cg/iteration/pace.h',
+                                    'solvers/haar_cg/iteration/precision.h', 'solvers/haar_cg/iteration/interval.h',
+                                    'solvers/haar_cg/iteration/newton_slope.h', 'solvers/haar_cg/iteration/progress.h'),
     'solvers/problem.h': ('roughcontact/', 'core/own_history.h', 'core/ranks.h', 'grid/gap_values.h'),
     'solvers/haar_cg/starts.*': ('roughcontact/', 'core/chunks.h', 'core/sums.h', 'grid/', 'solvers/problem.h', 'solvers/haar_cg/starts.h',
-                                 'solvers/haar_cg/task.h', 'solvers/haar_cg/tree_inputs.h'),
-    'solvers/haar_cg/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree_inputs.h'),
-    'solvers/haar_cg/tree_shape.*': ('solvers/haar_cg/tree_inputs.h', 'solvers/haar_cg/tree_shape.h'),
-    'contact/proof/*': ('roughcontact/', 'contact/pressures.h', 'contact/step_surface.h', 'contact/system.h', 'contact/proof/',
-                        'core/chunks.h', 'core/certificate_terms.h', 'core/limits.h', 'kernel/'),
-    'contact/history/many.*': ('roughcontact/', 'contact/workspace.h', 'contact/step/auto_choice.h', 'contact/history/', 'core/'),
-    'contact/history/many_check.*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'core/'),
-    'contact/history/[bp]a*': ('roughcontact/', 'contact/contact.h', 'contact/history/', 'registry/', 'core/'),
-    'contact/step/*.h': ('roughcontact/', 'contact/answer.h', 'contact/memory.h', 'contact/system.h', 'contact/workspace.h',
-                         'contact/step/', 'operator/', 'registry/', 'solvers/'),
+                                 'solvers/haar_cg/iteration/task.h', 'solvers/haar_cg/tree/tree_inputs.h'),
+    'solvers/haar_cg/tree/tree_inputs.*': ('roughcontact/', 'solvers/haar_cg/tree/tree_inputs.h'),
+    'solvers/haar_cg/tree/tree_shape.*': ('solvers/haar_cg/tree/tree_inputs.h', 'solvers/haar_cg/tree/tree_shape.h'),
+    'contact/calls/many.*': ('roughcontact/', 'contact/workspace.h', 'contact/step/choice.h', 'contact/calls/', 'core/'),
+    'contact/history/many_check.*': ('roughcontact/', 'contact/calls/contact.h', 'contact/history/', 'core/'),
 }
 OUTSIDE = {  # other folders: public headers they may include; besides, their own files and those of dependencies
     'backends': {'roughcontact/plugin.h', 'roughcontact/plugin.hpp'},  # and backends/common, which includes no backend
@@ -64,8 +63,8 @@ OUTSIDE = {  # other folders: public headers they may include; besides, their ow
 }
 # What a folder outside src takes from it: headers alone, but for grid, platform, core/text.h and HAAR.
 # The parts of haar-cg that need no other part of the library: plugins that run its iteration on a machine of their own compile them.
-HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration.h', 'solvers/haar_cg/starts.h', 'solvers/haar_cg/tree_inputs.h',
-        'solvers/haar_cg/tree_shape.h'}
+HAAR = {'solvers/problem.h', 'solvers/haar_cg/iteration/iteration.h', 'solvers/haar_cg/starts.h', 'solvers/haar_cg/tree/tree_inputs.h',
+        'solvers/haar_cg/tree/tree_shape.h'}
 BESIDE = {'core', 'abi/own_guard.h', 'abi/sized_struct.h'}
 BORROWED = {'surface': BESIDE | {'grid'}, 'formats': BESIDE | {'platform'}, 'tools': {'core/text.h', 'platform'}, 'backends': {'platform', 'core/certificate_terms.h'} | HAAR}
 WITHIN = {('cuda_host', 'cuda/tables.h')}  # one plugin, built twice

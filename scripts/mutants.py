@@ -29,7 +29,7 @@ SOURCES = {
     "src/contact/proof/spectrum.cpp": ALL,
     "src/kernel/lowest_eigenvalue.cpp": ALL,
     "src/contact/step/target.cpp": ("residual_scale",),
-    "src/contact/step/certified_result.cpp": (
+    "src/contact/proof/result.cpp": (
         "only_unknowns_matter",
         "certify_and_fill",
         "write_arrays",
@@ -42,7 +42,7 @@ TERMS = "src/core/certificate_terms.h"
 INLINE = {
     TERMS: {
         "src/contact/proof/certificate.cpp": ("relative_violation", "primal_violation", "room_below", "dual_violation", "complementarity_violation"),
-        "src/contact/step/certified_result.cpp": ("load_imbalance",),
+        "src/contact/proof/result.cpp": ("load_imbalance",),
         "src/contact/step/target.cpp": ("periodic_scale_by_load", "periodic_scale_by_approach", "beyond_mean_plane"),
     }
 }

@@ -11,7 +11,7 @@
 #include "names.h"
 #include "session.h"
 #include "solvers/haar_cg/starts.h"
-#include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "trees.h"
 
 namespace rc_cuda {

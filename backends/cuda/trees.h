@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/device.h"
-#include "solvers/haar_cg/tree_shape.h"
+#include "solvers/haar_cg/tree/tree_shape.h"
 #include "tree_passes.h"
 
 namespace rc_cuda {

@@ -1,5 +1,5 @@
 // rc_batch_*
-#include "contact/history/batch.h"
+#include "contact/calls/batch.h"
 
 #include "abi/guard.h"
 #include "abi/sized_struct.h"

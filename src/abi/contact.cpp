@@ -2,7 +2,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "contact/history/history.h"
+#include "contact/calls/history.h"
 
 namespace {
 

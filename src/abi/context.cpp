@@ -6,7 +6,7 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "contact/step/auto_choice.h"
+#include "contact/step/choice.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "abi/guard.h"
 #include "abi/sized_struct.h"
-#include "contact/contact.h"
+#include "contact/calls/contact.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "contact/contact.h"
+#include "contact/calls/contact.h"
 #include "registry/context.h"
 #include "registry/options_handle.h"
 

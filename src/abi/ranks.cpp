@@ -6,8 +6,8 @@
 #include "abi/guard.h"
 #include "abi/handles.h"
 #include "abi/sized_struct.h"
-#include "ranks/agreement.h"
-#include "ranks/shared_contact.h"
+#include "contact/calls/agreement.h"
+#include "contact/calls/shared_contact.h"
 
 struct rc_ranks_contact {
   rc::SharedContact contact;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/step/certified_result.h"
-#include "contact/step/solve_step.h"
+#include "contact/proof/result.h"
+#include "contact/step/solve.h"
 #include "contact/step/target.h"
 #include "core/error.h"
 

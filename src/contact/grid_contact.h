@@ -6,10 +6,10 @@
 #include <optional>
 #include <span>
 
-#include "contact/answer.h"
-#include "contact/indentation.h"
-#include "contact/memory.h"
+#include "contact/memory/memory.h"
+#include "contact/step/answer.h"
 #include "contact/step/monitor.h"
+#include "contact/surface/indentation.h"
 #include "contact/workspace.h"
 
 namespace rc {

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "contact/device_arrays.h"
+#include "contact/calls/device_arrays.h"
 #include "contact/grids/solver_grids.h"
 #include "contact/proof/bounds.h"
 #include "contact/proof/spectrum.h"
-#include "contact/step/auto_choice.h"
-#include "contact/step_surface.h"
+#include "contact/step/choice.h"
+#include "contact/surface/step_surface.h"
 #include "contact/system.h"
 #include "core/thread_team.h"
 #include "operator/operator.h"

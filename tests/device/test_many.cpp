@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/contact.h"
+#include "contact/calls/contact.h"
 #include "many.h"
 
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/pressures.h"
 #include "contact/proof/bounds.h"
 #include "contact/proof/survey.h"
-#include "contact/step_surface.h"
+#include "contact/surface/pressures.h"
+#include "contact/surface/step_surface.h"
 #include "contact/system.h"
 #include "core/thread_team.h"
 #include "support/unit_system.h"

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "ranks/agreement.h"
+#include "contact/calls/agreement.h"
 #include "support/cmocka.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernel/kernel.h"
-#include "solvers/haar_cg/contact_inverse.h"
+#include "solvers/haar_cg/near/contact_inverse.h"
 #include "support/cmocka.hpp"
 
 namespace {

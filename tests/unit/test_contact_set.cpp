@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "contact/step/contact_set_solve.h"
+#include "contact/slopes/contact_set_solve.h"
 #include "core/thread_team.h"
 #include "kernel/kernel.h"
 #include "registry/options_handle.h"

@@ -11,10 +11,10 @@
 #include "core/thread_team.h"
 #include "kernel/kernel.h"
 #include "registry/options_handle.h"
-#include "solvers/haar_cg/iteration.h"
+#include "solvers/haar_cg/iteration/iteration.h"
+#include "solvers/haar_cg/plain/machine.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
 #include "support/cmocka.hpp"
-#include "unit/plain_machine.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
-// The passes of haar-cg as functions of a cell's index; solvers/haar_cg/machine.h says what each computes. All vectors are over a
-// box of cells. A cell that is no unknown carries no pressure and is left out of sums.
+// The passes of haar-cg as functions of a cell's index; solvers/haar_cg/iteration/machine.h says what each computes. All vectors
+// are over a box of cells. A cell that is no unknown carries no pressure and is left out of sums.
 #pragma once
 
 #include "kernels/sums.h"

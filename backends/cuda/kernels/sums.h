@@ -2,7 +2,7 @@
 #pragma once
 
 #include "runtime/index.h"
-#include "solvers/haar_cg/iteration.h"
+#include "solvers/haar_cg/iteration/iteration.h"
 
 namespace rc_cuda {
 

@@ -1,5 +1,5 @@
-// The trees of haar-cg as functions of a block's index, in single precision; tests/unit/plain_tree.h explains them. They compute
-// what solvers/haar_cg/threads/tree_loops.inc does for eight blocks at a time.
+// The trees of haar-cg as functions of a block's index, in single precision; src/solvers/haar_cg/plain/tree.h explains them. They
+// compute what solvers/haar_cg/threads/tree_loops.inc does for eight blocks at a time.
 #pragma once
 
 #include "kernels/passes.h"

@@ -166,7 +166,7 @@ template <class R> class SmallContact {
   }
 
   // Above the lowest gap, about where all contact is under this load: that of a bed of springs, as in
-  // contact/step/load_control.cpp.
+  // contact/step/by_load.cpp.
   RC_CALLED constexpr double height_of(double load) {
     constexpr double margin = 1.05, close = 0.02;
     const double wanted = load * c_.length_per_pressure, n = static_cast<double>(heights_.included);

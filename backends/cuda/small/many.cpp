@@ -8,7 +8,7 @@
 #include "session.h"
 #include "small/contact.h"
 #include "small/spectrum.h"
-#include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "trees.h"
 
 namespace rc_cuda {

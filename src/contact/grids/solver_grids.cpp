@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "contact/grid_contact.h"
-#include "contact/grids/grid_pyramid.h"
+#include "contact/grids/pyramid.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
 #include "core/error.h"

@@ -5,10 +5,10 @@
 #include <limits>
 #include <vector>
 
-#include "contact/pressures.h"
 #include "contact/proof/spectrum.h"
 #include "contact/proof/survey.h"
-#include "contact/step_surface.h"
+#include "contact/surface/pressures.h"
+#include "contact/surface/step_surface.h"
 #include "contact/system.h"
 
 namespace rc {

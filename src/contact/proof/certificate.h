@@ -1,9 +1,9 @@
 // The library's own check of an answer, from one fresh product with H over all points.
 #pragma once
 
-#include "contact/pressures.h"
 #include "contact/proof/survey.h"
-#include "contact/step_surface.h"
+#include "contact/surface/pressures.h"
+#include "contact/surface/step_surface.h"
 
 namespace rc {
 

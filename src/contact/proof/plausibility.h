@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/step_surface.h"
+#include "contact/surface/step_surface.h"
 #include "contact/system.h"
 
 namespace rc {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/pressures.h"
-#include "contact/step_surface.h"
+#include "contact/surface/pressures.h"
+#include "contact/surface/step_surface.h"
 #include "core/chunks.h"
 
 namespace rc {

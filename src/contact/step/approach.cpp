@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "contact/step/problem_services.h"
+#include "contact/step/services.h"
 #include "contact/step/target.h"
 #include "contact/step/trial_set.h"
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "contact/answer.h"
-#include "contact/memory.h"
+#include "contact/memory/memory.h"
+#include "contact/step/answer.h"
 #include "contact/step/monitor.h"
 #include "contact/workspace.h"
 

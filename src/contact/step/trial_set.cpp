@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "contact/step/problem_services.h"
+#include "contact/step/services.h"
 
 namespace rc {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "contact/answer.h"
+#include "contact/step/answer.h"
 #include "contact/workspace.h"
 
 namespace rc {

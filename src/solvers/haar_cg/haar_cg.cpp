@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/haar_cg/iteration.h"
-#include "solvers/haar_cg/near_steps.h"
+#include "solvers/haar_cg/iteration/iteration.h"
+#include "solvers/haar_cg/near/near_steps.h"
 #include "solvers/haar_cg/regular_start.h"
 #include "solvers/haar_cg/single_pressures.h"
 #include "solvers/haar_cg/starts.h"
 #include "solvers/haar_cg/threads/thread_machine.h"
-#include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "solvers/solver.h"
 
 namespace rc {

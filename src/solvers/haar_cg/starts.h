@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "solvers/haar_cg/task.h"
-#include "solvers/haar_cg/tree_inputs.h"
+#include "solvers/haar_cg/iteration/task.h"
+#include "solvers/haar_cg/tree/tree_inputs.h"
 #include "solvers/problem.h"
 
 namespace rc {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "solvers/haar_cg/machine.h"
+#include "solvers/haar_cg/iteration/machine.h"
 
 namespace rc {
 

@@ -13,7 +13,7 @@
 
 #include "core/chunks.h"
 #include "solvers/haar_cg/threads/pass_loops.h"
-#include "solvers/haar_cg/tree_pair.h"
+#include "solvers/haar_cg/tree/tree_pair.h"
 #include "solvers/solver.h"
 
 namespace rc {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "solvers/haar_cg/tree_shape.h"
+#include "solvers/haar_cg/tree/tree_shape.h"
 
 namespace rc {
 

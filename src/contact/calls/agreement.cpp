@@ -1,0 +1,80 @@
+#include "contact/calls/agreement.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "core/text.h"
+
+namespace rc {
+
+namespace {
+
+const char* which(const void* in_double, const void* in_single) {
+  return in_double && in_single ? "both" : in_double ? "double" : in_single ? "float" : "none";
+}
+
+}  // namespace
+
+std::vector<Fact> facts_of(const rc_system& system, const rc_options& options) {
+  std::int32_t major = 0, minor = 0, patch = 0, abi = 0;
+  rc_version(&major, &minor, &patch, &abi);
+  std::vector<Fact> facts{{"the library's version", join(major, ".", minor, ".", patch, ", ABI ", abi)},
+                          {"rc_system.op", join(system.op)},
+                          {"rc_system.boundary", join(system.boundary)},
+                          {"rc_system.nx", join(system.nx)},
+                          {"rc_system.ny", join(system.ny)},
+                          {"rc_system.hx", exact(system.hx)},
+                          {"rc_system.hy", exact(system.hy)},
+                          {"rc_system.modulus", exact(system.modulus)},
+                          {"rc_system.hardness", exact(system.hardness)}};
+  for (const OptionSpec* spec : options.context->known_options())
+    if (spec->key != RC_OPT_THREADS) facts.push_back({join("option ", spec->key), options.values.text_of(*spec)});
+  return facts;
+}
+
+std::vector<Fact> facts_of(const rc_step& step, const rc_result& result) {
+  return {{"rc_step.control", join(step.control)},
+          {"rc_step.warm_start", join(step.warm_start)},
+          {"rc_step.target", exact(step.target)},
+          {"the type of rc_step.undeformed_gap", which(step.undeformed_gap, step.undeformed_gap_single)},
+          {"rc_step.mask", step.mask ? "given" : "none"},
+          {"rc_step.p0", step.p0 ? "given" : "none"},
+          {"the type of rc_result.p", which(result.p, result.p_single)},
+          {"the type of rc_result.gap", which(result.gap, result.gap_single)}};
+}
+
+std::vector<Fact> facts_of(const rc_history& path) {
+  std::vector<Fact> facts{{"rc_history.control", join(path.control)},
+                          {"rc_history.warm_start", join(path.warm_start)},
+                          {"rc_history.n", join(path.n)},
+                          {"rc_history.undeformed_gap", path.undeformed_gap ? "given" : "none"},
+                          {"rc_history.mask", path.mask ? "given" : "none"},
+                          {"rc_history.fn", path.fn ? "given" : "none"},
+                          {"rc_history.want_gap", join(path.want_gap)},
+                          {"rc_history.stiffness", path.stiffness ? "given" : "none"}};
+  for (std::int64_t i = 0; path.targets && i < path.n; ++i)
+    facts.push_back({join("rc_history.targets[", i, "]"), exact(path.targets[i])});
+  return facts;
+}
+
+void check_agreement(const Ranks& ranks, const std::vector<Fact>& facts, bool counts) {
+  std::string mine;
+  for (const Fact& fact : facts) mine += fact.name + '\n' + fact.value + '\n';
+  const std::vector<char> counted = ranks.of_each(static_cast<char>(counts));
+  const std::vector<std::int64_t> sizes = ranks.of_each(static_cast<std::int64_t>(mine.size()));
+  const std::vector<char> all = ranks.of_any(std::vector<char>(mine.begin(), mine.end()));
+  const std::string first(all.data(), static_cast<std::size_t>(sizes.front()));
+  std::size_t at = first.size();
+  for (std::size_t rank = 1; rank < sizes.size(); ++rank) {
+    const std::string other(all.data() + at, static_cast<std::size_t>(sizes[rank]));
+    at += other.size();
+    if (counted[rank] == 0 || other == first) continue;
+    const std::vector<std::string> here = split(first, '\n'), there = split(other, '\n');
+    for (std::size_t i = 0; i + 1 < std::min(here.size(), there.size()); i += 2)
+      if (here[i] != there[i] || here[i + 1] != there[i + 1])
+        fail(RC_ERR_ARGUMENT, "rank ", rank, " and rank 0 disagree on ", here[i], ": ", there[i + 1], " and ", here[i + 1]);
+    fail(RC_ERR_ARGUMENT, "rank ", rank, " and rank 0 have different options: their components differ");
+  }
+}
+
+}  // namespace rc

@@ -1,0 +1,384 @@
+#include "contact/calls/batch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "contact/calls/contact.h"
+#include "contact/calls/many.h"
+#include "contact/calls/many_check.h"
+#include "core/cancelled.h"
+#include "core/error.h"
+#include "core/limits.h"
+
+namespace rc {
+
+namespace {
+
+constexpr std::size_t most_text = 640;
+constexpr std::int64_t most_values = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(double));
+
+// The distance from one contact's values to the next one's.
+std::int64_t resolved_stride(std::int64_t stride, std::int64_t values, std::int64_t n, const char* name, const char* least) {
+  if (stride == RC_BATCH_SHARED) return 0;
+  if (stride != 0 && stride < values)
+    fail(RC_ERR_SHAPE, "rc_batch.", name, " = ", stride, " must be 0, RC_BATCH_SHARED (-1) or at least ", least, " = ", values);
+  const std::int64_t result = std::max(stride, values);
+  if (result > 0 && n > most_values / result)
+    fail(RC_ERR_SHAPE, "rc_batch: n = ", n, " contacts of ", result, " values are more than ", most_values, " values");
+  return result;
+}
+
+// The batch with its strides resolved; it makes the steps and writes the outputs.
+struct Request {
+  rc_batch given;
+  std::int64_t points;
+
+  Request(const rc_batch& batch, std::int64_t n_points) : given(batch), points(n_points) {
+    if (given.n < 0) fail(RC_ERR_ARGUMENT, "rc_batch.n = ", given.n, " must be >= 0");
+    if (given.steps < 0) fail(RC_ERR_ARGUMENT, "rc_batch.steps = ", given.steps, " must be >= 0");
+    if (given.control != RC_CONTROL_APPROACH && given.control != RC_CONTROL_LOAD)
+      fail(RC_ERR_ARGUMENT, "rc_batch.control = ", given.control, " is neither RC_CONTROL_APPROACH (1) nor RC_CONTROL_LOAD (2)");
+    given.target_stride = resolved_stride(given.target_stride, given.steps, given.n, "target_stride", "steps");
+    given.undeformed_gap_stride = resolved_stride(given.undeformed_gap_stride, points, given.n, "undeformed_gap_stride", "nx*ny");
+    given.mask_stride = resolved_stride(given.mask_stride, points, given.n, "mask_stride", "nx*ny");
+    if (given.n == 0 || given.steps == 0) return;
+    if (given.n > most_values / std::max(given.steps, points))
+      fail(RC_ERR_SHAPE, "rc_batch: n = ", given.n, " contacts of ", std::max(given.steps, points), " values are more than ",
+           most_values, " values");
+    if (!given.targets) fail(RC_ERR_ARGUMENT, "rc_batch.targets is null but n = ", given.n, " and steps = ", given.steps);
+    if (!given.undeformed_gap) fail(RC_ERR_ARGUMENT, "rc_batch.undeformed_gap is null but n = ", given.n);
+  }
+
+  double target(std::int64_t i, std::int64_t k) const { return given.targets[i * given.target_stride + k]; }
+
+  rc_step step(std::int64_t i, std::int64_t k) const {
+    rc_step step = RC_STEP_INIT;
+    step.control = given.control;
+    step.warm_start = given.warm_start;
+    step.target = target(i, k);
+    if (k > 0) return step;  // later steps keep the surface of the first
+    step.undeformed_gap = given.undeformed_gap + i * given.undeformed_gap_stride;
+    step.mask = given.mask ? given.mask + i * given.mask_stride : nullptr;
+    step.borrow = 1;  // the caller's arrays outlive the contacts
+    step.p0 = given.p0 ? given.p0 + i * points : nullptr;
+    return step;
+  }
+  double* pressures(std::int64_t i) const { return given.p ? given.p + i * points : nullptr; }
+
+  void write(std::int64_t i, std::int64_t k, const rc_result& result) const {
+    const std::int64_t at = i * given.steps + k;
+    put(given.load, at, result.load);
+    put(given.approach, at, result.approach);
+    put(given.contact_area, at, result.contact_area);
+    put(given.stiffness, at, result.stiffness);
+    put(given.certificate, at, std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control}));
+    put(given.status, at, result.status);
+    put(given.iterations, at, result.iterations);
+    put(given.products, at, result.products);
+  }
+  // Steps from `k` on have no answer.
+  void write_none(std::int64_t i, std::int64_t k, rc_status status) const {
+    rc_result none{};
+    none.status = status;
+    none.load = none.approach = none.contact_area = none.stiffness = nan;
+    none.kkt_primal = nan;  // std::max keeps a NaN that comes first, so the certificate is NaN
+    none.iterations = none.products = -1;
+    for (; k < given.steps; ++k) write(i, k, none);
+  }
+
+ private:
+  template <class Number> static void put(Number* to, std::int64_t at, Number value) {
+    if (to) to[at] = value;
+  }
+};
+
+// What the threads share: the number of the next contacts, why the batch ends early, and the message that the call returns.
+class Progress {
+ public:
+  Progress(const rc_batch& batch, double time_limit)
+      : endings_(static_cast<std::size_t>(batch.n), RC_OK),
+        tell_(batch.progress),
+        user_(batch.user),
+        time_limit_(time_limit),
+        out_of_time_(join("time_limit = ", time_limit, " s is over")) {}
+
+  std::int64_t next(std::int64_t count) { return next_.fetch_add(count, std::memory_order_relaxed); }
+
+  rc_status stopped() {
+    if (time_limit_ > 0 && seconds_since(start_) > time_limit_) stop(RC_STOP_TIME);
+    return stop_.load(std::memory_order_relaxed);
+  }
+  void stop(rc_status why) {
+    rc_status none = RC_OK;
+    stop_.compare_exchange_strong(none, why, std::memory_order_relaxed);
+  }
+  // `caller` ends the batch.
+  void stop_by(const char* caller) {
+    caller_.store(caller, std::memory_order_relaxed);
+    stop(RC_STOP_CANCELLED);
+  }
+  const char* why_stopped() const { return stop_ == RC_STOP_TIME ? out_of_time_.c_str() : caller_.load(); }
+
+  // So many more steps have outputs.
+  void add(std::int64_t steps) {
+    const std::int64_t all = steps_.fetch_add(steps, std::memory_order_relaxed) + steps;
+    if (tell_ && stopped() == RC_OK && tell_(all, user_) != 0) stop_by("rc_batch.progress ended the batch");
+  }
+
+  // Contact i ended at step k, not certified. Allocates nothing, because an allocation may be what failed.
+  void ended(std::int64_t i, std::int64_t k, double target, rc_status status, const char* message) {
+    endings_[static_cast<std::size_t>(i)] = status;
+    const std::lock_guard lock(mutex_);
+    const bool worse = first_ < 0 || (status < 0) > (first_status_ < 0);
+    if (!worse && ((status < 0) < (first_status_ < 0) || i > first_)) return;
+    first_ = i;
+    first_step_ = k;
+    first_target_ = target;
+    first_status_ = status;
+    std::snprintf(first_message_, sizeof first_message_, "%s", message);
+  }
+
+  // Every step of contact i is certified or within its accuracy goal, and some step is the latter.
+  void ended_within_goal(std::int64_t i) { endings_[static_cast<std::size_t>(i)] = RC_WITHIN_GOAL; }
+
+  // Call it when all threads have ended.
+  BatchOutcome outcome() const {
+    BatchOutcome result;
+    std::map<rc_status, std::int64_t> counts;
+    for (const rc_status status : endings_) ++counts[status];
+    result.certified = counts[RC_OK];
+    counts.erase(RC_OK);
+    const auto n = static_cast<std::int64_t>(endings_.size());
+    if (first_ < 0) {
+      const std::int64_t within_goal = n - result.certified;
+      result.status = stop_ != RC_OK || within_goal == 0 ? stop_.load() : RC_WITHIN_GOAL;
+      if (stop_ != RC_OK)
+        result.message = join(why_stopped(), "; ", within_goal > 0 ? "" : "all ", result.certified, " contacts are certified");
+      if (within_goal > 0)
+        result.message +=
+            join(result.message.empty() ? "" : ", ", within_goal, " of ", n, " contacts within accuracy on coarser grids");
+      return result;
+    }
+    result.status = first_status_;
+    result.first = first_;
+    std::string list;
+    for (const auto& [status, count] : counts) list += join(list.empty() ? "" : ", ", count, " ", rc_status_name(status));
+    result.message = join(n - result.certified, " of ", n, " contacts are not certified (", list, "); first contact ", first_,
+                          ", step ", first_step_, ", target ", first_target_, ": ", first_message_);
+    return result;
+  }
+
+ private:
+  std::vector<rc_status> endings_;
+  const rc_batch_progress_fn tell_;  // null: nobody
+  void* const user_;
+  const double time_limit_;
+  const std::string out_of_time_;
+  const Clock::time_point start_ = Clock::now();
+  std::atomic<std::int64_t> next_{0}, steps_{0};
+  std::atomic<const char*> caller_{"rc_batch.fn ended the batch"};
+  std::atomic<rc_status> stop_{RC_OK};
+  std::mutex mutex_;  // guards the members below
+  std::int64_t first_ = -1, first_step_ = 0;
+  double first_target_ = 0;
+  rc_status first_status_ = RC_OK;
+  char first_message_[most_text] = "";
+};
+
+// One thread's contact, which solves one history after the other, but for those that a solver takes many of at once.
+class Worker {
+ public:
+  // many: null, or what takes them.
+  Worker(std::unique_ptr<Contact> contact, const Request& request, Progress& progress, const ManySolve* many)
+      : contact_(std::move(contact)), request_(request), progress_(progress), many_(many) {
+    contact_->on_progress({ask, &progress_, 1});
+    if (!request_.given.fn) return;
+    p_.resize(static_cast<std::size_t>(request_.points));
+    gap_.resize(p_.size());
+  }
+
+  void work() {
+    const std::int64_t at_once = many_ ? many_->at_once() : 1;
+    for (std::int64_t i; (i = progress_.next(at_once)) < request_.given.n;) {
+      const std::int64_t end = std::min(i + at_once, request_.given.n);
+      while (i < end)
+        if (many_ && progress_.stopped() == RC_OK)
+          i += together(i, end);
+        else
+          follow(i++);
+    }
+  }
+
+ private:
+  static std::int32_t ask(const rc_progress*, void* progress) { return static_cast<Progress*>(progress)->stopped() != RC_OK; }
+
+  // Contacts i .. end-1, or the first of them; returns how many they are. Those that are not solved together, for whatever
+  // reason, are solved by themselves.
+  std::int64_t together(std::int64_t i, std::int64_t end) {
+    ManyAnswers answers = many_->solved(i, end);
+    const std::int64_t count = answers.contacts > 0 ? answers.contacts : end - i, steps = request_.given.steps;
+    std::vector<std::int64_t> solved, others;
+    for (std::int64_t k = 0; k < count; ++k) (k < answers.contacts && answers.solved(k, steps) ? solved : others).push_back(k);
+    if (const std::string why = refusal(request_.given, answers, solved, i, *contact_); !why.empty()) {
+      many_->log(i, i + count, why.c_str());
+      others.insert(others.end(), solved.begin(), solved.end());
+      std::sort(others.begin(), others.end());
+      solved.clear();
+    }
+    for (const std::int64_t k : solved) take(i + k, answers, k);
+    if (!solved.empty()) progress_.add(static_cast<std::int64_t>(solved.size()) * steps);
+    answers = {};
+    for (const std::int64_t k : others) follow(i + k);
+    return count;
+  }
+  // Contact i is number k of these answers.
+  void take(std::int64_t i, const ManyAnswers& answers, std::int64_t k) {
+    const std::int64_t steps = request_.given.steps, first = k * steps;
+    for (std::int64_t step = 0; step < steps; ++step)
+      request_.write(i, step, many_->result(answers.all[static_cast<std::size_t>(first + step)], i, step));
+    if (double* const to = request_.pressures(i))
+      std::copy_n(answers.p.data() + (first + steps - 1) * request_.points, request_.points, to);
+  }
+
+  void follow(std::int64_t i) {
+    contact_->forget();
+    bool within_goal = false;
+    for (std::int64_t k = 0; k < request_.given.steps; ++k) {
+      if (const rc_status stop = progress_.stopped(); stop != RC_OK) return end(i, k, k, stop, progress_.why_stopped());
+      rc_result result{};
+      result.struct_size = sizeof(rc_result);
+      const rc_status status = solve(i, k, result);
+      if (status >= 0) deliver(i, k, result);
+      within_goal = within_goal || status == RC_WITHIN_GOAL;
+      if (status != RC_OK && status != RC_WITHIN_GOAL) return end(i, k, status < 0 ? k : k + 1, status, message_);
+    }
+    if (within_goal) progress_.ended_within_goal(i);
+  }
+
+  // History i ends at step k; from step `unanswered` on it has no answers.
+  void end(std::int64_t i, std::int64_t k, std::int64_t unanswered, rc_status status, const char* message) {
+    request_.write_none(i, unanswered, status);
+    progress_.add(request_.given.steps - unanswered);
+    progress_.ended(i, k, request_.target(i, k), status, message);
+  }
+
+  void deliver(std::int64_t i, std::int64_t k, const rc_result& result) {
+    request_.write(i, k, result);
+    if (request_.given.fn && progress_.stopped() == RC_OK && request_.given.fn(i, k, &result, request_.given.user) != 0)
+      progress_.stop_by("rc_batch.fn ended the batch");
+    progress_.add(1);
+  }
+
+  rc_status solve(std::int64_t i, std::int64_t k, rc_result& result) {
+    const auto ended = [&](rc_status status, const char* text) {
+      std::snprintf(message_, sizeof message_, "%s", text);
+      return status;
+    };
+    result.p = request_.pressures(i);
+    if (request_.given.fn) {
+      if (!result.p) result.p = p_.data();
+      result.gap = gap_.data();
+    }
+    clear_message();
+    try {
+      const rc_status status = contact_->solve(request_.step(i, k), result);
+      if (status == RC_OK) return status;
+      if (const rc_status stop = progress_.stopped(); status == RC_STOP_CANCELLED && stop != RC_OK)
+        return ended(result.status = stop, progress_.why_stopped());
+      return ended(status, last_message()[0] != '\0' ? last_message() : rc_status_text(status));
+    } catch (const Error& error) {
+      return ended(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+      return ended(RC_ERR_MEMORY, "out of memory");
+    } catch (const Cancelled&) {
+      throw;  // the thread is being cancelled
+    } catch (const std::exception& error) {
+      return ended(RC_ERR_INTERNAL, error.what());
+    } catch (...) {
+      return ended(RC_ERR_INTERNAL, "an unknown exception");
+    }
+  }
+
+  std::unique_ptr<Contact> contact_;
+  const Request& request_;
+  Progress& progress_;
+  const ManySolve* const many_;
+  std::vector<double> p_, gap_;
+  char message_[most_text] = "";
+};
+
+// Helper threads. They are joined even if the calling thread leaves by an exception.
+class Helpers {
+ public:
+  // Starts `count` helpers, or as many as the system allows.
+  template <class Body> Helpers(std::int64_t count, Progress& progress, const Body& body) : progress_(progress) {
+    threads_.reserve(static_cast<std::size_t>(count));
+    try {
+      for (std::int64_t i = 0; i < count; ++i) threads_.emplace_back(body);
+    } catch (const std::system_error&) {
+    } catch (const std::bad_alloc&) {
+    }
+  }
+  ~Helpers() {
+    if (!finished_) progress_.stop(RC_STOP_CANCELLED);
+    join();
+  }
+  Helpers(const Helpers&) = delete;
+  Helpers& operator=(const Helpers&) = delete;
+
+  void finish() {
+    finished_ = true;
+    join();
+  }
+
+ private:
+  void join() {
+    for (std::thread& thread : threads_)
+      if (thread.joinable()) thread.join();
+  }
+
+  Progress& progress_;
+  std::vector<std::thread> threads_;
+  bool finished_ = false;
+};
+
+}  // namespace
+
+BatchOutcome solve_batch(const rc_system& system, const rc_options& options, const rc_batch& batch) {
+  rc_options each = options;
+  each.set(RC_OPT_THREADS, std::int64_t{1});
+  each.set(RC_OPT_TIME_LIMIT, 0.0);
+  if (batch.stiffness && options.integer(RC_OPT_STIFFNESS) == 0) each.set(RC_OPT_STIFFNESS, std::int64_t{1});
+  if (!batch.fn) each.set(RC_OPT_BOUNDS, std::int64_t{0});  // no output shows them
+
+  const auto contact = [&] { return std::make_unique<Contact>(system, each); };
+  std::unique_ptr<Contact> first = contact();  // checks the system and the options
+  const Request request(batch, system.nx * system.ny);
+  Progress progress(batch, options.real(RC_OPT_TIME_LIMIT));
+  const std::int64_t threads = std::clamp<std::int64_t>(batch.n, 1, options.integer(RC_OPT_THREADS));
+  const std::optional<ManySolve> many = ManySolve::of(first->work(), request.given, threads);
+  const ManySolve* const shared = many ? &*many : nullptr;
+  Worker own(std::move(first), request, progress, shared);
+  Helpers helpers(threads - 1, progress, [&] {
+    try {
+      Worker(contact(), request, progress, shared).work();
+    } catch (const Cancelled&) {
+      throw;
+    } catch (...) {
+      // No memory for its contact: the others do its share.
+    }
+  });
+  own.work();
+  helpers.finish();
+  return progress.outcome();
+}
+
+}  // namespace rc

@@ -1,0 +1,187 @@
+#include "contact/calls/many_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "core/certificate_terms.h"
+#include "core/error.h"
+
+namespace rc {
+
+namespace {
+
+// One contact of every block of this many is computed anew.
+constexpr std::int64_t block = 64;
+// Residuals computed anew may differ by this share of tol from those reported. Answers that report more than near_tol times tol
+// are all computed anew, so that this difference cannot lift one above tol.
+constexpr double allowed_share = 0.25, near_tol = 0.5;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+struct Sums {
+  double sum = 0, absolute = 0, largest = 0, least = 0;
+  std::int64_t contacts = 0;
+  bool outside = false;  // some masked point carries pressure
+};
+
+Sums sums_of(std::span<const double> p, const std::uint8_t* mask) {
+  Sums all;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    all.sum += p[i];
+    all.absolute += std::abs(p[i]);
+    all.largest = std::max(all.largest, std::abs(p[i]));
+    all.least = std::min(all.least, p[i]);
+    all.contacts += p[i] > 0;
+    all.outside = all.outside || (mask && mask[i] == 0 && p[i] != 0);
+  }
+  return all;
+}
+
+class Check {
+ public:
+  Check(const rc_batch& batch, ManyAnswers& answers, std::int64_t first, Contact& contact)
+      : batch_(batch),
+        answers_(answers),
+        first_(first),
+        contact_(contact),
+        system_(contact.work().system),
+        tol_(contact.work().options.real(RC_OPT_TOL)) {}
+
+  // Throws Error(NUMERIC) with the first answer that is not as reported.
+  void run(std::span<const std::int64_t> solved) {
+    for (const std::int64_t i : solved) compare_pressures(i);
+    for (const std::int64_t i : sample(solved)) compute_anew(i);
+  }
+
+ private:
+  template <class... Parts> [[noreturn]] void refuse(std::int64_t i, std::int64_t k, const Parts&... parts) const {
+    fail(RC_ERR_NUMERIC, "contact ", first_ + i, ", step ", k, ": ", parts...);
+  }
+  const rc_many_answer& answer(std::int64_t i, std::int64_t k) const {
+    return answers_.all[static_cast<std::size_t>(i * batch_.steps + k)];
+  }
+  std::span<double> pressures(std::int64_t i, std::int64_t k) const {
+    const auto n = static_cast<std::size_t>(system_.points());
+    return std::span(answers_.p).subspan(static_cast<std::size_t>(i * batch_.steps + k) * n, n);
+  }
+  const double* gap(std::int64_t i) const { return batch_.undeformed_gap + (first_ + i) * batch_.undeformed_gap_stride; }
+  const std::uint8_t* mask(std::int64_t i) const {
+    return batch_.mask ? batch_.mask + (first_ + i) * batch_.mask_stride : nullptr;
+  }
+  double target(std::int64_t i, std::int64_t k) const { return batch_.targets[(first_ + i) * batch_.target_stride + k]; }
+  bool by_load() const { return batch_.control == RC_CONTROL_LOAD; }
+
+  double lowest_gap(std::int64_t i) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::int64_t m = 0; m < system_.points(); ++m) {
+      if (mask(i) && mask(i)[m] == 0) continue;
+      if (!std::isfinite(gap(i)[m])) refuse(i, 0, "the gap at point ", m, " is not finite");
+      lowest = std::min(lowest, gap(i)[m]);
+    }
+    return lowest;
+  }
+
+  void compare_pressures(std::int64_t i) const {
+    const double lowest = lowest_gap(i);
+    for (std::int64_t k = 0; k < batch_.steps; ++k) {
+      const rc_many_answer& told = answer(i, k);
+      const Sums found = sums_of(pressures(i, k), mask(i));
+      for (const double residual : {told.primal, told.dual, told.complementarity})
+        if (!(residual <= tol_)) refuse(i, k, "a residual is reported as ", residual, ", above tol = ", tol_);
+      if (!std::isfinite(found.absolute) || !std::isfinite(target(i, k))) refuse(i, k, "pressures or target are not finite");
+      if (found.outside) refuse(i, k, "a masked point carries pressure");
+      if (const double primal = primal_violation(found.least, found.largest, system_.hardness); !(primal <= tol_))
+        refuse(i, k, "kkt_primal is ", primal, ", the lowest pressure ", found.least, ", the highest ", found.largest);
+      if (found.contacts != told.contacts) refuse(i, k, found.contacts, " points carry pressure, reported as ", told.contacts);
+      const double rounding = (static_cast<double>(system_.points()) + 8) * epsilon * found.absolute;
+      if (!(std::abs(found.sum - told.sum) <= rounding))
+        refuse(i, k, "the sum of the pressures is ", found.sum, ", reported as ", told.sum);
+      if (by_load())
+        if (const double control = load_imbalance(found.sum * system_.cell_area(), target(i, k)); !(control <= tol_))
+          refuse(i, k, "kkt_control is ", control);
+      // Later steps of a contact with a hardness have an indentation in their gap.
+      if ((k == 0 || !system_.capped()) && !(std::abs(told.lowest - lowest) <= 4 * epsilon * std::abs(lowest)))
+        refuse(i, k, "the lowest gap is ", lowest, ", reported as ", told.lowest);
+      if (!std::isfinite(told.lowest + told.compression)) refuse(i, k, "the approach is not finite");
+    }
+  }
+
+  bool near(std::int64_t i) const {
+    for (std::int64_t k = 0; k < batch_.steps; ++k)
+      if (const rc_many_answer& told = answer(i, k); std::max(told.dual, told.complementarity) > near_tol * tol_) return true;
+    return false;
+  }
+
+  std::vector<std::int64_t> sample(std::span<const std::int64_t> solved) const {
+    std::random_device random;  // read after the solver has answered
+    std::vector<std::int64_t> chosen;
+    for (std::size_t begin = 0; begin < solved.size(); begin += block) {
+      const std::span<const std::int64_t> part = solved.subspan(begin, std::min<std::size_t>(block, solved.size() - begin));
+      const std::int64_t any = part[std::uniform_int_distribution<std::size_t>(0, part.size() - 1)(random)];
+      for (const std::int64_t i : part)
+        if (i == any || near(i)) chosen.push_back(i);
+    }
+    return chosen;
+  }
+
+  // All steps, because each leaves an indentation to the next where there is a hardness.
+  void compute_anew(std::int64_t i) {
+    contact_.forget();
+    for (std::int64_t k = 0; k < batch_.steps; ++k) {
+      const rc_many_answer& told = answer(i, k);
+      rc_step step = RC_STEP_INIT;
+      step.control = batch_.control;
+      step.target = target(i, k);
+      if (k == 0) {
+        step.undeformed_gap = gap(i);
+        step.mask = mask(i);
+        step.borrow = 1;
+      }
+      rc_result result = RC_RESULT_INIT;
+      result.p = pressures(i, k).data();
+      try {
+        contact_.retrace(step, told.compression, result);
+      } catch (const Error& error) {
+        refuse(i, k, error.what());
+      }
+      const auto differs = [&](const char* name, double found, double reported) {
+        if (!(found <= tol_ && std::abs(found - reported) <= allowed_share * tol_))
+          refuse(i, k, name, " is ", found, ", reported as ", reported, ", tol is ", tol_);
+      };
+      differs("kkt_dual", result.kkt_dual, told.dual);
+      differs("kkt_complementarity", result.kkt_complementarity, told.complementarity);
+      const double rounding = 8 * epsilon * std::abs(told.lowest), approach = told.lowest + told.compression;
+      if (by_load() && !(std::abs(result.approach - approach) <= allowed_share * tol_ * told.compression + rounding))
+        refuse(i, k, "the approach is ", result.approach, ", reported as ", approach);
+    }
+  }
+
+  const rc_batch& batch_;
+  ManyAnswers& answers_;
+  const std::int64_t first_;
+  Contact& contact_;
+  const System& system_;
+  const double tol_;
+};
+
+}  // namespace
+
+std::string refusal(const rc_batch& batch, ManyAnswers& answers, std::span<const std::int64_t> solved, std::int64_t first,
+                    Contact& contact) {
+  try {
+    Check(batch, answers, first, contact).run(solved);
+    clear_message();
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  }
+}
+
+}  // namespace rc

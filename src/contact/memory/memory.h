@@ -1,0 +1,48 @@
+// What a contact remembers: its last two certified steps. GridContact alone writes it.
+#pragma once
+
+#include <roughcontact/history.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/memory/kept_steps.h"
+#include "contact/surface/pressures.h"
+#include "contact/surface/step_surface.h"
+
+namespace rc {
+
+struct CertifiedStep {
+  Pressures pressures;    // empty: there was no step
+  double approach = 0;    // [length]
+  double load = 0;        // [force]
+  bool same_gap = false;  // its surface is that of the current step
+  KeptAnswer kept = {};   // of its pressures, by their solver
+};
+
+struct Memory {
+  CertifiedStep last, before;  // the last certified step, and the one before it
+  bool indented = false;       // the surface has a plastic indentation, of these steps or earlier ones
+
+  void record(CertifiedStep&& step);
+  // A step has given a surface. same: it equals that of the step before.
+  void surface_is(bool same);
+
+  // How far beyond the last step the new target lies, in units of the last step's change; 0 where no extrapolation is possible.
+  double ahead(const rc_step& step) const;
+  // Dimensionless pressures of at most `cap` to start from. nearer: null, or pressures to prefer to the step's own and the last
+  // step's.
+  std::vector<double> start(const rc_step& step, const TrialSet& trial, double pressure_unit, double cap, const Pressures* nearer,
+                            const rc_team& team) const;
+  // What start() without `nearer` made its pressures of.
+  KeptHistory history(const rc_step& step) const;
+  // Pressures there at the approach that a warm step comes from; empty where it comes from none.
+  std::vector<double> earlier(const rc_step& step, const TrialSet& trial) const;
+  // Points and pressures of the last step's contact set, as many as there is room for; returns how many there are.
+  std::int64_t contact_points(std::int64_t room, std::int64_t* index, double* p) const;
+};
+
+// The memory that a state describes. Throws Error(ARGUMENT) on what is not finite or masked. surface: the state's.
+Memory memory_of(const rc_state& state, const StepSurface& surface, std::int64_t points);
+
+}  // namespace rc

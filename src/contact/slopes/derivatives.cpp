@@ -1,0 +1,315 @@
+#include "contact/slopes/derivatives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "contact/slopes/subset_solve.h"
+#include "contact/step/trial_set.h"
+#include "core/error.h"
+#include "core/sums.h"
+
+namespace rc {
+
+namespace {
+
+using Field = std::vector<double>;
+
+constexpr double looser =
+    300;  // residuals of the solves over the tolerance: derivatives are of use to fewer digits than pressures
+constexpr double least_residual = 1e-11, most_residual = 1e-4;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double total(const Field& x) {
+  return sum_of(x.size(), [&](std::size_t k) { return x[k]; });
+}
+double dot(const Field& x, const Field& y) {
+  return sum_of(x.size(), [&](std::size_t k) { return x[k] * y[k]; });
+}
+double euclidean(const Field& x) { return std::sqrt(dot(x, x)); }
+
+void check_finite(double value, const char* name) {
+  if (!std::isfinite(value)) fail(RC_ERR_ARGUMENT, name, " = ", value, " is not finite");
+}
+
+// The step whose derivatives are asked for. C: the points in contact below the hardness, whose pressures change; those of the
+// other loaded points stay. Lengths and pressures are the caller's; solutions of A x = b, A = H[C,C] + mean 11', have the units
+// of b: H is dimensionless where the operator applies it.
+class Linearised {
+ public:
+  Linearised(Workspace& work, const Memory& memory, const Monitor& monitor)
+      : work_(work), monitor_(monitor), before_(work.products()), loaded_(memory.last.pressures.positive(work.team())) {
+    if (work.record.certified == 0)
+      fail(RC_ERR_ARGUMENT,
+           "the last step on the given grid did not return RC_OK, or there was none since the contact was made, ",
+           "reset or restored: only a certified step has derivatives");
+    const double depth = memory.last.approach - work.surface.lowest();
+    for (std::size_t k = 0; k < loaded_.p.size(); ++k) {
+      if (loaded_.p[k] >= system().hardness) continue;
+      set_.push_back(loaded_.on.index[k]);
+      among_loaded_.push_back(k);
+      u_.push_back(depth - work.surface.height(point(set_.size() - 1)));
+    }
+    if (by_load() && loaded_.empty())
+      fail(RC_ERR_ARGUMENT, "the load is 0: no point carries pressure, so that the approach has no derivative; give a load > 0");
+    if (by_load() && set_.empty())
+      fail(RC_ERR_ARGUMENT, "all ", loaded_.p.size(), " points in contact carry the hardness ", system().hardness,
+           ": the load does not determine the approach, which has no derivative; give a smaller load");
+  }
+
+  bool by_load() const { return work_.record.certified == RC_CONTROL_LOAD; }
+  const System& system() const { return work_.system; }
+  std::size_t n() const { return set_.size(); }
+  std::size_t point(std::size_t k) const { return static_cast<std::size_t>(set_[k]); }
+  const Field& u() const { return u_; }
+  const Field& loaded() const { return loaded_.p; }  // the pressures
+  std::size_t among_loaded(std::size_t k) const { return among_loaded_[k]; }
+  bool included(std::size_t i) const { return work_.surface.included(i); }
+  double unit() const { return system().length_per_pressure; }
+  std::int64_t undecided() const { return work_.record.undecided; }
+  std::int64_t products() const { return work_.products() - before_; }
+
+  // Values given for all points: NaN counts where no mask excludes the point.
+  void check(const double* values, const char* name) const {
+    for (std::size_t i = 0; values && i < static_cast<std::size_t>(system().points()); ++i)
+      if (included(i) && !std::isfinite(values[i])) fail(RC_ERR_ARGUMENT, name, "[", i, "] = ", values[i], " is not finite");
+  }
+
+  // H x / unit() at the loaded points, for x on all points, 0 at excluded ones.
+  rc_status multiplied(const double* x, Field& out) {
+    TrialSet trial;
+    std::size_t k = 0;
+    for (std::int64_t i = 0; i < system().points(); ++i) {
+      const bool touches = k < loaded_.p.size() && loaded_.on.index[k] == i;
+      k += touches;
+      if (touches || (included(static_cast<std::size_t>(i)) && x[i] != 0)) trial.index.push_back(i);
+    }
+    trial = all_if_full(std::move(trial.index));
+    const Choice kept = work_.record.choice;  // this product may need another backend
+    const Choice choice = choose_for(trial, work_.record.certified, work_);
+    work_.record.choice = kept;
+    Operator& op = work_.bound_operator(*choice.backend, trial);
+    const Operator::Watch watch(op, [this] { return monitor_.ask(); });
+    Field spread(static_cast<std::size_t>(trial.n)), product(spread.size());
+    for (std::size_t i = 0; i < spread.size(); ++i) {
+      const std::int64_t at = trial.point(static_cast<std::int64_t>(i));
+      spread[i] = included(static_cast<std::size_t>(at)) ? x[at] : 0;
+    }
+    const rc_status status = op.apply(spread.data(), product.data());
+    raise_if_failed(status, "a product for the derivatives");
+    const std::vector<std::int64_t> positions = *positions_in(trial, loaded_.on.index);
+    for (std::size_t i = 0; i < out.size() && status == RC_OK; ++i) out[i] = product[static_cast<std::size_t>(positions[i])];
+    return status;
+  }
+
+  // H x on all points, for x on the loaded points [length]. No solve may follow.
+  void deflection(const Field& x, Field& everywhere) {
+    Operator& op = on(loaded_.on.index);
+    op.field(x, everywhere);
+    const double datum = op.trial().zero_mode / static_cast<double>(system().points()) * total(x);
+    for (double& value : everywhere) value = (value - datum) * unit();
+  }
+
+  // One equation's answer: A x = b.
+  struct Solution {
+    Field x;
+    double sum = 0;
+    double residual = 0;  // |b - A x| is at most that; NaN: not known
+  };
+  rc_status solve(const Field& b, Solution& out) {
+    Operator& op = on(set_);
+    if (!solve_) solve_.emplace(work_, op, all_positions());
+    const Operator::Watch watch(op, [this] { return monitor_.ask(); });
+    double size = 0;
+    for (const double value : b) size = std::max(size, std::abs(value));
+    out = {Field(n()), 0, 0};
+    if (size == 0) return RC_OK;
+    Field scaled = b;
+    for (double& value : scaled) value /= size;
+    ContactSetBound bound;
+    const double tol = std::clamp(looser * work_.options.real(RC_OPT_TOL), least_residual, most_residual);
+    rc_status status = (*solve_)(scaled, tol, out.x, bound);
+    if (status == RC_OK || status == RC_STOP_STALLED)
+      if (const rc_status proof = solve_->prove(scaled, out.x, bound); proof != RC_OK) status = proof;
+    for (double& value : out.x) value *= size;
+    out.sum = total(out.x);
+    out.residual = bound.residual * size;
+    stalled_ = stalled_ || status == RC_STOP_STALLED;
+    return status == RC_STOP_STALLED ? RC_OK : status;
+  }
+  double mean() const { return solve_ ? solve_->mean() : 0; }
+  rc_status status() const { return stalled_ ? RC_STOP_STALLED : RC_OK; }
+
+  // Bounds of the errors of a solution and of its sum. flat: that for b = 1.
+  double error(const Solution& x) const { return n() == 0 ? 0 : lowest() > 0 ? x.residual / lowest() : unknown; }
+  double error_of_sum(const Solution& x, const Solution& flat) const {
+    return lowest() > 0 ? x.residual * std::sqrt(flat.sum / lowest()) : unknown;
+  }
+  // Likewise of x + part flat.x, where `part` is off by up to `doubt`.
+  double error(const Solution& x, double part, double doubt, const Solution& flat) const {
+    return error(x) + std::abs(part) * error(flat) + euclidean(flat.x) * doubt;
+  }
+
+ private:
+  double lowest() const { return solve_ ? solve_->lowest() : 0; }
+
+  TrialSet all_if_full(std::vector<std::int64_t> points) const {
+    const auto size = static_cast<std::int64_t>(points.size());
+    return size == system().points() ? TrialSet{size, {}} : TrialSet{size, std::move(points)};
+  }
+  std::vector<std::int64_t> all_positions() const {
+    std::vector<std::int64_t> positions(n());
+    std::iota(positions.begin(), positions.end(), std::int64_t{0});
+    return positions;
+  }
+  // The step's operator, bound to these points. Factors of a periodic H exist in full contact only with a mean.
+  Operator& on(const std::vector<std::int64_t>& points) {
+    const rc_backend& backend = *work_.record.choice.backend;
+    TrialSet trial = all_if_full(points);
+    if (system().periodic() && backend.subset) trial.zero_mode = system().lambda_most;
+    return work_.bound_operator(backend, trial);
+  }
+
+  Workspace& work_;
+  const Monitor& monitor_;
+  const std::int64_t before_;
+  const Pressures loaded_;
+  std::vector<std::int64_t> set_;          // C
+  std::vector<std::size_t> among_loaded_;  // where each of its points is
+  Field u_;                                // [length] on C
+  std::optional<SubsetSolve> solve_;
+  bool stalled_ = false;
+};
+
+using Solution = Linearised::Solution;
+
+// The multiple of s that turns A^-1 b into H_CC^-1 b (Sherman & Morrison 1950).
+double without_mean(double mean, const Solution& x, const Solution& flat) {
+  return mean == 0 ? 0 : mean * x.sum / (1 - mean * flat.sum);
+}
+
+}  // namespace
+
+rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& monitor, rc_gradient& request) {
+  Linearised step(work, memory, monitor);
+  const System& system = step.system();
+  const double area = system.cell_area();
+  step.check(request.dJ_dp, "rc_gradient.dJ_dp");
+  step.check(request.dJ_dgap, "rc_gradient.dJ_dgap");
+  check_finite(request.dJ_dload, "rc_gradient.dJ_dload");
+  check_finite(request.dJ_dapproach, "rc_gradient.dJ_dapproach");
+  const bool nothing = !request.dJ_dp && !request.dJ_dgap && request.dJ_dload == 0 && request.dJ_dapproach == 0;
+  const double by_load = nothing && !step.by_load() ? 1 : request.dJ_dload;
+  double direct = nothing && step.by_load() ? 1 : request.dJ_dapproach;  // dJ/dd while p stays
+  const std::size_t all = static_cast<std::size_t>(system.points());
+  const auto by_gap = [&](std::size_t i) { return request.dJ_dgap && step.included(i) ? request.dJ_dgap[i] : 0; };
+  direct -= sum_of(all, by_gap);
+
+  // b = (dJ/dp + H dJ/dg)_C / unit. It is a multiple of 1 where J depends on load and approach alone.
+  Field product(step.loaded().size()), b(step.n());
+  if (request.dJ_dgap && !product.empty())
+    if (const rc_status status = step.multiplied(request.dJ_dgap, product); status != RC_OK) return status;
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    const double by_p = (request.dJ_dp ? request.dJ_dp[step.point(k)] : 0) + by_load * area;
+    b[k] = by_p / step.unit() + product[step.among_loaded(k)];
+  }
+  const bool uniform = !request.dJ_dp && !request.dJ_dgap;
+  Solution lambda, flat;
+  if (step.n() > 0 && (uniform || step.by_load() || system.periodic()))
+    if (const rc_status status = step.solve(Field(step.n(), 1.0), flat); status != RC_OK) return status;
+  if (uniform && step.n() > 0) {
+    const double factor = b[0];
+    lambda = {flat.x, flat.sum * factor, flat.residual * std::abs(factor)};
+    for (double& value : lambda.x) value *= factor;
+  } else if (step.n() > 0) {
+    if (const rc_status status = step.solve(b, lambda); status != RC_OK) return status;
+  }
+
+  const double mean = step.mean(), share = 1 - mean * flat.sum;
+  double part = 0, doubt = 0;  // w = lambda + part flat
+  if (step.by_load()) {
+    part = -(lambda.sum + direct) / flat.sum;
+    request.dJ_dtarget = (lambda.sum + direct * share) * step.unit() / (area * flat.sum);
+    doubt = (step.error_of_sum(lambda, flat) + std::abs(part) * step.error_of_sum(flat, flat)) / flat.sum;
+  } else {
+    part = without_mean(mean, lambda, flat);
+    request.dJ_dtarget = lambda.sum + part * flat.sum + direct;
+    if (mean != 0) doubt = mean / share * (step.error_of_sum(lambda, flat) + std::abs(part) * step.error_of_sum(flat, flat));
+  }
+  request.error = part == 0 ? step.error(lambda) : step.error(lambda, part, doubt, flat);
+  Field w = lambda.x;
+  for (std::size_t k = 0; k < w.size() && part != 0; ++k) w[k] += part * flat.x[k];
+  request.dJ_dmodulus =
+      system.halfspace() ? (dot(w, step.u()) - step.unit() * dot(product, step.loaded())) / system.given.modulus : unknown;
+  request.undecided = step.undecided();
+  request.products = step.products();
+  if (double* const out = request.dJ_dundeformed_gap) {
+    for (std::size_t i = 0; i < all; ++i) out[i] = by_gap(i);
+    for (std::size_t k = 0; k < w.size(); ++k) out[step.point(k)] -= w[k];
+  }
+  return step.status();
+}
+
+rc_status differentiate(Workspace& work, const Memory& memory, const Monitor& monitor, rc_tangent& request) {
+  Linearised step(work, memory, monitor);
+  const System& system = step.system();
+  const double area = system.cell_area();
+  step.check(request.dundeformed_gap, "rc_tangent.dundeformed_gap");
+  check_finite(request.dtarget, "rc_tangent.dtarget");
+  check_finite(request.dmodulus, "rc_tangent.dmodulus");
+  if (!system.halfspace() && request.dmodulus != 0)
+    fail(RC_ERR_ARGUMENT, "rc_tangent.dmodulus = ", request.dmodulus, " but the system is no half-space: it has no modulus");
+  const double softer = system.halfspace() ? request.dmodulus / system.given.modulus : 0;
+  const auto dh = [&](std::size_t i) { return request.dundeformed_gap && step.included(i) ? request.dundeformed_gap[i] : 0; };
+  double dd = step.by_load() ? 0 : request.dtarget;
+
+  // A x = r; dp = x + part flat.
+  const bool uniform = !request.dundeformed_gap && softer == 0;
+  Field r(step.n());
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] = (dd - dh(step.point(k)) + softer * step.u()[k]) / step.unit();
+  Solution x{Field(step.n()), 0, 0}, flat{Field(step.n()), 0, 0};
+  if (step.n() > 0 && (uniform || step.by_load() || system.periodic()))
+    if (const rc_status status = step.solve(Field(step.n(), 1.0), flat); status != RC_OK) return status;
+  if (!uniform && step.n() > 0)
+    if (const rc_status status = step.solve(r, x); status != RC_OK) return status;
+  const double mean = step.mean(), share = 1 - mean * flat.sum;
+  double part = 0, doubt = 0;
+  if (step.by_load()) {
+    const double force = request.dtarget / area;
+    part = (force - x.sum) / flat.sum;
+    dd = step.unit() * (part - mean * force);
+    doubt = (step.error_of_sum(x, flat) + std::abs(part) * step.error_of_sum(flat, flat)) / flat.sum;
+  } else {
+    part = uniform ? (step.n() > 0 ? r[0] / share : 0) : without_mean(mean, x, flat);
+    if (mean != 0) doubt = mean / share * (step.error_of_sum(x, flat) + std::abs(part) * step.error_of_sum(flat, flat));
+  }
+  const double error = part == 0 ? step.error(x) : step.error(x, part, doubt, flat);
+  Field dp = x.x;
+  for (std::size_t k = 0; k < dp.size(); ++k) dp[k] += part * flat.x[k];
+
+  const std::size_t all = static_cast<std::size_t>(system.points());
+  if (request.dgap) {
+    Field moved(all);
+    Field stiffened = step.loaded();
+    for (double& value : stiffened) value *= -softer;
+    for (std::size_t k = 0; k < dp.size(); ++k) stiffened[step.among_loaded(k)] += dp[k];
+    if (!stiffened.empty()) step.deflection(stiffened, moved);
+    for (std::size_t i = 0; i < all; ++i) request.dgap[i] = step.included(i) ? moved[i] - (dd - dh(i)) : 0;
+    for (std::size_t k = 0; k < dp.size(); ++k) request.dgap[step.point(k)] = 0;
+  }
+  if (request.dp) {
+    std::fill_n(request.dp, all, 0.0);
+    for (std::size_t k = 0; k < dp.size(); ++k) request.dp[step.point(k)] = dp[k];
+  }
+  request.dload = step.by_load() ? request.dtarget : total(dp) * area;
+  request.dapproach = dd;
+  request.error = error;
+  request.undecided = step.undecided();
+  request.products = step.products();
+  return step.status();
+}
+
+}  // namespace rc

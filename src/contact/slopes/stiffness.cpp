@@ -1,0 +1,140 @@
+#include "contact/slopes/stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "contact/slopes/subset_solve.h"
+#include "core/error.h"
+#include "core/ranks.h"
+
+namespace rc {
+
+namespace {
+
+constexpr double least_tol = 1e-10, most_tol = 1e-4;  // of the solves, which follow the tolerance
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// The pressures x of a flat punch of the shape of a set of points, and its stiffness 1'x; dimensionless.
+struct FlatPunch {
+  rc_status status = RC_OK;
+  std::vector<double> rate;  // x, under the mean that the solve adds to H
+  ContactSetBound bound;
+  double mean = 0;
+
+  // Without the rank-one mean (Sherman & Morrison 1950): grows with the sum of x.
+  double stiffness(double sum) const { return sum / (1 - mean * sum); }
+  double lower() const { return std::max(0.0, stiffness(std::max(0.0, bound.form - bound.error))); }
+  double upper() const {
+    const double most = bound.form + bound.error;
+    return mean * most < 1 ? stiffness(most) : unbounded;
+  }
+};
+
+// Of all ranks.
+std::int64_t count(const Workspace& work, std::span<const std::int64_t> points) {
+  return work.surface.united(static_cast<std::int64_t>(points.size()));
+}
+
+enum class Wanted { form, rate, proof };  // to the tolerance: the form alone; or x, of which the form has twice the digits
+
+FlatPunch pressed(Workspace& work, Operator& op, std::span<const std::int64_t> set, std::vector<double> start, Wanted wanted) {
+  SubsetSolve solve(work, op, set);
+  FlatPunch punch{RC_OK, std::move(start), {}, solve.mean()};
+  std::vector<double> ones;
+  on_all(work.ranks(), [&] {
+    ones.assign(set.size(), 1.0);
+    punch.rate.resize(set.size());
+  });
+  const double tol = std::clamp(work.options.real(RC_OPT_TOL), least_tol, most_tol);
+  punch.status =
+      wanted == Wanted::form ? solve.form(ones, tol, punch.rate, punch.bound) : solve(ones, tol, punch.rate, punch.bound);
+  if (wanted == Wanted::proof && punch.status == RC_OK) punch.status = solve.prove(ones, punch.rate, punch.bound);
+  if (solve.iterates())
+    work.options.context->log(
+        RC_LOG_INFO, join("stiffness: residual ", punch.bound.residual / std::sqrt(static_cast<double>(count(work, set)))));
+  return punch;
+}
+
+double in_units(const System& system, double stiffness) { return stiffness * system.cell_area() / system.length_per_pressure; }
+
+// The punch on a set of points of the grid; those it starts from are a part of `from`, or hold it.
+FlatPunch pressed_at(Workspace& work, Operator& op, const std::vector<std::int64_t>& points, const Stiffness& from) {
+  TrialSet trial;
+  std::vector<double> start;
+  std::optional<std::vector<std::int64_t>> positions;
+  on_all(work.ranks(), [&] {
+    trial.n = static_cast<std::int64_t>(points.size());
+    trial.index = points;
+    Pressures known;
+    known.on.index = from.points;
+    known.p = from.rate;
+    start = known.at(trial);
+    positions = positions_in(op.trial(), points);
+  });
+  if (!positions) {  // not with ranks, whose operators have all points
+    if (trial.n == work.system.points()) trial.index.clear();
+    op.bind(trial);
+    positions = positions_in(trial, points);
+  }
+  return pressed(work, op, *positions, std::move(start), Wanted::proof);
+}
+
+}  // namespace
+
+Stiffness stiffness(Workspace& work, const Answer& answer) {
+  const System& system = work.system;
+  Stiffness result;
+  result.value = 0;
+  if (!answer.op) return result;
+  const bool interval = work.options.integer(RC_OPT_STIFFNESS) > 1;  // which may be narrower than the tolerance
+  std::vector<std::int64_t> contact;
+  std::vector<double> grown;
+  on_all(work.ranks(), [&] {
+    for (std::size_t i = 0; i < answer.p.size(); ++i)
+      if (answer.p[i] > 0 && answer.p[i] < answer.cap()) contact.push_back(static_cast<std::int64_t>(i));
+    // Between points in contact at both approaches the pressures have grown as a flat punch's do.
+    for (const std::int64_t position : contact) {
+      const auto i = static_cast<std::size_t>(position);
+      if (!interval && !answer.before.empty()) grown.push_back(answer.p[i] * answer.pressure_unit - answer.before[i]);
+    }
+  });
+  const std::int64_t contacts = count(work, contact);
+  if (contacts == 0) return result;
+  if (system.periodic() && contacts == system.points()) {
+    result.value = unbounded;
+    return result;
+  }
+  FlatPunch punch = pressed(work, *answer.op, contact, std::move(grown), interval ? Wanted::rate : Wanted::form);
+  result.value =
+      punch.status == RC_OK ? in_units(system, punch.stiffness(punch.bound.form)) : std::numeric_limits<double>::quiet_NaN();
+  if (punch.status != RC_OK || !interval) return result;
+  for (std::int64_t& position : contact) position = answer.op->trial().point(position);
+  result.points = std::move(contact);
+  result.rate = std::move(punch.rate);
+  return result;
+}
+
+void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness) {
+  const System& system = work.system;
+  const auto& [contacts, possible, listed] = *work.record.proven;
+  const std::int64_t least_points = count(work, contacts), most_points = count(work, possible);
+  double lower = 0, upper = most_points == 0 ? 0 : unbounded;
+  if (op && most_points > 0 && !(system.periodic() && most_points == system.points())) {
+    const FlatPunch most = pressed_at(work, *op, possible, stiffness);
+    if (most.status != RC_OK || std::isnan(most.bound.error)) return;
+    upper = most.upper();
+    if (least_points == most_points) lower = most.lower();
+  }
+  if (op && least_points > 0 && least_points != most_points) {
+    const FlatPunch least = pressed_at(work, *op, contacts, stiffness);
+    if (least.status != RC_OK || std::isnan(least.bound.error)) return;
+    lower = least.lower();
+  }
+  stiffness.lower = in_units(system, lower);
+  stiffness.upper = in_units(system, upper);
+  // The interval may be narrower than the value's own error.
+  stiffness.value = std::min(std::max(stiffness.value, stiffness.lower), stiffness.upper);
+}
+
+}  // namespace rc

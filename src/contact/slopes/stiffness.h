@@ -1,0 +1,29 @@
+// The stiffness dW/dd of a contact, and an interval of it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "contact/step/answer.h"
+#include "contact/workspace.h"
+
+namespace rc {
+
+// [force/length]
+struct Stiffness {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double lower = value, upper = value;
+  std::vector<std::int64_t> points;  // the contact set, and H^-1 1 on it, where an interval may be asked for
+  std::vector<double> rate;
+};
+
+// hx hy 1' H_CC^-1 1 on the points C with 0 < p < hardness; NaN where a stop came before it was found.
+Stiffness stiffness(Workspace& work, const Answer& answer);
+// The interval, from the points that work.record.proven holds: 1' H_SS^-1 1 grows with S, being the largest value of
+// 2 1'x - x'Hx over all x that are 0 off S. So that of the points proven to carry less than the hardness is a lower bound,
+// that of the points proven neither to be open nor to carry it an upper one, each widened by the error of its solve. op: whose
+// products make the proof; null if no point is possibly in contact.
+void prove_interval(Workspace& work, Operator* op, Stiffness& stiffness);
+
+}  // namespace rc

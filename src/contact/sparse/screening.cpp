@@ -1,0 +1,165 @@
+#include "contact/sparse/screening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "contact/proof/survey.h"
+#include "core/chunks.h"
+#include "core/large_memory.h"
+
+namespace rc {
+
+namespace {
+
+// The largest size of a product, and where it is found first: among these points.
+struct Largest {
+  double size = 0;
+  std::int64_t begin = 0, end = 0;
+  Largest operator+(const Largest& b) const { return b.size > size ? b : *this; }
+};
+
+// H p on the trial set, and at least at the points outside it whose gap is below the margin, by a product over all points; of
+// ranks each looks at its rows. Bounds of round-off need the largest size of H p, too.
+Deflected near_surface(const Workspace& work, const Answer& answer, double compression, double margin) {
+  GatheredTiles* const tiles = work.surface.tiles();
+  const StepSurface& own = tiles ? tiles->shared() : work.surface;
+  const Ranks* const ranks = own.ranks();
+  const std::int64_t n = own.points(), before = own.first_row() * own.nx();
+  auto product = large_vector<double>(static_cast<std::size_t>(n));
+  answer.op->field(answer.p, product);
+  Marks marks(n);
+  const auto body = [&](std::int64_t begin, std::int64_t count) {
+    constexpr std::int64_t lanes = 4;
+    double largest[lanes] = {};
+    double* const of = product.data() + begin;
+    const auto take = [&](std::int64_t i, std::int64_t lane) {
+      of[i] *= answer.length_unit;
+      const double size = std::abs(of[i]);
+      largest[lane] = size > largest[lane] ? size : largest[lane];
+    };
+    std::int64_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+      for (std::int64_t lane = 0; lane < lanes; ++lane) take(i + lane, lane);
+    for (; i < count; ++i) take(i, 0);
+    mark_near(own, {}, product, compression, margin, begin, count, marks);
+    return Largest{*std::max_element(largest, largest + lanes), begin, begin + count};
+  };
+  const Largest mine = reduce<Largest>(n, own.team(), body), whole = own.united(mine);
+  for (std::int64_t i = mine.begin; i < mine.end && mine.size == whole.size; ++i)
+    if (std::abs(product[static_cast<std::size_t>(i)]) == whole.size) marks.add(static_cast<std::size_t>(i));
+  const TrialSet& trial = answer.op->trial();
+  for (std::int64_t i = 0; i < trial.n; ++i)
+    if (const std::int64_t at = trial.point(i) - before; at >= 0 && at < n) marks.add(static_cast<std::size_t>(at));
+  std::vector<std::int64_t> points;
+  std::vector<double> products;
+  for (const std::size_t i : marks.list()) {
+    points.push_back(static_cast<std::int64_t>(i) + before);
+    products.push_back(product[i]);
+  }
+  Deflected result;
+  result.pressures.on.index = ranks ? ranks->of_any(points) : std::move(points);
+  result.pressures.on.n = static_cast<std::int64_t>(result.pressures.on.index.size());
+  result.product = ranks ? ranks->of_any(products) : std::move(products);
+  if (tiles) tiles->hold_tiles_of(result.pressures.on.index);
+  result.pressures.p = answer.pressures().at(result.pressures.on);
+  if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
+  result.beyond = margin;
+  return result;
+}
+
+// The entries of all ranks that screen their own rows.
+template <class Value> void unite(const Ranks& ranks, std::vector<Value>& found, std::int64_t count) {
+  found.resize(static_cast<std::size_t>(count));
+  found = ranks.of_any(found);
+}
+
+}  // namespace
+
+bool screens(const Choice& choice) { return (choice.backend->caps & RC_CAP_SCREEN) != 0; }
+
+Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin) {
+  if (work.rows() || !screens(answer.choice)) return near_surface(work, answer, compression, margin);
+  const StepSurface& surface = work.surface;
+  const TrialSet& trial = answer.op->trial();
+  Deflected result;
+  std::vector<double> y(answer.p.size()), depth, far;
+  std::vector<std::int64_t> found;
+  rc_screen request{};
+  request.struct_size = sizeof request;
+  request.approach = surface.limit_of(compression + margin);
+  GatheredTiles* const tiles = surface.tiles();
+  const StepSurface& own = tiles ? tiles->shared() : surface;  // the points that this process looks at
+  const bool in_single = (answer.op->capabilities() & RC_CAP_SINGLE_GAP) != 0;
+  request.undeformed_gap = in_single ? own.gap().in_double() : own.gap_in_double();
+  request.undeformed_gap_single = in_single ? own.gap().in_single() : nullptr;
+  request.mask = own.mask();
+  if (tiles) {
+    request.first_row = own.first_row();
+    request.rows = own.ranks()->rows();
+    if (request.rows == 0) {  // this process has none, and looks at a row that is nowhere near
+      far.assign(static_cast<std::size_t>(surface.nx()), std::numeric_limits<double>::infinity());
+      request.first_row = 0;
+      request.rows = 1;
+      request.undeformed_gap = far.data();
+      request.undeformed_gap_single = nullptr;
+      request.mask = nullptr;
+    }
+  } else {
+    request.tile_lowest = surface.tile_lowest().data();
+  }
+  request.y = y.data();
+  request.room = std::max<std::int64_t>(1 << 16, 4 * trial.n);
+  for (;;) {
+    found.resize(static_cast<std::size_t>(request.room));
+    depth.resize(found.size());
+    request.found = found.data();
+    request.depth = depth.data();
+    request.unit = answer.length_unit;
+    answer.op->screen(answer.p, request);
+    if (request.n_found <= request.room) break;
+    request.room = request.n_found;
+  }
+  if (tiles) {
+    unite(*own.ranks(), found, request.n_found);
+    unite(*own.ranks(), depth, request.n_found);
+    request.n_found = static_cast<std::int64_t>(found.size());
+    tiles->hold_tiles_of(trial.index);
+    tiles->hold_tiles_of(found);
+  }
+  std::vector<std::size_t> order(static_cast<std::size_t>(request.n_found));
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return found[a] < found[b]; });
+
+  const std::size_t n = y.size() + order.size();
+  result.pressures.on.n = static_cast<std::int64_t>(n);
+  result.pressures.on.index.reserve(n);
+  result.pressures.p.reserve(n);
+  result.product.reserve(n);
+  const auto put = [&](std::int64_t point, double p, double product) {
+    result.pressures.on.index.push_back(point);
+    result.pressures.p.push_back(p);
+    result.product.push_back(product);
+  };
+  std::size_t next = 0;
+  const auto put_found_below = [&](std::int64_t limit) {
+    for (; next < order.size() && found[order[next]] < limit; ++next) {
+      const std::int64_t point = found[order[next]];
+      // Inverts what the backend computed, so that the approach and its round-off drop out.
+      put(point, 0, request.approach - surface.gap_at(static_cast<std::size_t>(point)) - depth[order[next]]);
+    }
+  };
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const std::int64_t point = trial.point(static_cast<std::int64_t>(i));
+    put_found_below(point);
+    put(point, answer.p[i] * answer.pressure_unit, y[i] * answer.length_unit);
+  }
+  put_found_below(work.system.points());
+  if (result.pressures.on.n == work.system.points()) result.pressures.on.index.clear();
+  result.beyond = request.approach - surface.lowest() - compression;
+  return result;
+}
+
+}  // namespace rc

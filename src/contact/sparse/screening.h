@@ -1,0 +1,15 @@
+// A look at all points of the grid for overlap, where only few of them are unknowns.
+#pragma once
+
+#include "contact/step/answer.h"
+#include "contact/workspace.h"
+
+namespace rc {
+
+// Whether the operator looks itself; else a product over the whole grid shows all points.
+bool screens(const Choice& choice);
+
+// H p on the trial set, and at least at the points outside it whose gap is below the margin [length].
+Deflected screened(const Workspace& work, const Answer& answer, double compression, double margin);
+
+}  // namespace rc

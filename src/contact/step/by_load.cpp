@@ -1,0 +1,176 @@
+// Load control: a trial set that surely holds the contact set, and for solvers that only know approach control an iteration
+// on the approach.
+#include "contact/step/by_load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "contact/step/services.h"
+#include "contact/step/trial_set.h"
+#include "core/error.h"
+#include "core/limits.h"
+
+namespace rc {
+
+namespace {
+
+constexpr int most_widenings = 8;    // of enlarging the trial set
+constexpr int most_approaches = 80;  // of the iteration on the approach
+constexpr double growth = 1.2;
+constexpr double bed_margin = 1.05;   // of the bed of springs
+constexpr double warm_margin = 1.02;  // of the last step's approach, in proportion to the load
+constexpr double near_load = 1.1;     // ratio of two loads up to which that is all that is needed
+constexpr double spare = 1.02;        // the hardness on all points of the trial set, over the load, at least
+constexpr double farthest_load = 4;   // ratio of two loads above which the one's pressures are no help for the other
+
+// Height above the lowest gap below which all contact is expected: that of a bed of springs, each as stiff as the bearing area's
+// share of a flat punch of that area. It is near the truth for one asperity and larger for many; where it is
+// too small the trial set grows. Between two loads on the same surface the approach grows at most in
+// proportion, because the load is a convex function of the approach; a plastic indentation in between raises the lowest gap.
+double approach_estimate(double load, bool warm, const Workspace& work, const CertifiedStep& last) {
+  const rc_system& s = work.system.given;
+  const double ratio = warm ? std::max(1.0, load / last.load) : infinite;
+  const double foretold = warm ? warm_margin * (last.approach - work.surface.lowest()) * ratio : infinite;
+  if (ratio <= near_load) return foretold;
+  return std::min(foretold, bed_margin * work.surface.bearing_height(load / (s.modulus * std::sqrt(s.hx) * std::sqrt(s.hy))));
+}
+
+// Newton's method on the load, which is a continuous, increasing, piecewise linear function of the approach; its slope is that of
+// the points at hand whose pressure is free. Steps outside the bracket are replaced by bisection and, where a cap keeps the load
+// from being convex, those after one that left more than half of the missing load, too. All in dimensionless units; the
+// operator's zero mode adds `shift` to the approach, which is taken out of the answer.
+rc_status balance_load(Answer& answer, double load, double shift, double first, Workspace& work, Monitor& monitor) {
+  const TrialSet& trial = answer.op->trial();
+  const std::size_t n = answer.p.size();
+  const double tol = work.options.real(RC_OPT_TOL), lowest = work.surface.lowest();
+  SolverRun run_solver(work, answer, monitor);
+  std::vector<double> height(n), u(n), ones, rate;
+  std::vector<std::int64_t> contact;
+  for (std::size_t i = 0; i < n; ++i)
+    height[i] = work.surface.height(static_cast<std::size_t>(trial.point(static_cast<std::int64_t>(i)))) / answer.length_unit;
+
+  const double cap = answer.cap();
+  double low = 0, high = infinite, d = first + shift, missing = infinite;
+  for (int k = 0; k < most_approaches; ++k) {
+    for (std::size_t i = 0; i < n; ++i) u[i] = d - height[i];
+    double unused = 0;
+    answer.compression = d - shift;
+    const double depth = std::max(answer.compression, 1e-3 * d), physical = lowest + answer.compression * answer.length_unit;
+    const rc_status solved = run_solver(RC_CONTROL_APPROACH, u, 0, 0.5 * tol * depth, physical, answer.p, unused);
+    // Pressures of less than the accuracy asked for still tell where the load is.
+    if (solved != RC_OK && solved != RC_STOP_STALLED && solved != RC_UNCERTIFIED) return solved;
+    double sum = 0;
+    contact.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+      sum += answer.p[i];
+      if (answer.p[i] > 0 && answer.p[i] < cap) contact.push_back(static_cast<std::int64_t>(i));
+    }
+    // A solver that can do no better is not asked for more than the tolerance.
+    if (std::abs(sum - load) <= (solved == RC_OK ? 0.05 : 1) * tol * load) return solved;
+    (sum < load ? low : high) = d;
+
+    ones.assign(contact.size(), 1.0);
+    rate.assign(contact.size(), 0.0);
+    const rc_status status = contact.empty() ? RC_OK : answer.op->subset(contact, ones.data(), rate.data());
+    if (status != RC_OK) {
+      raise_if_failed(status, "the slope of the load");
+      return status;
+    }
+    double slope = 0;
+    for (const double value : rate) slope += value;
+    double next = d + (load - sum) / slope;
+    if (next == d) return solved;  // as near as double precision comes; the certificate decides
+    const bool slow = cap < infinite && high < infinite && std::abs(load - sum) > 0.5 * missing;
+    missing = std::abs(load - sum);
+    if (slow || !(next > low && next < high)) next = high < infinite ? 0.5 * (low + high) : std::max(2 * d, 1.0);
+    for (std::size_t i = 0; i < contact.size(); ++i) {
+      double& p = answer.p[static_cast<std::size_t>(contact[i])];
+      p = std::min(std::max(0.0, p + (next - d) * rate[i]), cap);
+    }
+    d = next;
+  }
+  return RC_STOP_STALLED;
+}
+
+}  // namespace
+
+Answer at_load(Workspace& work, const Memory& memory, const rc_step& step, Monitor& monitor, std::optional<Estimate> estimate) {
+  const System& system = work.system;
+  const StepSurface& surface = work.surface;
+  const CertifiedStep& last = memory.last;
+  const double lowest = surface.lowest(), load = step.target / system.cell_area();
+  const double ratio = last.load > 0 ? step.target / last.load : infinite;
+  const bool near = step.warm_start != 0 && ratio <= farthest_load && ratio >= 1 / farthest_load, warm = near && last.same_gap;
+  const bool narrow = estimate && !estimate->dense;
+  double height = narrow               ? growth * (estimate->approach - lowest)
+                  : system.halfspace() ? approach_estimate(step.target, warm && !memory.indented, work, last)
+                                       : surface.highest() - lowest;
+  if (!(height > 0)) height = load * system.length_per_pressure;
+  rc_step from = step;
+  from.warm_start = near;
+  const bool foretold = warm || estimate;
+  const double likely =
+      estimate ? estimate->approach : last.approach + memory.ahead(step) * (last.approach - memory.before.approach);
+  std::optional<Pressures> nearer;
+  if (estimate) nearer = std::move(estimate->pressures);
+  bool handed_over = false;
+  for (int round = 0;; ++round) {
+    double limit = std::max(lowest + height, std::nextafter(lowest, infinite));
+    TrialSet trial = system.halfspace() ? trial_below(limit, work) : surface.all();
+    while (!work.ranks() && static_cast<double>(trial.n) * system.hardness < spare * load &&
+           trial.n < surface.included_points()) {
+      height *= 2;
+      limit = lowest + height;
+      trial = trial_below(limit, work);
+    }
+    Answer answer = prepared(trial, step.control, height, work);
+    trial = widened(std::move(trial), answer.choice, work);
+    const bool direct = !handed_over && (answer.choice.solver->controls & RC_CONTROL_LOAD) != 0;
+    answer.handed_over = handed_over;
+    answer.limit = limit - lowest;
+    if (system.periodic() && !direct) {
+      // Shifts the datum by a multiple of the load, which is prescribed: the approach then determines the load even in full
+      // contact.
+      trial.zero_mode = system.lambda_most;
+    }
+    answer.op = &work.bound_operator(*answer.choice.backend, trial);
+    on_all(work.ranks(), [&] {
+      answer.p = memory.start(from, trial, answer.pressure_unit, answer.cap(), nearer ? &*nearer : nullptr, work.team());
+    });
+    if (!nearer) answer.history = memory.history(from);
+    nearer.reset();
+    if (work.options.integer(RC_OPT_STIFFNESS) != 0) answer.before = memory.earlier(from, trial);
+    const double wanted = load / answer.pressure_unit;
+    const double shift = trial.zero_mode * wanted / static_cast<double>(system.points());
+    if (direct) {
+      const std::vector<double> u = compenetrations(answer, lowest, work);
+      double d = foretold ? std::clamp((likely - lowest) / height, 0.0, 1.0) : 0;
+      SolverRun run_solver(work, answer, monitor, &answer.history);
+      answer.status = run_solver(step.control, u, wanted, solver_tol(work), lowest, answer.p, d);
+      answer.compression = d;
+    } else {
+      double first = foretold && likely > lowest ? (likely - lowest) / height : 1;
+      if (system.periodic() && !foretold) first = (surface.mean() - lowest) / height;
+      answer.status = balance_load(answer, wanted, shift, first, work, monitor);
+    }
+    if (direct && !work.ranks() && answer.status == RC_STOP_STALLED &&
+        (work.options.integer(RC_OPT_ALLOW_FALLBACK) != 0 || answer.op->has_subset())) {
+      // A solver whose own load control goes in circles may still do approach control.
+      handed_over = true;
+      continue;
+    }
+    // The zero mode is taken out with the load that the pressures have, which is not quite the one wanted.
+    const double sum = trial.zero_mode != 0 ? std::accumulate(answer.p.begin(), answer.p.end(), 0.0) : 0;
+    const double per_load = trial.zero_mode / static_cast<double>(system.points());
+    answer.datum_shift = per_load * sum * height;
+    answer.compression = (answer.compression + per_load * (wanted - sum)) * height;
+    const bool covered = work.ranks() || trial.n == surface.included_points() || answer.compression <= answer.limit;
+    const bool finite = std::isfinite(answer.compression);  // else the certificate reports it
+    if (covered || !finite || answer.status != RC_OK || round == most_widenings) return answer;
+    height = growth * answer.compression;
+    nearer = answer.pressures();
+  }
+}
+
+}  // namespace rc
