@@ -97,7 +97,8 @@ else
   if full; then
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=" -LE 'slow|full' -E 'failures|pairs\.(analytic|invariance\.(repetitions|sequences))'
   else
-    families="batch device errors faults formats honesty options plugins backend_contract threads"
+    families="behaviour/batch behaviour/device behaviour/formats behaviour/honesty behaviour/threads contract/backends contract/errors"
+    families+=" contract/options contract/plugins faults/process"
     RC_TEST_QUICK=1 verify asan "-DRC_TEST_FAMILIES=${families// /;}" -LE 'slow|full'
   fi
 

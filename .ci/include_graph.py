@@ -89,7 +89,7 @@ def allowed(root, file, include, quoted):
     beside = root / file.parent / include
     if beside.exists() and beside.resolve().is_relative_to((root / top / folder).resolve()):
         return True  # a file of its own
-    if top == 'backends' and quoted and (root / top / folder / include).exists():
+    if quoted and (top == 'backends' and (root / top / folder / include).exists() or top == 'tools' and (root / top / include).exists()):
         return True
     if BORROWED.get(top, set()) & {include, include.split('/')[0]}:
         return True

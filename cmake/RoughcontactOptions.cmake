@@ -50,6 +50,6 @@ endif()
 
 foreach(name IN LISTS RC_TEST_FAMILIES)
   if(NOT EXISTS ${source}/tests/${name}/CMakeLists.txt)
-    message(FATAL_ERROR "RC_TEST_FAMILIES: there is no family \"${name}\"; families are the folders of tests/, separated by semicolons")
+    message(FATAL_ERROR "RC_TEST_FAMILIES: there is no family \"${name}\"; families are folders of tests/, as behaviour/threads, separated by semicolons")
   endif()
 endforeach()

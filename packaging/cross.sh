@@ -43,8 +43,8 @@ answer_here() (
     quietly $native.log cmake -S . -B $native -DCMAKE_BUILD_TYPE=Release "${core[@]}" "-DRC_MODULE_BACKENDS=fft;split"
     quietly $native.log cmake --build $native -j "$(nproc)"
   fi
-  [ "$1" -nt $native/lib/libroughcontact.so ] && [ "$1" -nt tests/systems/answers.c ] && return
-  cc -std=c99 -O2 -Iinclude tests/systems/answers.c -o build-cross/answers -L$native/lib -lroughcontact
+  [ "$1" -nt $native/lib/libroughcontact.so ] && [ "$1" -nt tests/outside/systems/answers.c ] && return
+  cc -std=c99 -O2 -Iinclude tests/outside/systems/answers.c -o build-cross/answers -L$native/lib -lroughcontact
   LD_LIBRARY_PATH=$native/lib build-cross/answers "$1.new" "${@:2}"
   mv "$1.new" "$1"
 )
@@ -66,7 +66,7 @@ use() {
       ln -sf "$(realpath "$("$fc" -print-file-name=$name)")" "$LD_LIBRARY_PATH/$name"
     done
   fi
-  tests/systems/use.sh "$1" "$2" "$answers" "${@:3}"
+  tests/outside/systems/use.sh "$1" "$2" "$answers" "${@:3}"
 }
 
 smoke() {

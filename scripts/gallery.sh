@@ -8,4 +8,4 @@ shift
 cd "$(dirname "$0")/.."
 python=$(scripts/docs-venv.sh "$build")
 export PYTHONPATH=$PWD/bindings/python PYTHONDONTWRITEBYTECODE=1 ROUGHCONTACT_LIBRARY=$build/lib/libroughcontact.so
-exec "$python" tests/docs/gallery.py "$@"
+exec "$python" tests/outside/docs/gallery.py "$@"

@@ -6,7 +6,7 @@ build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
 cmake --build "$build" -j "$(nproc)" --target test_errors docs_options roughcontact_command rcb_fft rcb_split rcb_cholmod >/dev/null
 export PYTHONDONTWRITEBYTECODE=1
-python3 tests/errors/document.py "$build/bin/test_errors" docs/errors.md --update
-python3 tests/docs/options.py "$build/bin/docs_options" docs/options.md --update
-python3 tests/docs/manual.py "$build/bin/roughcontact" backends/known.def tools/roughcontact.1 --update
+python3 tests/contract/errors/document.py "$build/bin/test_errors" docs/errors.md --update
+python3 tests/outside/docs/options.py "$build/bin/docs_options" docs/options.md --update
+python3 tests/outside/docs/manual.py "$build/bin/roughcontact" backends/known.def tools/roughcontact.1 --update
 git status --short docs tools bindings

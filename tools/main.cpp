@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "command_line.h"
-#include "completion.h"
-#include "interrupt.h"
+#include "arguments/command_line.h"
+#include "arguments/completion.h"
+#include "arguments/parser.h"
 #include "list_commands.h"
-#include "parser.h"
 #include "platform/libraries.h"
 #include "platform/terminal.h"
-#include "solve_command.h"
+#include "solve/interrupt.h"
+#include "solve/solve_command.h"
 #include "standard_streams.h"
 #include "text.h"
 

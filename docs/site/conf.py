@@ -16,7 +16,7 @@ project = 'roughcontact'
 version = release = re.search(r'^project\(.* VERSION ([0-9.]+)', (tree / 'CMakeLists.txt').read_text(), re.M)[1]
 root_doc = 'README'
 extensions = ['breathe', 'myst_parser', 'sphinx.ext.autodoc']
-exclude_patterns = ['tests/data/README.md', 'tests/pairs/README.md']
+exclude_patterns = ['tests/data/README.md', 'tests/contract/pairs/README.md']
 html_theme = 'furo'
 html_title = f'roughcontact {release}'
 html_theme_options = {'sidebar_hide_name': False}

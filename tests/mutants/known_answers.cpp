@@ -1,5 +1,5 @@
 // Figures of the certificate and of the bounds on small problems, to the last digits. `--write FILE` writes them after a change
-// that is meant to alter them. That such figures are right is tested in tests/bounds.
+// that is meant to alter them. That such figures are right is tested in tests/behaviour/bounds.
 #include "known_answers.h"
 
 #include <charconv>

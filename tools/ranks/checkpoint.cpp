@@ -1,7 +1,7 @@
 #include "checkpoint.h"
 
-#include "json_text.h"
-#include "whole_file.h"
+#include "files/json_text.h"
+#include "files/whole_file.h"
 
 namespace cli {
 

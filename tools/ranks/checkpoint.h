@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "files/run_folder.h"
 #include "row_problem.h"
-#include "run_folder.h"
 
 namespace cli {
 

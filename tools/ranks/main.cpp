@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "parser.h"
+#include "arguments/parser.h"
+#include "arguments/shared_options.h"
 #include "platform/terminal.h"
 #include "press.h"
-#include "solve_options.h"
 #include "standard_streams.h"
 #include "text.h"
 

@@ -8,16 +8,16 @@
 #include <memory>
 
 #include "checkpoint.h"
-#include "conclusion.h"
 #include "error.h"
+#include "files/run_folder.h"
+#include "files/step_fields.h"
 #include "library.h"
 #include "numbers.h"
 #include "platform/files.h"
 #include "row_problem.h"
-#include "run_folder.h"
-#include "step_fields.h"
-#include "step_record.h"
-#include "table.h"
+#include "solve/conclusion.h"
+#include "solve/step_record.h"
+#include "solve/table.h"
 #include "text.h"
 
 namespace cli {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "communicator.h"
-#include "solve_command.h"
+#include "solve/solve_command.h"
 
 namespace cli {
 

@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "error.h"
-#include "npy_writer.h"
+#include "files/npy_writer.h"
+#include "files/whole_file.h"
 #include "platform/files.h"
 #include "text.h"
-#include "whole_file.h"
 
 namespace cli {
 

@@ -9,11 +9,11 @@
 #include <span>
 #include <utility>
 
-#include "choices.h"
+#include "arguments/choices.h"
+#include "arguments/lengths.h"
 #include "error.h"
-#include "lengths.h"
+#include "files/summary.h"
 #include "library.h"
-#include "summary.h"
 #include "text.h"
 
 namespace cli {

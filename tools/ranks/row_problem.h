@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "communicator.h"
-#include "problem.h"
 #include "row_files.h"
+#include "solve/problem.h"
 
 namespace cli {
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes.h"
+#include "support/harness.h"
+
+namespace accuracy {
+
+std::vector<Test> statistics_tests();
+
+}  // namespace accuracy

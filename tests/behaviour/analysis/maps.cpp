@@ -1,0 +1,104 @@
+#include "maps.h"
+
+#include <limits>
+
+namespace analysis {
+
+using namespace pairs;
+
+bool Map::touches(std::int64_t i) const {
+  const auto k = static_cast<std::size_t>(i);
+  return (mask.empty() || mask[k] != 0) && p[k] > 0;
+}
+
+Map drawn(const std::vector<std::string>& rows, std::int32_t boundary) {
+  Map map;
+  map.system.boundary = boundary;
+  map.system.nx = static_cast<std::int64_t>(rows[0].size());
+  map.system.ny = static_cast<std::int64_t>(rows.size());
+  map.system.hx = 0.5;
+  map.system.hy = 2;
+  bool masked = false;
+  for (const std::string& row : rows)
+    for (const char cell : row) {
+      const bool digit = cell >= '0' && cell <= '9';
+      map.p.push_back(cell == 'x' ? std::numeric_limits<double>::quiet_NaN() : cell == '#' ? 1 : digit ? cell - '0' : 0);
+      map.mask.push_back(cell != 'x');
+      masked = masked || cell == 'x';
+    }
+  if (!masked) map.mask.clear();
+  return map;
+}
+
+Map random_map(std::int64_t nx, std::int64_t ny, std::int32_t boundary, double share, double masked, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Map map;
+  map.system.boundary = boundary;
+  map.system.nx = nx;
+  map.system.ny = ny;
+  map.system.hx = 0.3;
+  map.system.hy = 0.7;
+  for (std::int64_t i = 0; i < nx * ny; ++i) {
+    map.p.push_back(uniform(random) < share ? uniform(random) : 0);
+    if (masked > 0) map.mask.push_back(uniform(random) >= masked);
+  }
+  return map;
+}
+
+Map transposed(const Map& map) {
+  Map result = map;
+  std::swap(result.system.nx, result.system.ny);
+  std::swap(result.system.hx, result.system.hy);
+  const auto nx = static_cast<std::size_t>(map.system.nx), ny = static_cast<std::size_t>(map.system.ny);
+  for (std::size_t iy = 0; iy < ny; ++iy)
+    for (std::size_t ix = 0; ix < nx; ++ix) {
+      result.p[ix * ny + iy] = map.p[iy * nx + ix];
+      if (!map.mask.empty()) result.mask[ix * ny + iy] = map.mask[iy * nx + ix];
+    }
+  return result;
+}
+
+rc_area area_of(const Map& map) {
+  rc_area area = RC_AREA_INIT;
+  check(rc_area_measure(&map.system, map.p.data(), map.mask_data(), &area) == RC_OK, rc_last_error());
+  return area;
+}
+
+Patches patches_of(const Map& map, std::int32_t neighbours) {
+  Patches found;
+  rc_patches patches = RC_PATCHES_INIT;
+  patches.neighbours = neighbours;
+  check(rc_patches_find(&map.system, map.p.data(), map.mask_data(), &patches) == RC_OK, rc_last_error());
+  const auto count = static_cast<std::size_t>(patches.count);
+  found.label.assign(map.points(), -7);
+  for (auto* numbers : {&found.cells, &found.peak}) numbers->assign(count, -7);
+  for (Field* values : {&found.area, &found.perimeter, &found.load, &found.mean_pressure, &found.max_pressure})
+    values->assign(count, -7);
+  patches.room = patches.count;
+  patches.label = found.label.data();
+  patches.cells = found.cells.data();
+  patches.area = found.area.data();
+  patches.perimeter = found.perimeter.data();
+  patches.load = found.load.data();
+  patches.mean_pressure = found.mean_pressure.data();
+  patches.max_pressure = found.max_pressure.data();
+  patches.peak = found.peak.data();
+  check(rc_patches_find(&map.system, map.p.data(), map.mask_data(), &patches) == RC_OK, rc_last_error());
+  found.count = patches.count;
+  check_equal(found.count, patches.room, "count with and without arrays");
+  return found;
+}
+
+Histogram histogram_of(const Map& map, std::int64_t bins, double upper) {
+  Histogram found;
+  found.counts.assign(static_cast<std::size_t>(bins), -7);
+  found.density.assign(static_cast<std::size_t>(bins), -7);
+  found.told.bins = bins;
+  found.told.upper = upper;
+  found.told.counts = found.counts.data();
+  found.told.density = found.density.data();
+  check(rc_histogram_fill(&map.system, map.p.data(), map.mask_data(), &found.told) == RC_OK, rc_last_error());
+  return found;
+}
+
+}  // namespace analysis

@@ -1,0 +1,239 @@
+// Contacts that fail among sound ones, and batches that end early.
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "study.h"
+
+namespace batch {
+
+namespace {
+
+using namespace pairs;
+
+bool says(const Outcome& outcome, const std::string& text) { return outcome.message.find(text) != std::string::npos; }
+
+// Step k of contact i has an answer, and this status.
+void check_step(const Outcome& outcome, const Study& study, std::int64_t i, std::int64_t k, rc_status status, bool answer) {
+  const auto at = static_cast<std::size_t>(i * study.steps + k);
+  const std::string what = "contact " + std::to_string(i) + ", step " + std::to_string(k);
+  check_equal(outcome.statuses[at], status, what);
+  for (const Field* each : {&outcome.load, &outcome.approach, &outcome.contact_area, &outcome.certificate})
+    check(std::isfinite((*each)[at]) == answer, what + ": an output");
+  check((outcome.products[at] >= 0) == answer && (outcome.iterations[at] >= 0) == answer, what + ": a count");
+  check(answer || (outcome.products[at] == -1 && outcome.iterations[at] == -1), what + ": a count is not -1");
+}
+
+bool pressures_untouched(const Outcome& outcome, const Study& study, std::int64_t i) {
+  const std::size_t points = study.points();
+  for (std::size_t m = 0; m < points; ++m)
+    if (outcome.p[static_cast<std::size_t>(i) * points + m] != blank) return false;
+  return true;
+}
+
+void a_failing_contact_stops_no_other() {
+  Study study = rough_study(6, 3, RC_CONTROL_LOAD);
+  const Outcome sound = study.solve(1);
+  check_outcome(sound, RC_OK, 6, 6, -1);
+  study.gap(4)[17] = std::nan("");
+  study.target(2, 1) = -1;
+  study.target(5, 0) = std::nan("");
+  const Outcome outcome = study.solve(1);
+  check_outcome(outcome, RC_ERR_INFEASIBLE, 6, 3, 2);
+  check(says(outcome,
+             "rc_batch_solve: 3 of 6 contacts are not certified (1 RC_ERR_INFEASIBLE, 2 RC_ERR_ARGUMENT); first contact 2, step "
+             "1, target -1: load = -1 is negative"),
+        outcome.message);
+  for (std::int64_t i = 0; i < 6; ++i)
+    for (std::int64_t k = 0; k < 3; ++k) {
+      const bool answer = i != 4 && i != 5 && (i != 2 || k == 0);
+      check_step(outcome, study, i, k, answer ? RC_OK : i == 2 ? RC_ERR_INFEASIBLE : RC_ERR_ARGUMENT, answer);
+      const auto at = static_cast<std::size_t>(3 * i + k);
+      if (answer) check(outcome.load[at] == sound.load[at] && outcome.approach[at] == sound.approach[at], "an answer changed");
+    }
+  check(pressures_untouched(outcome, study, 4) && pressures_untouched(outcome, study, 5), "pressures of a contact that failed");
+  check(!pressures_untouched(outcome, study, 2), "pressures of the step before the failure");
+  for (const int threads : {2, 3}) check_same(outcome, study.solve(threads));
+}
+
+void an_uncertified_step_is_written_and_ends_its_contact() {
+  Study study = rough_study(3, 2);
+  study.pair = {"polonsky-keer", "dense"};
+  study.settings = {{RC_OPT_MAX_ITER, "1"}};
+  for (const std::int64_t i : {0, 2}) study.target(i, 0) *= 4;
+  study.target(1, 0) = study.target(1, 1) = 0;  // nothing touches, no iteration is needed
+  const Outcome outcome = study.solve(2);
+  check_outcome(outcome, RC_STOP_MAX_ITER, 3, 1, 0);
+  check(says(outcome, "2 of 3 contacts are not certified (2 RC_STOP_MAX_ITER); first contact 0, step 0"), outcome.message);
+  for (const std::int64_t i : {0, 2}) {
+    check_step(outcome, study, i, 0, RC_STOP_MAX_ITER, true);
+    check_step(outcome, study, i, 1, RC_STOP_MAX_ITER, false);
+    check(!pressures_untouched(outcome, study, i), "pressures");
+  }
+  check_step(outcome, study, 1, 1, RC_OK, true);
+  // A failure counts for more than a stop before it.
+  study.target(2, 0) = std::nan("");
+  for (const int threads : {1, 2}) check_outcome(study.solve(threads), RC_ERR_ARGUMENT, 3, 1, 2);
+}
+
+void fn_ends_the_batch() {
+  for (const int threads : {1, 3}) {
+    Study study = rough_study(8, 2);
+    const Outcome sound = study.solve(1);
+    std::atomic<std::int64_t> calls{0};
+    std::atomic<bool> ended{false};
+    study.ends = [&](std::int64_t contact, std::int64_t step, const rc_result&) {
+      ++calls;
+      const bool end = contact == 2 && step == 0;
+      if (end) ended = true;
+      return end;
+    };
+    const Outcome outcome = study.solve(threads);
+    check(outcome.status == RC_STOP_CANCELLED && outcome.written == 8, outcome.message);
+    check(says(outcome, "RC_STOP_CANCELLED") && says(outcome, "rc_batch.fn ended the batch"), outcome.message);
+    check_step(outcome, study, 2, 0, RC_OK, true);
+    check_step(outcome, study, 2, 1, RC_STOP_CANCELLED, false);
+    std::int64_t finished = 0, certified_steps = 0;
+    for (std::int64_t i = 0; i < 8; ++i) {
+      finished += outcome.statuses[static_cast<std::size_t>(2 * i + 1)] == RC_OK;
+      for (std::int64_t k = 0; k < 2; ++k) {
+        const auto at = static_cast<std::size_t>(2 * i + k);
+        if (outcome.statuses[at] != RC_OK) {
+          check_equal(outcome.statuses[at], RC_STOP_CANCELLED, "status");
+          continue;
+        }
+        ++certified_steps;
+        check(outcome.load[at] == sound.load[at], "what was finished does not stay");
+      }
+    }
+    check_equal(outcome.certified, finished, "certified");
+    check(calls <= certified_steps, "fn was called for a step without an answer");
+    check(threads > 1 || (finished == 2 && calls == 5), "one thread: contacts 0 and 1, and a step of contact 2");
+    check(ended, "fn");
+  }
+}
+
+void fn_ends_it_after_the_last_step() {
+  Study study = rough_study(3, 2);
+  study.ends = [](std::int64_t contact, std::int64_t step, const rc_result&) { return contact == 2 && step == 1; };
+  const Outcome outcome = study.solve(1);
+  check_outcome(outcome, RC_STOP_CANCELLED, 3, 3, -1);
+  check(says(outcome, "rc_batch.fn ended the batch; all 3 contacts are certified"), outcome.message);
+}
+
+struct Heard {
+  std::atomic<std::int64_t> calls{0}, most{0}, end_at{-1};
+};
+
+std::int32_t hear(std::int64_t ended, void* user) {
+  Heard& heard = *static_cast<Heard*>(user);
+  ++heard.calls;
+  std::int64_t most = heard.most;
+  while (most < ended && !heard.most.compare_exchange_weak(most, ended)) {
+  }
+  return heard.end_at >= 0 && ended >= heard.end_at;
+}
+
+void progress_hears_of_every_step() {
+  for (const int threads : {1, 3}) {
+    Study study = rough_study(6, 3, RC_CONTROL_LOAD);
+    study.target(2, 1) = -1;  // its last two steps have outputs all the same
+    Heard heard;
+    const auto with_progress = [&](rc_batch& batch) {
+      batch.progress = hear;
+      batch.user = &heard;
+    };
+    check_same(study.solve(1), study.solve(threads, with_progress));
+    check_equal(heard.most.load(), std::int64_t{18}, "steps");
+    check_equal(heard.calls.load(), std::int64_t{17}, "calls: one for both steps that failed");
+  }
+}
+
+void progress_ends_the_batch() {
+  for (const int threads : {1, 3}) {
+    const Study study = rough_study(8, 2);
+    const Outcome sound = study.solve(1);
+    Heard heard;
+    heard.end_at = 5;
+    const Outcome outcome = study.solve(threads, [&](rc_batch& batch) {
+      batch.progress = hear;
+      batch.user = &heard;
+    });
+    check(outcome.status == RC_STOP_CANCELLED && outcome.written == 8, outcome.message);
+    check(says(outcome, "rc_batch.progress ended the batch"), outcome.message);
+    std::int64_t certified_steps = 0;
+    for (std::size_t at = 0; at < outcome.statuses.size(); ++at) {
+      if (outcome.statuses[at] != RC_OK) {
+        check_equal(outcome.statuses[at], RC_STOP_CANCELLED, "status");
+        continue;
+      }
+      ++certified_steps;
+      check(outcome.load[at] == sound.load[at], "what was finished does not stay");
+    }
+    check(certified_steps >= 5 && certified_steps < 5 + threads, std::to_string(certified_steps) + " steps");
+  }
+}
+
+// What lies behind an older caller's struct is not looked at.
+void an_older_callers_batch_has_no_progress() {
+  const Study study = rough_study(2, 1);
+  Heard heard;
+  heard.end_at = 0;
+  check_outcome(study.solve(1,
+                            [&](rc_batch& batch) {
+                              batch.struct_size = offsetof(rc_batch, progress);
+                              batch.progress = hear;
+                              batch.user = &heard;
+                            }),
+                RC_OK, 2, 2, -1);
+  check_equal(heard.calls.load(), std::int64_t{0}, "calls");
+}
+
+void the_time_limit_is_the_batchs() {
+  Study study = rough_study(4, 2);
+  study.settings = {{RC_OPT_TIME_LIMIT, "1e-9"}};
+  for (const int threads : {1, 2}) {
+    const Outcome outcome = study.solve(threads);
+    check_outcome(outcome, RC_STOP_TIME, 4, 0, 0);
+    check(says(outcome, "4 of 4 contacts are not certified (4 RC_STOP_TIME); first contact 0, step 0") &&
+              says(outcome, "time_limit = 1e-09 s is over"),
+          outcome.message);
+    for (std::int64_t i = 0; i < 4; ++i) check_step(outcome, study, i, 1, RC_STOP_TIME, false);
+  }
+  study.settings = {{RC_OPT_TIME_LIMIT, "1e6"}};
+  check_outcome(study.solve(2), RC_OK, 4, 4, -1);
+}
+
+// The stop reaches a running solve: of hundreds of iterations, each longer than a millisecond.
+void a_running_solve_is_stopped() {
+  Study study = rough_study(4, 1, RC_CONTROL_APPROACH, RC_BOUNDARY_FREE, 40, 40);
+  study.pair = {"polonsky-keer", "callback"};
+  study.settings = {{RC_OPT_MAX_ITER, "1000000000"}, {RC_OPT_TIME_LIMIT, "0.03"}};
+  study.problem.system.op = RC_OPERATOR_CALLBACK;
+  study.problem.system.apply = [](const double* x, double* y, std::int64_t n, void*) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (std::int64_t i = 0; i < n; ++i) y[i] = (1 + 1e3 * static_cast<double>(i)) * x[i];
+    return std::int32_t{0};
+  };
+  for (double& target : study.targets) target = 1e3;
+  const Outcome outcome = study.solve(2);
+  check_outcome(outcome, RC_STOP_TIME, 4, 0, 0);
+  check_step(outcome, study, 0, 0, RC_STOP_TIME, true);
+}
+
+}  // namespace
+
+std::vector<Test> ending_tests() {
+  return {{"a_failing_contact_stops_no_other", a_failing_contact_stops_no_other},
+          {"an_uncertified_step_is_written_and_ends_its_contact", an_uncertified_step_is_written_and_ends_its_contact},
+          {"fn_ends_the_batch", fn_ends_the_batch},
+          {"fn_ends_it_after_the_last_step", fn_ends_it_after_the_last_step},
+          {"progress_hears_of_every_step", progress_hears_of_every_step},
+          {"progress_ends_the_batch", progress_ends_the_batch},
+          {"an_older_callers_batch_has_no_progress", an_older_callers_batch_has_no_progress},
+          {"the_time_limit_is_the_batchs", the_time_limit_is_the_batchs},
+          {"a_running_solve_is_stopped", a_running_solve_is_stopped}};
+}
+
+}  // namespace batch

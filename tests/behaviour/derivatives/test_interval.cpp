@@ -1,0 +1,154 @@
+// The exact stiffness lies in the interval that option stiffness = 2 proves, and the conductance in what follows from it.
+#include <roughcontact/analysis.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "calls.h"
+#include "random_problems.h"
+#include "support/naive.h"
+#include "support/surfaces.h"
+
+namespace pairs {
+
+namespace {
+
+// hx hy 1' H_CC^-1 1 on the points in contact below the hardness; infinite where H does not resist a mean.
+double dense_stiffness(const Problem& problem, const Field& matrix, const Field& p) {
+  std::vector<std::size_t> contact;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p[i] > 0 && !(problem.system.hardness > 0 && p[i] >= problem.system.hardness)) contact.push_back(i);
+  if (problem.periodic() && contact.size() == p.size()) return HUGE_VAL;
+  Field part;
+  for (const std::size_t i : contact)
+    for (const std::size_t j : contact) part.push_back(matrix[i * p.size() + j]);
+  return sum(solve_linear(part, Field(contact.size(), 1.0))) * problem.cell_area();
+}
+
+struct Count {
+  int intervals = 0, narrow = 0, without_lower = 0;
+};
+
+bool holds(const rc_result& r, double stiffness) {
+  // Points in contact by round-off alone count on either side.
+  return r.stiffness_lower <= stiffness * (1 + 1e-10) && stiffness * (1 - 1e-10) <= r.stiffness_upper;
+}
+
+void holds_in(unsigned seed, Count& count) {
+  RandomProblem random;
+  make_random(seed, 12, false, random);
+  const Problem& problem = random.problem;
+  const Contact contact(problem, random.pair, {{RC_OPT_TOL, "1e-6"}, {RC_OPT_STIFFNESS, "2"}});
+  const Answer answer = contact.solve(problem);
+  check(answer.status >= 0, random.name + ": " + answer.message);
+  if (problem.system.op == RC_OPERATOR_CALLBACK) {
+    check(std::isnan(answer.result.stiffness_lower) && std::isnan(answer.result.stiffness_upper),
+          "a product's eigenvalues are not known");
+    return;
+  }
+  Problem same = problem;
+  same.control = RC_CONTROL_APPROACH;
+  same.target = answer.result.approach;
+  const Answer exact = solved(same, {"nnls", "dense"}, {{RC_OPT_TOL, "1e-13"}, {RC_OPT_BOUNDS, "0"}});
+  const double stiffness = dense_stiffness(problem, random.matrix.empty() ? influence_matrix(problem) : random.matrix, exact.p);
+  const auto say = [&](const rc_result& r) {
+    return random.name + ": " + text(stiffness) + " is not in " + text(r.stiffness_lower) + " .. " + text(r.stiffness_upper);
+  };
+  check(holds(answer.result, stiffness), say(answer.result));
+
+  // Pressures that are off leave points undecided.
+  std::mt19937 generator(seed);
+  Field off = exact.p;
+  const double size = largest(exact.p) * std::pow(10, -1 - 5 * uniform(generator));
+  for (std::size_t i = 0; i < off.size(); ++i)
+    if (problem.included(i))
+      off[i] =
+          std::clamp(off[i] + size * normal(generator), 0.0, problem.system.hardness > 0 ? problem.system.hardness : HUGE_VAL);
+  const rc_result r = contact.certify(same.step(), off).result;
+  check(holds(r, stiffness), say(r));
+  ++count.intervals;
+  count.narrow += r.stiffness_upper - r.stiffness_lower <= 0.01 * stiffness;
+  count.without_lower += r.stiffness_lower == 0;
+}
+
+void exact_stiffness_is_inside() {
+  const unsigned scenes = quick() ? 200 : 2000;
+  Count count;
+  for (unsigned seed = 0; seed < scenes; ++seed) holds_in(seed + 5000, count);
+  report(std::to_string(count.intervals) + " intervals for pressures that are off: " + std::to_string(count.narrow) +
+         " within 1 %, " + std::to_string(count.without_lower) + " without a lower bound");
+  check(5 * count.narrow >= count.intervals && 10 * count.narrow <= 9 * count.intervals, "widths of the intervals");
+}
+
+// At a small tolerance the interval is narrow, and around the stiffness of the answer.
+void narrow_on_a_rough_surface() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    const Problem problem = rough_problem(96, 80, boundary, 1, 0.8);
+    for (const bool by_load : {false, true}) {
+      const Problem asked = by_load ? at_load(problem, solved(problem, automatic).result.load) : problem;
+      const rc_result r = solved(asked, {"haar-cg", "fft"}, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, "2"}}).result;
+      check(r.stiffness_lower <= r.stiffness * (1 + 1e-9) && r.stiffness * (1 - 1e-9) <= r.stiffness_upper,
+            "the stiffness is outside its interval");
+      check(r.stiffness_upper - r.stiffness_lower <= 0.01 * r.stiffness,
+            "wide: " + text(r.stiffness_lower) + " .. " + text(r.stiffness_upper));
+    }
+  }
+}
+
+void nothing_is_proven_where_nothing_is_asked() {
+  const Problem problem = rough_problem(20, 16);
+  for (const Settings& settings :
+       {Settings{}, Settings{{RC_OPT_STIFFNESS, "1"}}, Settings{{RC_OPT_STIFFNESS, "2"}, {RC_OPT_BOUNDS, "0"}}}) {
+    const rc_result r = solved(problem, automatic, settings).result;
+    check(std::isnan(r.stiffness_lower) && std::isnan(r.stiffness_upper), "an interval");
+    check(std::isnan(r.stiffness) == settings.empty(), "a stiffness");
+  }
+  Problem apart = problem;
+  apart.target = apart.lowest_gap() - 1;
+  const rc_result r = solved(apart, automatic, {{RC_OPT_STIFFNESS, "2"}}).result;
+  check(r.stiffness == 0 && r.stiffness_lower == 0 && r.stiffness_upper == 0, "stiffness without contact");
+}
+
+// Full periodic contact has no finite stiffness.
+void full_periodic_contact() {
+  Problem problem = rough_problem(16, 16, RC_BOUNDARY_PERIODIC);
+  problem = at_load(problem, 1e4);
+  const rc_result r = solved(problem, automatic, {{RC_OPT_STIFFNESS, "2"}}).result;
+  check(std::isinf(r.stiffness) && r.stiffness_lower == 0 && std::isinf(r.stiffness_upper), "interval in full contact");
+}
+
+// Holm: 4 radius / (rho1 + rho2) for a circular spot.
+void a_circular_spot_conducts_like_holms() {
+  constexpr std::int64_t side = 160;
+  constexpr double radius = 60, modulus = 7;
+  Problem problem;
+  problem.system.nx = problem.system.ny = side;
+  problem.system.modulus = modulus;
+  for (const double distance : paraboloid(side, side, 1, 0.5 * (side - 1), 0.5 * (side - 1), 0.5))  // squared
+    problem.gap.push_back(distance < radius * radius ? 0 : 1e6);
+  problem.target = 1;
+  const Answer answer = solved(problem, {"haar-cg", "fft"}, {{RC_OPT_TOL, "1e-8"}, {RC_OPT_STIFFNESS, "2"}});
+  double conductance = 0, lower = 0, upper = 0;
+  check_equal(rc_conductance(&problem.system, &answer.result, 0.5, 2.5, &conductance, &lower, &upper), RC_OK, rc_last_error());
+  const double holm = 4 * radius / 3;
+  check_near(conductance, holm, 0.01 * holm, "conductance");
+  check(lower <= conductance && conductance <= upper && upper - lower <= 1e-6 * conductance, "interval");
+  double alone = 0;
+  check_equal(rc_conductance(&problem.system, &answer.result, 3, 0, &alone, nullptr, nullptr), RC_OK, rc_last_error());
+  check_near(alone, conductance, 0, "the sum of the resistivities counts");
+}
+
+}  // namespace
+
+}  // namespace pairs
+
+int main(int argc, char** argv) {
+  using namespace pairs;
+  return run_group("derivatives.interval",
+                   {{"exact_stiffness_is_inside", exact_stiffness_is_inside},
+                    {"narrow_on_a_rough_surface", narrow_on_a_rough_surface},
+                    {"nothing_is_proven_where_nothing_is_asked", nothing_is_proven_where_nothing_is_asked},
+                    {"full_periodic_contact", full_periodic_contact},
+                    {"a_circular_spot_conducts_like_holms", a_circular_spot_conducts_like_holms}},
+                   argc, argv);
+}

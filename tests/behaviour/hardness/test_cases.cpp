@@ -1,0 +1,126 @@
+// Every solver that keeps a hardness, on every backend, on every capped reference case; small ones as the caller's matrix and
+// product, too.
+#include <roughcontact/history.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "capped_cases.h"
+#include "support/naive.h"
+#include "support/registry.h"
+
+namespace pairs {
+
+namespace {
+
+// Allowed |p - p_ref| / max p, as for elastic cases.
+constexpr double exact = 1e-11, dense = 1e-9, iterative = 1e-8;
+
+double accuracy_of(const Pair& pair, std::int32_t control) {
+  if (pair.backend != "dense" && pair.backend != "cholmod") return iterative;
+  return pair.solver == "nnls" && control == RC_CONTROL_APPROACH ? exact : dense;
+}
+
+struct Given {
+  Field matrix;
+};
+
+std::int32_t multiply(const double* x, double* y, std::int64_t n, void* user) {
+  const double* row = static_cast<const Given*>(user)->matrix.data();
+  for (std::int64_t i = 0; i < n; ++i, row += n) {
+    y[i] = 0;
+    for (std::int64_t j = 0; j < n; ++j) y[i] += row[j] * x[j];
+  }
+  return 0;
+}
+
+void run(const CappedCase& reference, Problem problem, const Pair& pair) {
+  const Contact contact(problem, pair, {{RC_OPT_TOL, pair.backend == "callback" ? "2e-12" : "1e-12"}});
+  Field indentation(problem.points(), 0.0), told(problem.points(), 0.0);
+  for (std::size_t k = 0; k < reference.steps.size(); ++k) {
+    const CappedStep& step = reference.steps[k];
+    const std::string number = "step " + std::to_string(k + 1) + ": ";
+    problem.target = step.target;
+    const Answer answer = contact.solve(problem);
+    check_status(answer, RC_OK, number + "status");
+    const rc_result& r = answer.result;
+    const double accuracy = accuracy_of(pair, problem.control);
+    check_near(answer.p, step.p, accuracy, number + "p");
+    check_near(r.load, step.load, dense * step.load, number + "load");
+    check_near(r.approach, step.approach, dense * step.approach, number + "approach");
+    check_equal(r.contacts, step.contacts, number + "contacts");
+    check_equal(r.capped, step.capped, number + "points at the hardness");
+    check_near(r.plastic_volume, step.plastic_volume, iterative * step.approach * problem.cell_area() * 100,
+               number + "plastic volume");
+    if (pair.backend == "dense" && problem.system.op == RC_OPERATOR_HALFSPACE) {
+      Problem indented = problem;
+      for (std::size_t i = 0; i < indentation.size(); ++i) indented.gap[i] += told[i];
+      check_against_naive(indented, answer);
+    }
+    for (std::size_t i = 0; i < indentation.size(); ++i) indentation[i] += step.overlap[i];
+    check(rc_contact_indentation(contact.handle(), told.data()) == RC_OK, rc_last_error());
+    for (std::size_t i = 0; i < told.size(); ++i)
+      check_near(told[i], indentation[i], 10 * accuracy * step.approach, number + "indentation");
+  }
+}
+
+void run_as_operator(const CappedCase& reference, const Pair& pair, std::int32_t op) {
+  Given given{influence_matrix(reference.problem)};
+  Problem problem = reference.problem;
+  problem.kernel = "auto";
+  problem.system.op = op;
+  problem.system.dense = given.matrix.data();
+  problem.system.dense_ld = static_cast<std::int64_t>(problem.points());
+  problem.system.apply = multiply;
+  problem.system.user = &given;
+  run(reference, problem, pair);
+}
+
+// The pairs that must be able to.
+void pairs_are_there() {
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+    rc_system system = support::unit_system();
+    system.boundary = boundary;
+    system.hardness = 1;
+    for (const char* backend : {"dense", "fft"}) {
+      const std::vector<std::string> can = capped_solvers(backend, system);
+      for (const char* solver : {"nnls", "polonsky-keer", "gp", "admm", "cmr"})
+        check(std::count(can.begin(), can.end(), solver) == 1,
+              std::string(solver) + " on " + backend + " cannot keep a hardness");
+      check(std::count(can.begin(), can.end(), "greedy") == 0, "greedy does not keep a hardness");
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace pairs
+
+int main(int argc, char** argv) {
+  using namespace pairs;
+  const std::vector<CappedCase> cases = read_capped_cases();
+  std::vector<Test> tests = {{"pairs_are_there", pairs_are_there}};
+  for (const CappedCase& reference : cases)
+    for (const std::string& backend : backend_names()) {
+      rc_system system = reference.problem.system;
+      for (const std::string& solver : capped_solvers(backend, system))
+        tests.push_back({solver + "*" + backend + "/" + reference.name, [&reference, solver, backend] {
+                           run(reference, reference.problem, {solver, backend});
+                         }});
+      if (reference.problem.periodic() || reference.problem.points() > 600) continue;
+      for (const std::int32_t op : {RC_OPERATOR_DENSE, RC_OPERATOR_CALLBACK}) {
+        system.op = op;
+        Given none;
+        system.apply = multiply;
+        system.dense = reference.problem.gap.data();
+        system.dense_ld = system.nx * system.ny;
+        for (const std::string& solver : capped_solvers(backend, system))
+          tests.push_back(
+              {solver + "*" + backend + "/" + kind_of(system) + "/" + reference.name, [&reference, solver, backend, op] {
+                 run_as_operator(reference, {solver, backend}, op);
+               }});
+      }
+    }
+  check(cases.size() == 12, "there are 12 cases");
+  return run_group("hardness cases", tests, argc, argv);
+}

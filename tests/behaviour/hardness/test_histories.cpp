@@ -1,0 +1,274 @@
+// The plastic indentation that steps leave: what commits it, what does not, what forgets it, and that unloading is elastic.
+#include <roughcontact/history.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "capped_cases.h"
+#include "support/registry.h"
+#include "support/surfaces.h"
+
+namespace pairs {
+
+namespace {
+
+Field indentation_of(const Contact& contact, std::size_t points) {
+  Field told(points, -7);
+  check(rc_contact_indentation(contact.handle(), told.data()) == RC_OK, rc_last_error());
+  return told;
+}
+
+// A rough surface of which a good part yields at its target.
+Problem yielding(std::int32_t boundary = RC_BOUNDARY_FREE) {
+  Problem problem = rough_problem(18, 14, boundary, 0.5, 0.75);
+  problem.target *= 1.4;
+  const Answer elastic = solved(problem, {"nnls", "dense"});
+  problem.system.hardness = 0.3 * largest(elastic.p);
+  return problem;
+}
+
+Problem at(Problem problem, double share) {
+  problem.target *= share;
+  return problem;
+}
+
+const Pair pair = {"polonsky-keer", "dense"};
+
+// Unloading and loading again up to the former maximum is the elastic contact on the indented surface.
+void unloading_is_elastic(std::int32_t boundary, const Pair& by) {
+  const Problem problem = yielding(boundary);
+  const Contact contact(problem, by, {{RC_OPT_TOL, "1e-13"}});
+  const Answer most = contact.solve(problem);
+  check_status(most, RC_OK);
+  check(most.result.capped > 10 && most.result.plastic_volume > 0, "the surface should yield");
+  const Field left = indentation_of(contact, problem.points());
+  for (const double share : {0.9, 0.5, 0.2, 0.7, 1.0}) {
+    Problem elastic = at(problem, share);
+    const Answer answer = contact.solve(elastic);
+    check_status(answer, RC_OK);
+    for (std::size_t i = 0; i < left.size(); ++i) elastic.gap[i] += left[i];
+    elastic.system.hardness = 0;
+    const Answer expected = solve(elastic, by, {{RC_OPT_TOL, "1e-13"}});
+    check_status(expected, RC_OK);
+    check_near(answer.p, expected.p, 1e-10, "p");
+    check_near(answer.result.load, expected.result.load, 1e-11 * expected.result.load, "load");
+    if (share < 1) {
+      check_equal(answer.result.capped, 0, "points at the hardness");
+      check(answer.result.plastic_volume == 0, "nothing yields");
+      check_same(indentation_of(contact, problem.points()), left, "indentation");
+    } else {
+      check_near(answer.p, most.p, 1e-10, "p at the former maximum");
+      check_near(answer.result.plastic_volume, 0, 1e-10 * most.result.plastic_volume, "plastic volume at the former maximum");
+    }
+  }
+}
+
+// The surface given again in every step, as finite element codes do, counts as it was before the first.
+void a_surface_given_again_is_the_original() {
+  const Problem problem = yielding();
+  const Contact once(problem, pair), again(problem, pair);
+  for (const double share : {0.8, 1.0, 0.5, 1.2}) {
+    const Problem step = at(problem, share);
+    rc_step kept = step.step();
+    if (share != 0.8) kept.undeformed_gap = nullptr;
+    const Answer a = once.solve(kept), b = again.solve(step);
+    check_status(a, RC_OK);
+    check_same(a.p, b.p, "p");
+    check_same(a.gap, b.gap, "gap");
+    check_same(indentation_of(once, problem.points()), indentation_of(again, problem.points()), "indentation");
+  }
+}
+
+void what_fails_leaves_nothing() {
+  const Problem problem = yielding();
+  const Contact contact(problem, pair);
+  const Field none(problem.points(), 0.0);
+  check_same(indentation_of(contact, problem.points()), none, "before the first step");
+
+  Problem refused = problem;
+  refused.gap[3] = NAN;
+  check_status(contact.solve(refused), RC_ERR_ARGUMENT);
+  check_same(indentation_of(contact, problem.points()), none, "after a refused step");
+
+  const Contact stopped(problem, pair, {{RC_OPT_MAX_ITER, "3"}});
+  check_status(stopped.solve(problem), RC_STOP_MAX_ITER);
+  check_same(indentation_of(stopped, problem.points()), none, "after a stop");
+
+  const Answer answer = contact.solve(problem);
+  check_status(answer, RC_OK);
+  const Field left = indentation_of(contact, problem.points());
+  for (std::size_t i = 0; i < left.size(); ++i)
+    check(left[i] == (answer.p[i] == problem.system.hardness ? std::max(0.0, -answer.gap[i]) : 0.0),
+          "the overlap at the hardness");
+  check_status(contact.solve(refused), RC_ERR_ARGUMENT);
+  check_same(indentation_of(contact, problem.points()), left, "after a later refused step");
+  Problem heavy = at_load(problem, 2 * problem.system.hardness * problem.cell_area() * static_cast<double>(problem.points()));
+  check_status(contact.solve(heavy), RC_ERR_INFEASIBLE);
+  check_same(indentation_of(contact, problem.points()), left, "after a load that is too large");
+  check_status(contact.certify(problem.step(), answer.p), RC_OK, "the same pressures on the indented surface");
+  check_same(indentation_of(contact, problem.points()), left, "after certifying");
+
+  check(rc_contact_reset(contact.handle()) == RC_OK, rc_last_error());
+  check_same(indentation_of(contact, problem.points()), none, "after a reset");
+  check_same(contact.solve(problem).p, answer.p, "p after a reset");
+}
+
+void certify_sees_the_indentation() {
+  const Problem problem = yielding();
+  const Contact contact(problem, pair);
+  const Answer first = contact.solve(problem);
+  const Problem half = at(problem, 0.5);
+  check_status(contact.certify(half.step(), contact.solve(half).p), RC_OK);
+  const Contact fresh(problem, pair);
+  const Answer told = fresh.certify(problem.step(), first.p);
+  check_status(told, RC_OK);
+  check_equal(told.result.capped, first.result.capped, "points at the hardness");
+  check_near(told.result.plastic_volume, first.result.plastic_volume, 1e-12 * first.result.plastic_volume, "plastic volume");
+}
+
+const double shares[] = {0.6, 1.0, 0.3, 1.1, 0.8};
+
+void a_path_is_its_steps() {
+  const Problem problem = yielding(RC_BOUNDARY_PERIODIC);
+  const Contact single(problem, pair), whole(problem, pair);
+  Field targets, loads(std::size(shares)), expected;
+  for (const double share : shares) targets.push_back(share * problem.target);
+  for (const double target : targets) {
+    Problem step = problem;
+    step.target = target;
+    const Answer answer = single.solve(step);
+    check_status(answer, RC_OK);
+    expected.push_back(answer.result.load);
+  }
+  rc_history path = RC_HISTORY_INIT;
+  path.control = problem.control;
+  path.n = static_cast<std::int64_t>(targets.size());
+  path.targets = targets.data();
+  path.undeformed_gap = problem.gap.data();
+  path.load = loads.data();
+  check(rc_contact_solve_history(whole.handle(), &path) == RC_OK, rc_last_error());
+  check_same(loads, expected, "loads");
+  check_same(indentation_of(whole, problem.points()), indentation_of(single, problem.points()), "indentation");
+
+  // Each contact of a batch begins without indentation.
+  Field of_batch(3 * targets.size());
+  rc_batch batch = RC_BATCH_INIT;
+  batch.control = problem.control;
+  batch.n = 3;
+  batch.steps = path.n;
+  batch.targets = targets.data();
+  batch.target_stride = batch.undeformed_gap_stride = RC_BATCH_SHARED;
+  batch.undeformed_gap = problem.gap.data();
+  batch.load = of_batch.data();
+  const Options options = make_options(pair, problem.kernel);
+  check(rc_batch_solve(&problem.system, options.get(), &batch) == RC_OK, rc_last_error());
+  for (std::size_t i = 0; i < of_batch.size(); ++i)
+    check(of_batch[i] == expected[i % expected.size()], "the loads of a batch are those of a path");
+}
+
+// Another contact goes on with the same bits.
+void a_restored_history_goes_on() {
+  const Problem problem = yielding();
+  const Settings resumable = {{RC_OPT_RESUMABLE, "1"}};
+  const Contact whole(problem, pair, resumable), second(problem, pair, resumable);
+  std::vector<Answer> answers;
+  for (const double share : shares) {
+    if (answers.size() == 3) {
+      const Field left = indentation_of(whole, problem.points());
+      rc_state state = RC_STATE_INIT;
+      state.undeformed_gap = problem.gap.data();
+      state.indentation = left.data();
+      const Answer &last = answers[2], &before = answers[1];
+      state.p = last.p.data();
+      state.approach = last.result.approach;
+      state.load = last.result.load;
+      state.p_before = before.p.data();
+      state.approach_before = before.result.approach;
+      state.load_before = before.result.load;
+      check(rc_contact_restore(second.handle(), &state) == RC_OK, rc_last_error());
+      check_same(indentation_of(second, problem.points()), left, "restored indentation");
+    }
+    const Problem present = at(problem, share);
+    rc_step step = present.step();
+    if (!answers.empty()) step.undeformed_gap = nullptr;
+    answers.push_back(whole.solve(step));
+    check_status(answers.back(), RC_OK);
+    if (answers.size() <= 3) continue;
+    const Answer resumed = second.solve(step);
+    check_status(resumed, RC_OK);
+    check_same(resumed.p, answers.back().p, "p");
+    check_same(resumed.gap, answers.back().gap, "gap");
+  }
+  check_same(indentation_of(second, problem.points()), indentation_of(whole, problem.points()), "indentation");
+}
+
+// With a hardness option accuracy solves the whole grid, whose contact yields there: its indentation is the whole grid's.
+void an_accuracy_goal_indents_the_whole_grid() {
+  const Settings goal = {{RC_OPT_ACCURACY, "0.1"}};
+  const Pair fast = {"haar-cg", "fft"};
+  Problem problem;
+  problem.system.nx = problem.system.ny = 256;
+  problem.gap = paraboloid(256, 256, 1, 127.5, 127.5, 3000);
+  problem.target = 1;
+  const Answer elastic = solve(problem, fast, goal);
+  check_status(elastic, RC_WITHIN_GOAL, "without a hardness a coarser grid will do");
+  problem.system.hardness = 0.8 * largest(elastic.p);
+  const Contact contact(problem, fast, goal);
+  const Answer most = contact.solve(problem);
+  check_status(most, RC_OK);
+  check(most.result.capped > 100, "the sphere should yield");
+  rc_accuracy accuracy = RC_ACCURACY_INIT;
+  check(rc_contact_accuracy(contact.handle(), &accuracy) == RC_OK, rc_last_error());
+  check(accuracy.model_nx == 256 && accuracy.error_estimate == 0 && accuracy.left_out == 0, "the whole grid is solved");
+  const Field left = indentation_of(contact, problem.points());
+  for (std::size_t i = 0; i < left.size(); ++i)
+    check(left[i] == (most.p[i] == problem.system.hardness ? std::max(0.0, -most.gap[i]) : 0.0), "the overlap at the hardness");
+
+  // Unloading is elastic contact on the indented surface.
+  Problem half = at(problem, 0.5);
+  const Answer answer = contact.solve(half);
+  check_status(answer, RC_OK);
+  check_same(indentation_of(contact, problem.points()), left, "indentation");
+  for (std::size_t i = 0; i < left.size(); ++i) half.gap[i] += left[i];
+  half.system.hardness = 0;
+  const double expected = solved(half, fast).result.load;
+  check_near(answer.result.load, expected, 1e-2 * expected, "load");
+}
+
+// dW/dd over the points below the hardness is the derivative of the load.
+void stiffness_is_of_the_free_points() {
+  Problem problem = yielding();
+  const Settings settings = {{RC_OPT_STIFFNESS, "1"}, {RC_OPT_TOL, "1e-13"}};
+  for (const char* backend : {"dense", "fft"}) {
+    const double step = 1e-6 * problem.target;
+    const Answer middle = solved(problem, {"nnls", backend}, settings);
+    Problem less = problem, more = problem;
+    less.target -= step;
+    more.target += step;
+    const double slope =
+        (solved(more, {"nnls", backend}, settings).result.load - solved(less, {"nnls", backend}, settings).result.load) /
+        (2 * step);
+    check_near(middle.result.stiffness, slope, 1e-6 * slope, "stiffness");
+  }
+}
+
+}  // namespace
+
+}  // namespace pairs
+
+int main(int argc, char** argv) {
+  using namespace pairs;
+  std::vector<Test> tests = {{"a_surface_given_again_is_the_original", a_surface_given_again_is_the_original},
+                             {"what_fails_leaves_nothing", what_fails_leaves_nothing},
+                             {"certify_sees_the_indentation", certify_sees_the_indentation},
+                             {"a_path_is_its_steps", a_path_is_its_steps},
+                             {"a_restored_history_goes_on", a_restored_history_goes_on},
+                             {"an_accuracy_goal_indents_the_whole_grid", an_accuracy_goal_indents_the_whole_grid},
+                             {"stiffness_is_of_the_free_points", stiffness_is_of_the_free_points}};
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const std::string& solver : capped_solvers("fft", yielding(boundary).system))
+      tests.push_back({solver + (boundary == RC_BOUNDARY_FREE ? "/free" : "/periodic") + "/unloading_is_elastic", [=] {
+                         unloading_is_elastic(boundary, {solver, "fft"});
+                       }});
+  return run_group("hardness histories", tests, argc, argv);
+}

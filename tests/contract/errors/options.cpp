@@ -1,0 +1,339 @@
+#include <string>
+
+#include "case.h"
+#include "scene.h"
+
+namespace errors {
+
+namespace {
+
+template <class Set> auto on_options(const Set& set) {
+  return [set] {
+    const OptionsHandle options = options_with({});
+    return Outcome(set(options.get()));
+  };
+}
+
+auto set_int(const char* key, std::int64_t value) {
+  return on_options([=](rc_options* o) { return rc_options_set_int(o, key, value); });
+}
+auto set_real(const char* key, double value) {
+  return on_options([=](rc_options* o) { return rc_options_set_real(o, key, value); });
+}
+auto set_text(const char* key, const char* value) {
+  return on_options([=](rc_options* o) { return rc_options_set_text(o, key, value); });
+}
+auto parse(const char* key, const char* text) {
+  return on_options([=](rc_options* o) { return rc_options_parse(o, key, text); });
+}
+
+auto changed_later(const char* key, const char* value) {
+  return [=] {
+    const Scene scene;
+    const ContactHandle contact = made(scene);
+    return Outcome(rc_contact_set_options(contact.get(), options_with({{key, value}}).get()));
+  };
+}
+
+// Options that cannot be used leave those in force as they were.
+Outcome solves_after_refused_options() {
+  const Scene scene;
+  const ContactHandle contact = made(scene, options_with({{"solver", "nnls"}}).get());
+  assert_int_equal(rc_contact_set_options(contact.get(), options_with({{"solver", "no-such"}}).get()), RC_ERR_NO_SOLVER);
+  const Outcome outcome = solve(contact.get(), scene);
+  assert_string_equal(answer().result()->solver, "nnls");
+  return outcome;
+}
+
+Outcome options_of_another_context() {
+  const Scene scene;
+  const ContactHandle contact = made(scene);
+  rc_context* context = nullptr;
+  assert_int_equal(rc_context_create(nullptr, &context), RC_OK);
+  const ContextHandle keep(context);
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(context, &options), RC_OK);
+  const OptionsHandle keep_options(options);
+  return rc_contact_set_options(contact.get(), options);
+}
+
+// The operator is there already, and bound to the same points.
+Outcome tightened_later() {
+  const Scene scene;
+  const auto with = [](const char* tol) { return options_with({{"backend", "fft"}, {"fft.precision", "single"}, {"tol", tol}}); };
+  const ContactHandle contact = made(scene, with("1e-4").get());
+  assert_int_equal(solve(contact.get(), scene), RC_OK);
+  assert_int_equal(rc_contact_set_options(contact.get(), with("5e-6").get()), RC_OK);
+  answer().prepare();
+  return solve(contact.get(), scene);
+}
+
+Outcome long_key() {
+  const OptionsHandle options = options_with({});
+  return rc_options_parse(options.get(), std::string(100000, 'x').c_str(), "1");
+}
+
+}  // namespace
+
+Section options() {
+  const rc_status refused = RC_ERR_OPTION;
+  return {
+      "Options",
+      {
+          {"unknown key",
+           refused,
+           {"rc_options_parse: option \"maxiter\" is unknown; did you mean \"max_iter\"?"},
+           parse("maxiter", "5")},
+          {"empty key", refused, {"option \"\" is unknown"}, parse("", "5")},
+          {"key of 100000 letters", refused, {"option \"xxxx"}, long_key},
+          {"key with a path in it", refused, {"option \"../../evil.key\" is unknown"}, parse("../../evil.key", "1")},
+          {"key of a backend that is not installed", refused, {"option \"nobody.speed\" is unknown"}, parse("nobody.speed", "1")},
+          {"integer for a text", refused, {"rc_options_set_int: option \"solver\" takes a text"}, set_int("solver", 1)},
+          {"integer for a real number: converted", RC_OK, {}, set_int("time_limit", 5)},
+          {"real number for an integer",
+           refused,
+           {"rc_options_set_real: option \"max_iter\" takes an integer"},
+           set_real("max_iter", 5)},
+          {"text for a real number",
+           refused,
+           {"rc_options_set_text: option \"tol\" takes a real number"},
+           set_text("tol", "1e-8")},
+          {"text that is not a number",
+           refused,
+           {"rc_options_parse: option \"tol\" takes a real number, not \"1e-8x\""},
+           parse("tol", "1e-8x")},
+          {"text with a decimal comma", refused, {"option \"tol\" takes a real number, not \"0,01\""}, parse("tol", "0,01")},
+          {"two signs", refused, {"option \"max_iter\" takes an integer, not \"+-5\""}, parse("max_iter", "+-5")},
+          {"integer that overflows",
+           refused,
+           {"option \"max_iter\" takes an integer, not \"99999999999999999999\""},
+           parse("max_iter", "99999999999999999999")},
+          {"tol = 0", refused, {"option \"tol\" = 0 is outside 1e-16 .. 0.1"}, set_real("tol", 0)},
+          {"tol = NaN", refused, {"option \"tol\" = nan is outside 1e-16 .. 0.1"}, set_real("tol", nan)},
+          {"time_limit = infinity",
+           refused,
+           {"option \"time_limit\" = inf is outside 0 .. 1000000000"},
+           set_real("time_limit", infinity)},
+          {"threads = 0", refused, {"option \"threads\" = 0 is outside 1 .. 1024"}, set_int("threads", 0)},
+          {"max_iter = INT64_MAX",
+           refused,
+           {"option \"max_iter\" = ", "is outside 1 .. 1000000000"},
+           set_int("max_iter", INT64_MAX)},
+          {"text that is not one of the choices",
+           refused,
+           {"option \"fft.precision\" = \"mixt\" is none of auto|mixed|single; did you mean \"mixed\"?"},
+           parse("fft.precision", "mixt"),
+           "fft"},
+          {"tolerance that single precision does not hold",
+           refused,
+           {"rc_solve: ",
+            "fft: tol = 1e-08 is below 1e-05, the limit of fft.precision=single; raise tol or set "
+            "fft.precision=mixed"},
+           [] {
+             return Outcome(solve(Scene(), options_with({{"backend", "fft"}, {"fft.precision", "single"}}).get()));
+           },
+           "fft"},
+          {"the same, set later", refused, {"rc_contact_solve: ", "fft: tol = 5e-06 is below 1e-05"}, tightened_later, "fft"},
+          {"read as another type",
+           refused,
+           {"rc_options_get_int: option \"tol\" has another type"},
+           on_options([](rc_options* o) {
+             std::int64_t out = 0;
+             return rc_options_get_int(o, "tol", &out);
+           })},
+          {"option number out of range",
+           RC_ERR_ARGUMENT,
+           {"rc_options_describe: i = -1 is outside 0 .. "},
+           [] {
+             rc_option_spec spec{};
+             spec.struct_size = sizeof spec;
+             return rc_options_describe(nullptr, -1, &spec);
+           }},
+          {"kernel changed after the contact was made",
+           refused,
+           {"rc_contact_set_options: option \"kernel\" is fixed when the contact is created; make a new contact to change it"},
+           changed_later("kernel", "galerkin")},
+          {"threads changed after the contact was made",
+           refused,
+           {"option \"threads\" is fixed when the contact is created"},
+           changed_later("threads", "2")},
+          {"fixed option set to the value it has", RC_OK, {}, changed_later("threads", "1")},
+          {"a solver that does not exist, set later",
+           RC_ERR_NO_SOLVER,
+           {"rc_contact_set_options: solver \"nls\" not found; did you mean \"nnls\"?"},
+           changed_later("solver", "nls")},
+          {"a certifying backend that does not exist, set later",
+           RC_ERR_NO_BACKEND,
+           {"rc_contact_set_options: backend \"dens\" not found"},
+           changed_later("certify_backend", "dens")},
+          {"a certifying backend that cannot do the operator, set later",
+           RC_ERR_INCOMPATIBLE,
+           {"rc_contact_set_options: certify_backend = callback: this backend cannot do free boundaries"},
+           changed_later("certify_backend", "callback")},
+          {"solving after options were refused", RC_OK, {}, solves_after_refused_options},
+          {"options of another context",
+           refused,
+           {"rc_contact_set_options: these options belong to another context"},
+           options_of_another_context},
+      }};
+}
+
+namespace {
+
+// y = x + sum(x)
+std::int32_t sums(const double* x, double* y, std::int64_t n, void*) {
+  double sum = 0;
+  for (std::int64_t i = 0; i < n; ++i) sum += x[i];
+  for (std::int64_t i = 0; i < n; ++i) y[i] = x[i] + sum;
+  return 0;
+}
+
+auto named(const char* key, const char* value, void (*change)(rc_system&) = nullptr) {
+  return [=] {
+    Scene scene;
+    if (change) change(scene.system);
+    return create(scene, options_with({{key, value}}).get());
+  };
+}
+
+void periodic(rc_system& system) { system.boundary = RC_BOUNDARY_PERIODIC; }
+void oblong(rc_system& system) { system.hy = 2; }
+
+Outcome pair(const char* solver, const char* backend, std::int32_t control, const rc_options* options = nullptr) {
+  const Scene scene = callback_scene([](const double*, double*, std::int64_t, void*) { return std::int32_t{0}; });
+  return rc_pair_supported(nullptr, solver, backend, &scene.system, control, options);
+}
+
+}  // namespace
+
+Section names() {
+  const rc_status incompatible = RC_ERR_INCOMPATIBLE;
+  return {
+      "Names and combinations",
+      {
+          {"unknown solver",
+           RC_ERR_NO_SOLVER,
+           {"rc_contact_create: solver \"polonsky-kear\" not found; did you mean \"polonsky-keer\"?; available: "},
+           named("solver", "polonsky-kear")},
+          {"unknown backend",
+           RC_ERR_NO_BACKEND,
+           {"rc_contact_create: backend \"dens\" not found; did you mean \"dense\"?; available: "},
+           named("backend", "dens")},
+          {"empty backend", RC_ERR_NO_BACKEND, {"backend \"\" not found"}, named("backend", "")},
+          {"list of backends that do not exist",
+           RC_ERR_NO_BACKEND,
+           {"backend \"dnse\" not found"},
+           named("backend", "dnse,fftt")},
+          {"unknown certifying backend", RC_ERR_NO_BACKEND, {"backend \"dens\" not found"}, named("certify_backend", "dens")},
+          {"certifying backend that cannot do free boundaries",
+           incompatible,
+           {"rc_contact_create: certify_backend = callback: this backend cannot do free boundaries; leave the option empty or "
+            "name one that can"},
+           named("certify_backend", "callback")},
+          {"certifying backend that cannot do periodic boundaries",
+           incompatible,
+           {"certify_backend = callback: this backend cannot do periodic boundaries"},
+           named("certify_backend", "callback", periodic)},
+          {"certifying backend that cannot do a matrix",
+           incompatible,
+           {"certify_backend = callback: this backend cannot do the caller's dense matrix"},
+           [] {
+             return solve(dense_scene(), options_with({{"certify_backend", "callback"}}).get());
+           }},
+          {"certifying backend that cannot do a product",
+           incompatible,
+           {"certify_backend = dense: this backend cannot do the caller's product"},
+           [] {
+             return solve(callback_scene(sums), options_with({{"certify_backend", "dense"}}).get());
+           }},
+          {"unknown kernel",
+           RC_ERR_OPTION,
+           {"rc_contact_create: kernel \"lov\" not found; did you mean \"love\"?; available: disc, eq9,"},
+           named("kernel", "lov")},
+          {"unknown kernel, its coefficients",
+           RC_ERR_OPTION,
+           {"rc_kernel_coefficients: kernel \"lovve\" not found; did you mean \"love\"?"},
+           [] {
+             double out[4];
+             return rc_kernel_coefficients("lovve", 1, 1, 2, 2, out);
+           }},
+          {"periodic kernel for free boundaries",
+           incompatible,
+           {"kernel \"spectral\" is for periodic boundaries, the system has free ones; use kernel=auto"},
+           named("kernel", "spectral")},
+          {"free kernel for periodic boundaries",
+           incompatible,
+           {"kernel \"love\" is for free boundaries, the system has periodic ones; use kernel=auto"},
+           named("kernel", "love", periodic)},
+          {"disc with hx != hy",
+           incompatible,
+           {"kernel \"disc\" needs square cells, hx = 1 and hy = 2 differ; use love or galerkin"},
+           named("kernel", "disc", oblong)},
+          {"punch with hx != hy",
+           incompatible,
+           {"kernel \"punch\" needs square cells, hx = 1 and hy = 2 differ"},
+           named("kernel", "punch", oblong)},
+          {"eq9 with hx != hy",
+           incompatible,
+           {"kernel \"eq9\" needs square cells, hx = 1 and hy = 2 differ"},
+           named("kernel", "eq9", oblong)},
+          {"coefficients of disc with hx != hy",
+           incompatible,
+           {"rc_kernel_coefficients: kernel \"disc\" needs square cells"},
+           [] {
+             double out[4];
+             return rc_kernel_coefficients("disc", 1, 2, 2, 2, out);
+           }},
+          {"backend that cannot do the operator",
+           incompatible,
+           {"backend \"callback\" cannot do free boundaries"},
+           named("backend", "callback")},
+          {"pair: solver that does not exist",
+           RC_ERR_NO_SOLVER,
+           {"rc_pair_supported: solver \"x\" not found"},
+           [] { return pair("x", "dense", RC_CONTROL_LOAD); }},
+          {"pair: control = 3",
+           RC_ERR_ARGUMENT,
+           {"rc_pair_supported: control = 3 is neither 1 nor 2"},
+           [] { return pair("nnls", "callback", 3); }},
+          {"pair: operator and backend",
+           incompatible,
+           {"backend \"dense\" cannot do the caller's product"},
+           [] { return pair("nnls", "dense", RC_CONTROL_LOAD); }},
+          {"pair: no factorisation and no fallback",
+           incompatible,
+           {"backend \"callback\": solver \"nnls\" needs systems on subsets, which the backend cannot factor, and "
+            "allow_fallback is 0"},
+           [] {
+             return pair("nnls", "callback", RC_CONTROL_LOAD, options_with({{"allow_fallback", "0"}}).get());
+           }},
+          {"component number out of range",
+           RC_ERR_ARGUMENT,
+           {"rc_kernel_describe: i = 99 is outside 0 .. 6 - 1"},
+           [] {
+             rc_component component{};
+             component.struct_size = sizeof component;
+             return rc_kernel_describe(nullptr, 99, &component);
+           }},
+          {"context with unknown flags",
+           RC_ERR_ARGUMENT,
+           {"rc_context_create: rc_context_config.flags = 12 has unknown bits"},
+           [] {
+             rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+             config.flags = 12;
+             rc_context* context = nullptr;
+             return rc_context_create(&config, &context);
+           }},
+          {"context with reserved = 1",
+           RC_ERR_ARGUMENT,
+           {"rc_context_create: rc_context_config.reserved = 1 must be 0"},
+           [] {
+             rc_context_config config = RC_CONTEXT_CONFIG_INIT;
+             config.reserved = 1;
+             rc_context* context = nullptr;
+             return rc_context_create(&config, &context);
+           }},
+      }};
+}
+
+}  // namespace errors

@@ -1,0 +1,94 @@
+#include "scene.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace errors {
+
+namespace {
+constexpr double poison = 12345.678;
+}
+
+Answer& answer() {
+  static Answer one;
+  return one;
+}
+
+void Answer::prepare() {
+  p_.assign(points, poison);
+  gap_.assign(points, poison);
+  std::memset(static_cast<void*>(&result_), 0x5a, sizeof result_);
+  result_.struct_size = sizeof result_;
+  result_.p = p_.data();
+  result_.gap = gap_.data();
+  result_.p_single = result_.gap_single = nullptr;
+  result_.memory = nullptr;
+  std::memcpy(static_cast<void*>(&before_), &result_, sizeof result_);
+}
+
+bool Answer::untouched() const {
+  const auto poisoned = [](double value) { return value == poison; };
+  return std::memcmp(&before_, &result_, sizeof result_) == 0 && std::all_of(p_.begin(), p_.end(), poisoned) &&
+         std::all_of(gap_.begin(), gap_.end(), poisoned);
+}
+
+Scene::Scene() : gap(points) {
+  for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = 0.125 * static_cast<double>(i);
+  system.nx = system.ny = side;
+  step.control = RC_CONTROL_APPROACH;
+  step.target = 0.55;
+  step.undeformed_gap = gap.data();
+}
+
+Scene periodic_scene() {
+  Scene scene;
+  scene.system.boundary = RC_BOUNDARY_PERIODIC;
+  return scene;
+}
+
+Scene dense_scene() {
+  Scene scene;
+  scene.system.op = RC_OPERATOR_DENSE;
+  scene.system.nx = scene.system.ny = 2;
+  scene.dense.assign(16, 0.1);
+  for (std::size_t i = 0; i < 4; ++i) scene.dense[5 * i] = 1.1;
+  scene.system.dense = scene.dense.data();
+  scene.system.dense_ld = 4;
+  return scene;
+}
+
+Scene callback_scene(std::int32_t (*apply)(const double*, double*, std::int64_t, void*), void* user) {
+  Scene scene;
+  scene.system.op = RC_OPERATOR_CALLBACK;
+  scene.system.apply = apply;
+  scene.system.user = user;
+  return scene;
+}
+
+OptionsHandle options_with(std::initializer_list<std::pair<const char*, const char*>> settings) {
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
+  for (const auto& [key, value] : settings) assert_int_equal(rc_options_parse(options, key, value), RC_OK);
+  return OptionsHandle(options);
+}
+
+rc_status create(const Scene& scene, const rc_options* options) {
+  rc_contact* contact = reinterpret_cast<rc_contact*>(answer().result());
+  const rc_status status = rc_contact_create(&scene.system, options, &contact);
+  if (status < 0) assert_null(contact);
+  rc_contact_destroy(contact);
+  return status;
+}
+
+ContactHandle made(const Scene& scene, const rc_options* options) {
+  rc_contact* contact = nullptr;
+  assert_int_equal(rc_contact_create(&scene.system, options, &contact), RC_OK);
+  return ContactHandle(contact);
+}
+
+rc_status solve(const Scene& scene, const rc_options* options) {
+  return rc_solve(&scene.system, &scene.step, options, answer().result());
+}
+rc_status solve(rc_contact* contact, const Scene& scene) { return rc_contact_solve(contact, &scene.step, answer().result()); }
+
+}  // namespace errors

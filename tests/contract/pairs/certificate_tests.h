@@ -1,0 +1,13 @@
+// The parts of pairs.certificate.
+#pragma once
+
+#include <vector>
+
+#include "support/harness.h"
+
+namespace pairs {
+
+std::vector<Test> tests_on_cases();
+std::vector<Test> tests_of_liars();
+
+}  // namespace pairs

@@ -1,0 +1,174 @@
+// Solvers of a plugin that claim success with wrong pressures. An honest one beside them shows that they are called correctly.
+#include <roughcontact/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "certificate_tests.h"
+#include "support/contact.h"
+#include "support/naive.h"
+#include "support/surfaces.h"
+
+namespace pairs {
+
+namespace {
+
+template <class Value> void fill(const rc_problem* problem, double* p, Value value) {
+  for (std::int64_t i = 0; i < problem->n; ++i) p[i] = value(i);
+}
+
+rc_status no_pressure(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
+  fill(problem, p, [](std::int64_t) { return 0.0; });
+  return RC_OK;
+}
+
+rc_status uniform_pressure(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double* d) {
+  const double sum = problem->control == RC_CONTROL_LOAD ? problem->load : 1;
+  fill(problem, p, [&](std::int64_t) { return sum / static_cast<double>(problem->n); });
+  if (problem->control == RC_CONTROL_LOAD) *d = 1;
+  return RC_OK;
+}
+
+rc_status tension(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
+  fill(problem, p, [](std::int64_t) { return -1.0; });
+  return RC_OK;
+}
+
+rc_status not_a_number(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double* d) {
+  fill(problem, p, [](std::int64_t) { return std::numeric_limits<double>::quiet_NaN(); });
+  if (problem->control == RC_CONTROL_LOAD) *d = std::numeric_limits<double>::quiet_NaN();
+  return RC_OK;
+}
+
+rc_status infinity(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
+  fill(problem, p, [](std::int64_t i) { return i == 0 ? std::numeric_limits<double>::infinity() : 0.0; });
+  return RC_OK;
+}
+
+rc_status nonsense_status(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
+  fill(problem, p, [](std::int64_t) { return 0.0; });
+  return 4711;
+}
+
+rc_status failure_without_words(const rc_host*, const rc_problem*, const rc_options*, double*, double*) { return RC_ERR_NUMERIC; }
+
+// Projected steps along the gap, for approach control.
+rc_status projected_steps(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
+  const auto n = static_cast<std::size_t>(problem->n);
+  Field product(n);
+  for (std::int64_t iteration = 0; iteration < 100000; ++iteration) {
+    if (const rc_status status = problem->apply(problem, p, product.data()); status != RC_OK) return status;
+    double worst = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double w = product[i] - problem->u[i];
+      worst = std::max(worst, p[i] > 0 ? std::abs(w) : -w);
+      p[i] = std::max(0.0, p[i] - 0.15 * w);
+    }
+    if (const rc_status status = problem->poll(problem, iteration, worst); status != RC_OK) return status;
+    if (worst <= 0.1 * problem->tol) return RC_OK;
+  }
+  return RC_STOP_STALLED;
+}
+
+constexpr rc_solver solver(const char* name, decltype(rc_solver::solve) function) {
+  return {sizeof(rc_solver), name, "a test's", "BSD-3-Clause", 0, RC_CONTROL_APPROACH, 0, 0, nullptr, function};
+}
+
+constexpr rc_solver with_load(rc_solver base) {
+  base.controls |= RC_CONTROL_LOAD;
+  return base;
+}
+
+const rc_solver solvers[] = {
+    solver("no-pressure", no_pressure),
+    with_load(solver("uniform-pressure", uniform_pressure)),
+    solver("tension", tension),
+    with_load(solver("not-a-number", not_a_number)),
+    solver("infinity", infinity),
+    solver("nonsense-status", nonsense_status),
+    solver("failure-without-words", failure_without_words),
+    solver("projected-steps", projected_steps),
+};
+const rc_solver* const list[] = {&solvers[0], &solvers[1], &solvers[2], &solvers[3],
+                                 &solvers[4], &solvers[5], &solvers[6], &solvers[7]};
+static_assert(std::size(list) == std::size(solvers));
+const rc_plugin plugin = {
+    sizeof(rc_plugin), RC_PLUGIN_ABI_MAJOR, RC_PLUGIN_ABI_MINOR, "tests", "1", 0, std::size(list), nullptr, list};
+
+Context make_context() {
+  rc_context* made = nullptr;
+  check(rc_context_create(nullptr, &made) == RC_OK, rc_last_error());
+  Context context(made);
+  check(rc_context_register(made, &plugin) == RC_OK, rc_last_error());
+  return context;
+}
+
+const Settings settings = {{RC_OPT_TOL, "1e-9"}, {RC_OPT_MAX_ITER, "200000"}};
+
+Answer answer_of(const std::string& name, const Problem& problem) {
+  const Context context = make_context();
+  return Contact(problem, {name, "dense"}, settings, context.get()).solve(problem);
+}
+
+Problem problem_at(std::int32_t control) {
+  const Problem problem = rough_problem(8, 6);
+  return control == RC_CONTROL_LOAD ? at_load(problem, 3) : problem;
+}
+
+void honest_solver_is_certified() {
+  const Problem problem = problem_at(RC_CONTROL_APPROACH);
+  const Answer answer = answer_of("projected-steps", problem);
+  check_status(answer, RC_OK);
+  check_near(answer.p, solved(problem, automatic).p, 1e-7, "p");
+}
+
+void lie_is_uncertified(const std::string& name, std::int32_t control) {
+  const Problem problem = problem_at(control);
+  const Answer answer = answer_of(name, problem);
+  check_status(answer, RC_UNCERTIFIED);
+  check(!answer.message.empty(), "the message is empty");
+  check(!(answer.worst_residual() <= 1e-9), "the residuals hide the lie");
+}
+
+// Where there is nothing to certify a failure is as good, but never RC_OK.
+void garbage_is_not_certified(const std::string& name, std::int32_t control) {
+  const Answer answer = answer_of(name, problem_at(control));
+  check(answer.status == RC_UNCERTIFIED || answer.status == RC_STOP_STALLED || answer.status == RC_ERR_NUMERIC ||
+            answer.status == RC_ERR_INTERNAL,
+        std::string("status ") + rc_status_name(answer.status) + " (" + std::to_string(answer.status) + ")");
+  check(!answer.message.empty(), "the message is empty");
+}
+
+void lie_is_not_the_next_start() {
+  const Context context = make_context();
+  const Problem problem = problem_at(RC_CONTROL_APPROACH);
+  const Contact contact(problem, {"uniform-pressure", "dense"}, settings, context.get());
+  check_status(contact.solve(problem), RC_UNCERTIFIED);
+  const Options honest = make_options({"projected-steps", "dense"}, problem.kernel, settings, context.get());
+  check(rc_contact_set_options(contact.handle(), honest.get()) == RC_OK, rc_last_error());
+  const Answer warm = contact.solve(problem), cold = answer_of("projected-steps", problem);
+  check_same(warm.p, cold.p, "p after a lie and p of a fresh contact");
+}
+
+}  // namespace
+
+std::vector<Test> tests_of_liars() {
+  std::vector<Test> tests = {{"an_honest_solver_from_outside_is_certified", honest_solver_is_certified},
+                             {"a_lie_is_not_the_next_warm_start", lie_is_not_the_next_start}};
+  for (const char* name : {"no-pressure", "uniform-pressure", "tension"})
+    tests.push_back(
+        {std::string("a_lying_solver_is_uncertified/approach/") + name, [=] { lie_is_uncertified(name, RC_CONTROL_APPROACH); }});
+  tests.push_back(
+      {"a_lying_solver_is_uncertified/load/uniform-pressure", [] { lie_is_uncertified("uniform-pressure", RC_CONTROL_LOAD); }});
+  for (const char* name : {"no-pressure", "tension"})
+    tests.push_back(
+        {std::string("garbage_is_not_certified/load/") + name, [=] { garbage_is_not_certified(name, RC_CONTROL_LOAD); }});
+  for (const char* name : {"not-a-number", "infinity", "nonsense-status", "failure-without-words"})
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD})
+      tests.push_back({std::string("garbage_is_not_certified/") + (control == RC_CONTROL_LOAD ? "load/" : "approach/") + name,
+                       [=] { garbage_is_not_certified(name, control); }});
+  return tests;
+}
+
+}  // namespace pairs

@@ -1,0 +1,117 @@
+// Plugins that must work.
+#include <cmath>
+
+#include "scratch.h"
+
+namespace plugins {
+
+namespace {
+
+void assert_near(double value, double wanted) {
+  if (!(std::abs(value - wanted) <= 1e-8 * std::abs(wanted))) print_error("%.17g instead of %.17g\n", value, wanted);
+  assert_true(std::abs(value - wanted) <= 1e-8 * std::abs(wanted));
+}
+
+void a_naive_backend_serves_every_solver(void**) {
+  const Scratch scratch;
+  scratch.put({"toy", "toy-solver"});
+  const Registry registry(scratch.path());
+  for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC})
+    for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
+      const double wanted = registry.load("nnls", "dense", boundary, control);
+      assert_true(wanted > 0);
+      for (const char* solver : {"nnls", "polonsky-keer"}) assert_near(registry.load(solver, "toy", boundary, control), wanted);
+      assert_string_equal(registry.result().backend, "toy");
+    }
+}
+
+void a_solver_from_outside_uses_every_backend(void**) {
+  const Scratch scratch;
+  scratch.put({"toy", "toy-solver"});
+  const Registry registry(scratch.path());
+  const double wanted = registry.load("nnls", "dense");
+  for (const char* backend : {"dense", "toy"}) assert_near(registry.load("toy-solver", backend), wanted);
+  assert_string_equal(registry.result().solver, "toy-solver");
+  // The core adds load control to a solver that lacks it.
+  assert_near(registry.load("toy-solver", "dense", RC_BOUNDARY_FREE, RC_CONTROL_LOAD), 2);
+}
+
+void a_fallback_is_named_in_the_result(void**) {
+  const Scratch scratch;
+  scratch.put({"toy"});
+  const Registry registry(scratch.path());
+  assert_true(registry.load("nnls", "toy") > 0);
+  assert_has(registry.result().note, "backend \"toy\" cannot factor");
+}
+
+void a_shorter_vtable_of_an_older_header_works(void**) {
+  const Scratch scratch;
+  scratch.put({"old_minor"});
+  const Registry registry(scratch.path());
+  assert_near(registry.load("nnls", "old_minor"), registry.load("nnls", "dense"));
+}
+
+// A backend built with the header in which backends had no shifted() and norm().
+void a_lower_minor_version_works(void**) {
+  const Scratch scratch;
+  scratch.put({"minor_zero"});
+  const Registry registry(scratch.path());
+  for (const char* solver : {"nnls", "polonsky-keer"})
+    assert_near(registry.load(solver, "minor_zero"), registry.load("nnls", "dense"));
+}
+
+void a_higher_minor_version_works(void**) {
+  const Scratch scratch;
+  scratch.put({"future_minor"});
+  const Registry registry(scratch.path());
+  assert_near(registry.load("polonsky-keer", "future_minor"), registry.load("nnls", "dense"));
+}
+
+void a_plugin_is_listed_with_its_file(void**) {
+  const Scratch scratch;
+  const std::string file = scratch.put({"toy"});
+  const Registry registry(scratch.path());
+  assert_string_equal(registry.origin("toy").c_str(), file.c_str());
+  assert_string_equal(registry.origin("second-of-toy").c_str(), file.c_str());
+  assert_string_equal(registry.log().c_str(), "");
+}
+
+void a_dotted_option_loads_its_component(void**) {
+  const Scratch scratch;
+  scratch.put({"toy"});
+  const Registry registry(scratch.path());
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
+  assert_int_equal(rc_options_set_text(options, "toy.order", "columns"), RC_OK);
+  assert_int_equal(rc_options_set_text(options, "toy.order", "colums"), RC_ERR_OPTION);
+  assert_message_has("option \"toy.order\" = \"colums\" is none of rows|columns; did you mean \"columns\"?");
+  rc_options_destroy(options);
+}
+
+void a_preference_list_passes_over_what_is_refused(void**) {
+  const Scratch scratch;
+  scratch.put({"bad_abi", "toy"});
+  const Registry registry(scratch.path());
+  assert_true(registry.load("auto", "nobody,bad_abi,toy,dense") > 0);
+  assert_string_equal(registry.result().backend, "toy");
+}
+
+void two_contexts_load_the_same_file(void**) {
+  const Scratch scratch;
+  scratch.put({"toy"});
+  const Registry one(scratch.path()), other(scratch.path());
+  assert_true(one.load("auto", "toy") > 0);
+  assert_true(other.load("auto", "toy") == one.load("auto", "toy"));
+}
+
+}  // namespace
+
+const std::vector<CMUnitTest> good_tests = {
+    cmocka_unit_test(a_naive_backend_serves_every_solver), cmocka_unit_test(a_solver_from_outside_uses_every_backend),
+    cmocka_unit_test(a_fallback_is_named_in_the_result),   cmocka_unit_test(a_shorter_vtable_of_an_older_header_works),
+    cmocka_unit_test(a_higher_minor_version_works),        cmocka_unit_test(a_plugin_is_listed_with_its_file),
+    cmocka_unit_test(a_dotted_option_loads_its_component), cmocka_unit_test(a_preference_list_passes_over_what_is_refused),
+    cmocka_unit_test(two_contexts_load_the_same_file),     cmocka_unit_test(a_lower_minor_version_works),
+};
+
+}  // namespace plugins

@@ -1,0 +1,162 @@
+// Kernels from outside: what they give, and which descriptions are refused.
+#include <functional>
+
+#include "kernel_scene.h"
+
+namespace plugins {
+
+namespace {
+
+void a_kernel_of_ones_own_serves_every_pair(void**) {
+  const Registry registry("");
+  Spoilt sound;
+  const rc_kernel kernel = decay(sound);
+  assert_int_equal(add(registry, kernel), RC_OK);
+  const double wanted = load_of_matrix(1);
+  for (std::int64_t i = 0; i < rc_solver_count(registry.get()); ++i)
+    for (const char* backend : {"dense", "fft", "cholmod"}) {
+      rc_component solver = RC_COMPONENT_INIT;
+      assert_int_equal(rc_solver_describe(registry.get(), i, &solver), RC_OK);
+      double periodic = 0;
+      for (const std::int32_t boundary : {RC_BOUNDARY_FREE, RC_BOUNDARY_PERIODIC}) {
+        const Pressed pressed(registry,
+                              {{RC_OPT_KERNEL, "decay"},
+                               {RC_OPT_SOLVER, solver.name},
+                               {RC_OPT_BACKEND, backend},
+                               {RC_OPT_TOL, "1e-9"},
+                               {RC_OPT_MAX_ITER, "100000"}},
+                              boundary);
+        if (pressed.status == RC_ERR_NO_BACKEND) continue;  // not built
+        if (pressed.status != RC_OK && std::string(solver.name) != "greedy")
+          fail_msg("%s on %s: %s", solver.name, backend, rc_last_error());
+        if (pressed.status != RC_OK) continue;
+        assert_string_equal(pressed.result.kernel, "decay");
+        if (boundary == RC_BOUNDARY_FREE) assert_near(pressed.result.load, wanted, 1e-6);
+        if (boundary == RC_BOUNDARY_PERIODIC) periodic = pressed.result.load;
+      }
+      if (periodic != 0)
+        assert_near(periodic,
+                    Pressed(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_BACKEND, "dense"}}, RC_BOUNDARY_PERIODIC).result.load,
+                    1e-6);
+    }
+}
+
+void a_kernel_comes_from_a_file(void**) {
+  const Scratch scratch;
+  const std::string file = scratch.put({"toy-kernel"});
+  const Registry registry(scratch.path());
+  // Its option loads it; lengths are the caller's, whatever the cell.
+  const double wanted = load_of_matrix(0.25);
+  for (const double cell : {1.0, 1e-6}) {
+    const Pressed pressed(registry, {{"toy-kernel.rate", std::to_string(0.25 / cell)}, {RC_OPT_KERNEL, "toy-kernel"}},
+                          RC_BOUNDARY_FREE, cell);
+    assert_int_equal(pressed.status, RC_OK);
+    assert_near(pressed.result.load, wanted * cell * cell, 1e-6);
+  }
+  bool found = false;
+  for (std::int64_t i = 0; i < rc_kernel_count(registry.get()); ++i) {
+    rc_component each = RC_COMPONENT_INIT;
+    assert_int_equal(rc_kernel_describe(registry.get(), i, &each), RC_OK);
+    if (std::string(each.name) != "toy-kernel") continue;
+    found = true;
+    assert_string_equal(each.origin, file.c_str());
+    assert_string_equal(each.license, "BSD-3-Clause");
+  }
+  assert_true(found);
+}
+
+void its_options_are_fixed(void**) {
+  const Scratch scratch;
+  scratch.put({"toy-kernel"});
+  const Registry registry(scratch.path());
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
+  assert_int_equal(rc_options_set_text(options, RC_OPT_KERNEL, "toy-kernel"), RC_OK);
+  const rc_system system = support::unit_system();
+  rc_contact* contact = nullptr;
+  assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
+  assert_int_equal(rc_options_set_real(options, "toy-kernel.rate", 2), RC_OK);
+  assert_int_equal(rc_contact_set_options(contact, options), RC_ERR_OPTION);
+  assert_message_has("option \"toy-kernel.rate\" is fixed when the contact is created; make a new contact to change it");
+  rc_contact_destroy(contact);
+  rc_options_destroy(options);
+}
+
+// Of a kernel with one member changed.
+rc_status registered(const std::function<void(rc_kernel&)>& change) {
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  Spoilt sound;
+  rc_kernel kernel = decay(sound);
+  change(kernel);
+  return add(registry, kernel);
+}
+
+void spoilt_kernels_are_refused(void**) {
+  assert_int_equal(registered([](rc_kernel&) {}), RC_OK);
+  assert_int_equal(registered([](rc_kernel& k) { k.window = nullptr; }), RC_ERR_PLUGIN);
+  assert_message_has("kernel \"decay\" has no window() but its caps say otherwise");
+  assert_int_equal(registered([](rc_kernel& k) { k.caps = RC_KERNEL_FREE; }), RC_ERR_PLUGIN);
+  assert_message_has("kernel \"decay\" has symbol() but its caps say otherwise");
+  assert_int_equal(registered([](rc_kernel& k) {
+                     k.caps = 0;
+                     k.window = nullptr;
+                     k.symbol = nullptr;
+                   }),
+                   RC_ERR_PLUGIN);
+  assert_message_has("kernel \"decay\" lacks window and symbol");
+  assert_int_equal(registered([](rc_kernel& k) { k.name = "love"; }), RC_ERR_PLUGIN);
+  assert_message_has("a component named \"love\" is registered already");
+  assert_int_equal(registered([](rc_kernel& k) { k.license = nullptr; }), RC_ERR_PLUGIN);
+}
+
+void boundaries_and_cells_are_checked(void**) {
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  Spoilt sound;
+  rc_kernel kernel = decay(sound);
+  kernel.caps = RC_KERNEL_FREE | RC_KERNEL_SQUARE;
+  kernel.symbol = nullptr;
+  assert_int_equal(add(registry, kernel), RC_OK);
+  assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}, RC_BOUNDARY_PERIODIC).status, RC_ERR_INCOMPATIBLE);
+  assert_message_has("kernel \"decay\" is for free boundaries, the system has periodic ones; use kernel=auto");
+  assert_int_equal(Pressed(registry, {{RC_OPT_KERNEL, "decay"}}).status, RC_OK);
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
+  assert_int_equal(rc_options_set_text(options, RC_OPT_KERNEL, "decay"), RC_OK);
+  rc_system system = support::unit_system();
+  system.hy = 2 * system.hx;
+  rc_contact* contact = nullptr;
+  assert_int_equal(rc_contact_create(&system, options, &contact), RC_ERR_INCOMPATIBLE);
+  assert_message_has("kernel \"decay\" needs square cells");
+  rc_options_destroy(options);
+}
+
+void a_backend_that_needs_the_far_field_is_passed_over(void**) {
+  const Registry registry("");
+  Spoilt sound;
+  const rc_kernel kernel = decay(sound);
+  assert_int_equal(add(registry, kernel), RC_OK);
+  const Pressed pressed(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_BACKEND, "split"}});
+  if (pressed.status == RC_ERR_NO_BACKEND) skip();
+  assert_int_equal(pressed.status, RC_ERR_INCOMPATIBLE);
+  assert_message_has("backend \"split\" cannot do kernel \"decay\", whose far field is not that of the half-space");
+  const Pressed chosen(registry, {{RC_OPT_KERNEL, "decay"}, {RC_OPT_BACKEND, "split,dense"}});
+  assert_int_equal(chosen.status, RC_OK);
+  assert_string_equal(chosen.result.backend, "dense");
+  const Pressed large(registry, {{RC_OPT_KERNEL, "decay"}}, RC_BOUNDARY_FREE, 1, 512);
+  assert_int_equal(large.status, RC_OK);
+  assert_has(large.explanation(),
+             "split: backend \"split\" cannot do kernel \"decay\", whose far field is not that of the half-space\n");
+}
+
+}  // namespace
+
+const std::vector<CMUnitTest> kernel_tests = {
+    cmocka_unit_test(a_kernel_of_ones_own_serves_every_pair),
+    cmocka_unit_test(a_kernel_comes_from_a_file),
+    cmocka_unit_test(its_options_are_fixed),
+    cmocka_unit_test(spoilt_kernels_are_refused),
+    cmocka_unit_test(boundaries_and_cells_are_checked),
+    cmocka_unit_test(a_backend_that_needs_the_far_field_is_passed_over),
+};
+
+}  // namespace plugins

@@ -1,0 +1,373 @@
+// Solvers that answer for many contacts at once, and lie: no lie is taken, and the log has the reason.
+#include <roughcontact/history.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <random>
+
+#include "scratch.h"
+#include "support/unit_system.h"
+
+namespace plugins {
+
+namespace {
+
+constexpr std::int64_t nx = 6, ny = 4, points = nx * ny;
+constexpr double tol = 1e-6, infinity = std::numeric_limits<double>::infinity();
+
+using Lie = std::function<void(rc_many&)>;
+
+// Rough contacts, and their true answers.
+struct Scene {
+  rc_system system = support::unit_system();
+  std::int32_t control;
+  std::int64_t n, steps;
+  std::vector<double> gaps, targets;
+  std::vector<std::uint8_t> mask;  // of all
+  std::vector<rc_many_answer> answers;
+  std::vector<double> p;
+
+  Scene(std::int32_t by, std::int64_t contacts = 5, std::int64_t of_each = 2, double hardness = 0)
+      : control(by), n(contacts), steps(of_each), mask(points, 1) {
+    system.nx = nx;
+    system.ny = ny;
+    system.hardness = hardness;
+    mask[7] = 0;
+    std::mt19937 random(3);
+    for (std::int64_t m = 0; m < n * points; ++m) gaps.push_back(static_cast<double>(random() % 1000) * 1e-3);
+    for (std::int64_t i = 0; i < n; ++i)
+      for (std::int64_t k = 0; k < steps; ++k)
+        targets.push_back(control == RC_CONTROL_LOAD ? 1 + 0.5 * static_cast<double>(k) : 0.6 + 0.1 * static_cast<double>(k));
+    for (std::int64_t i = 0; i < n; ++i) solve(i);
+  }
+
+ private:
+  void solve(std::int64_t i) {
+    rc_options* options = nullptr;
+    rc_contact* contact = nullptr;
+    assert_int_equal(rc_options_create(nullptr, &options), RC_OK);
+    rc_options_set_real(options, RC_OPT_TOL, 1e-10);
+    assert_int_equal(rc_contact_create(&system, options, &contact), RC_OK);
+    for (std::int64_t k = 0; k < steps; ++k) {
+      std::vector<double> own(points);
+      rc_step step = RC_STEP_INIT;
+      step.control = control;
+      step.target = targets[static_cast<std::size_t>(i * steps + k)];
+      const double* const gap = gaps.data() + i * points;
+      if (k == 0) step.undeformed_gap = gap;
+      if (k == 0) step.mask = mask.data();
+      rc_result result = RC_RESULT_INIT;
+      result.p = own.data();
+      assert_int_equal(rc_contact_solve(contact, &step, &result), RC_OK);
+      rc_many_answer answer{};
+      answer.solved = 1;
+      answer.contacts = result.contacts;
+      answer.iterations = 4242;
+      answer.lowest = infinity;
+      for (std::size_t m = 0; m < points; ++m)
+        if (mask[m]) answer.lowest = std::min(answer.lowest, gap[m]);
+      answer.compression = result.approach - answer.lowest;
+      for (const double each : own) answer.sum += each;
+      answer.primal = result.kkt_primal;
+      answer.dual = result.kkt_dual;
+      answer.complementarity = result.kkt_complementarity;
+      answers.push_back(answer);
+      p.insert(p.end(), own.begin(), own.end());
+    }
+    rc_contact_destroy(contact);
+    rc_options_destroy(options);
+  }
+};
+
+const Scene* scene = nullptr;
+Lie lie;
+
+rc_status solve_many(const rc_host*, rc_many* many, const rc_options*) {
+  if (many->n == 0) return RC_OK;
+  const std::int64_t first = (many->undeformed_gap - scene->gaps.data()) / points * many->steps, count = many->n * many->steps;
+  std::copy_n(scene->answers.begin() + first, count, many->answers);
+  std::copy_n(scene->p.begin() + first * points, count * points, many->p);
+  many->done = many->n;
+  if (lie) lie(*many);
+  return RC_OK;
+}
+
+rc_status one_at_a_time(const rc_host*, const rc_problem* problem, const rc_options*, double* p, double*) {
+  std::vector<std::int64_t> all(static_cast<std::size_t>(problem->n));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::int64_t>(i);
+  return problem->inner(problem, "polonsky-keer", problem->n, all.data(), problem->tol, p, nullptr);
+}
+
+rc_status cheapest(const rc_facts*, rc_estimate* estimate) {
+  estimate->seconds = 1e-15;
+  return RC_OK;
+}
+
+const rc_plugin& plugin() {
+  static const rc_solver solver = [] {
+    rc_solver each{};
+    each.struct_size = sizeof each;
+    each.name = "liar";
+    each.summary = "a test's";
+    each.license = "BSD-3-Clause";
+    each.needs = RC_TAKES_CAP;
+    each.controls = RC_CONTROL_APPROACH;
+    each.solve = one_at_a_time;
+    each.score = cheapest;
+    each.solve_many = solve_many;
+    return each;
+  }();
+  static const rc_solver* const solvers[] = {&solver};
+  static const rc_plugin all = [] {
+    rc_plugin each{};
+    each.struct_size = sizeof each;
+    each.abi_major = RC_PLUGIN_ABI_MAJOR;
+    each.abi_minor = RC_PLUGIN_ABI_MINOR;
+    each.name = "liar";
+    each.version = "1";
+    each.n_solvers = 1;
+    each.solvers = solvers;
+    return each;
+  }();
+  return all;
+}
+
+struct Found {
+  rc_status status = RC_OK;
+  std::string log;
+  std::vector<double> load, approach, area, certificate, p;
+  std::vector<std::int64_t> iterations;
+
+  bool refused() const { return log.find("are solved one at a time: ") != std::string::npos; }
+  bool taken() const {
+    return std::all_of(iterations.begin(), iterations.end(), [](std::int64_t each) { return each == 4242; });
+  }
+};
+
+Found solved(const Scene& of, const Lie& how, const char* solver = "liar") {
+  scene = &of;
+  lie = how;
+  const Registry registry("", RC_CONTEXT_NO_PLUGINS);
+  assert_int_equal(rc_context_register(registry.get(), &plugin()), RC_OK);
+  rc_options* options = nullptr;
+  assert_int_equal(rc_options_create(registry.get(), &options), RC_OK);
+  assert_int_equal(rc_options_set_text(options, RC_OPT_SOLVER, solver), RC_OK);
+  assert_int_equal(rc_options_set_real(options, RC_OPT_TOL, tol), RC_OK);
+  Found f;
+  const auto slots = static_cast<std::size_t>(of.n * of.steps);
+  for (std::vector<double>* const each : {&f.load, &f.approach, &f.area, &f.certificate}) each->assign(slots, -7);
+  f.iterations.assign(slots, -7);
+  f.p.assign(static_cast<std::size_t>(of.n * points), -7);
+  rc_batch b = RC_BATCH_INIT;
+  b.control = of.control;
+  b.n = of.n;
+  b.steps = of.steps;
+  b.targets = of.targets.data();
+  b.undeformed_gap = of.gaps.data();
+  b.mask = of.mask.data();
+  b.mask_stride = RC_BATCH_SHARED;
+  b.p = f.p.data();
+  b.load = f.load.data();
+  b.approach = f.approach.data();
+  b.contact_area = f.area.data();
+  b.certificate = f.certificate.data();
+  b.iterations = f.iterations.data();
+  f.status = rc_batch_solve(&of.system, options, &b);
+  rc_options_destroy(options);
+  f.log = registry.log();
+  lie = nullptr;
+  return f;
+}
+
+void expect_true(const Scene& of, const Found& found, const char* name) {
+  if (found.status != RC_OK) fail_msg("%s: %d, %s", name, static_cast<int>(found.status), rc_last_error());
+  for (std::size_t at = 0; at < found.load.size(); ++at) {
+    const rc_many_answer& wanted = of.answers[at];
+    if (!(std::abs(found.load[at] - wanted.sum) <= 1e-4 * wanted.sum) ||
+        !(std::abs(found.approach[at] - wanted.lowest - wanted.compression) <= 1e-4 * wanted.compression) ||
+        !(found.certificate[at] <= tol))
+      fail_msg("%s: load %g for %g, approach %g for %g, certificate %g", name, found.load[at], wanted.sum, found.approach[at],
+               wanted.lowest + wanted.compression, found.certificate[at]);
+  }
+  for (const double each : found.p) assert_true(each >= 0);
+}
+
+// A point of contact i at step k that carries pressure.
+double& pressed(rc_many& many, std::int64_t i, std::int64_t k) {
+  double* const p = many.p + (i * many.steps + k) * points;
+  return *std::max_element(p, p + points);
+}
+
+double& first_pressed(double* p) {
+  return *std::find_if(p, p + points, [](double each) { return each > 0; });
+}
+double& last_pressed(double* p) {
+  return *std::find_if(std::make_reverse_iterator(p + points), std::make_reverse_iterator(p),
+                       [](double each) { return each > 0; });
+}
+
+struct Case {
+  const char* name;
+  const char* reason;
+  Lie lie;
+};
+
+void for_each_answer(rc_many& many, const std::function<void(rc_many_answer&, double*)>& change) {
+  for (std::int64_t at = 0; at < many.n * many.steps; ++at) change(many.answers[at], many.p + at * points);
+}
+
+// Lies that any answer of the call shows, and those about all answers.
+const Case lies[] = {
+    {"an invented answer", "kkt_primal is 1",
+     [](rc_many& m) {
+       for_each_answer(m, [](rc_many_answer& answer, double* p) {
+         for (std::int64_t k = 0; k < points; ++k) p[k] = scene->mask[static_cast<std::size_t>(k)] ? -7 : 0;
+         answer.sum = 123;
+         answer.primal = answer.dual = answer.complementarity = 0;
+       });
+     }},
+    {"one pressure is negative", "contact 3, step 0: kkt_primal is ", [](rc_many& m) { pressed(m, 3, 0) *= -1; }},
+    {"one pressure is not finite", "contact 1, step 1: pressures or target are not finite",
+     [](rc_many& m) { pressed(m, 1, 1) = std::nan(""); }},
+    {"one masked point carries pressure", "contact 4, step 1: a masked point carries pressure",
+     [](rc_many& m) { m.p[9 * points + 7] = 1e-9; }},
+    {"one sum is wrong in its last digits", "contact 2, step 1: the sum of the pressures is ",
+     [](rc_many& m) { m.answers[5].sum *= 1 + 1e-13; }},
+    {"one count is wrong", " points carry pressure, reported as ", [](rc_many& m) { ++m.answers[0].contacts; }},
+    {"one lowest gap is wrong", "contact 2, step 0: the lowest gap is ", [](rc_many& m) { m.answers[4].lowest += 1e-9; }},
+    {"one approach is not finite", "contact 2, step 0: the approach is not finite",
+     [](rc_many& m) { m.answers[4].compression = std::nan(""); }},
+    {"pressures were not written", "points carry pressure, reported as ",
+     [](rc_many& m) { std::fill_n(m.p, m.n * m.steps * points, 0.0); }},
+    {"pressures change places", ", reported as ",
+     [](rc_many& m) { for_each_answer(m, [](rc_many_answer&, double* p) { std::swap(first_pressed(p), last_pressed(p)); }); }},
+    {"first steps are those of other contacts", "step 0: ",
+     [](rc_many& m) {
+       const std::vector<double> p(m.p, m.p + m.n * m.steps * points);
+       const std::vector<rc_many_answer> answers(m.answers, m.answers + m.n * m.steps);
+       for (std::int64_t i = 0; i < m.n; ++i) {
+         const std::int64_t other = (i + 1) % m.n * m.steps, own = i * m.steps;
+         std::copy_n(p.begin() + other * points, points, m.p + own * points);
+         m.answers[own] = answers[static_cast<std::size_t>(other)];
+         m.answers[own].lowest = answers[static_cast<std::size_t>(own)].lowest;
+       }
+     }},
+    {"residuals are too good", "reported as ",
+     [](rc_many& m) {
+       for_each_answer(m, [](rc_many_answer& answer, double* p) {
+         const double change = 1e-5 * last_pressed(p);
+         last_pressed(p) -= change;
+         first_pressed(p) += change;
+         answer.sum = 0;
+         for (std::int64_t k = 0; k < points; ++k) answer.sum += p[k];
+       });
+     }},
+    {"one residual is above tol", "contact 1, step 0: a residual is reported as 2e-06, above tol = 1e-06",
+     [](rc_many& m) { m.answers[2].dual = 2e-6; }},
+    {"residuals are too bad", ", reported as 4e-07",
+     [](rc_many& m) { for_each_answer(m, [](rc_many_answer& answer, double*) { answer.complementarity = 4e-7; }); }},
+    {"one residual just below tol is not the true one", "contact 3, step 1: kkt_dual is ",
+     [](rc_many& m) { m.answers[7].dual = 0.9 * tol; }},
+};
+
+void no_lie_is_taken(void**) {
+  for (const std::int32_t control : {RC_CONTROL_APPROACH, RC_CONTROL_LOAD}) {
+    const Scene of(control);
+    for (const char* solver : {"liar", "auto"}) {
+      const Found honest = solved(of, {}, solver);
+      expect_true(of, honest, "honest");
+      assert_true(honest.taken() && !honest.refused());
+      for (const Case& each : lies) {
+        const Found found = solved(of, each.lie, solver);
+        expect_true(of, found, each.name);
+        if (!found.refused() || found.log.find("warning: solver \"liar\": contacts 0 .. 4 ") == std::string::npos)
+          fail_msg("%s: the log has \"%s\"", each.name, found.log.c_str());
+        if (control == RC_CONTROL_LOAD && found.log.find(each.reason) == std::string::npos)
+          fail_msg("%s: the log has \"%s\"", each.name, found.log.c_str());
+        for (const std::int64_t iterations : found.iterations) assert_true(iterations != 4242);
+      }
+    }
+  }
+}
+
+void no_false_approach_is_taken(void**) {
+  const Scene of(RC_CONTROL_LOAD);
+  const Found found =
+      solved(of, [](rc_many& m) { for_each_answer(m, [](rc_many_answer& a, double*) { a.compression *= 1.01; }); });
+  expect_true(of, found, "approach");
+  assert_true(found.refused());
+}
+
+void no_pressure_above_the_hardness_is_taken(void**) {
+  const Scene of(RC_CONTROL_LOAD, 3, 1, 0.2);
+  const Found honest = solved(of, {});
+  assert_true(honest.taken());
+  const Found found = solved(of, [](rc_many& m) { pressed(m, 1, 0) = 0.3; });
+  expect_true(of, found, "hardness");
+  assert_has(found.log, "contact 1, step 0: kkt_primal is 0.5");
+}
+
+// The rest of a call is solved alone as well if a contact that is said to be solved is not.
+void what_is_not_solved_hides_no_lie(void**) {
+  const Scene of(RC_CONTROL_LOAD);
+  const Found some = solved(of, [](rc_many& m) { m.answers[2].solved = 0; });
+  expect_true(of, some, "one is not solved");
+  assert_true(!some.refused() && some.iterations[0] == 4242 && some.iterations[2] != 4242 && some.iterations[3] != 4242);
+  const Found found = solved(of, [](rc_many& m) {
+    m.answers[2].solved = 0;
+    pressed(m, 4, 1) *= -1;
+  });
+  expect_true(of, found, "one is not solved, one is false");
+  assert_true(found.refused());
+  const Found parts = solved(of, [](rc_many& m) {
+    m.done = 1;
+    pressed(m, 0, 0) *= -1;
+  });
+  expect_true(of, parts, "one contact at a time");
+  assert_has(parts.log, "contacts 0 .. 0 are solved one at a time");
+  assert_has(parts.log, "contacts 4 .. 4 are solved one at a time");
+}
+
+// The library recomputes a random one of 64 contacts: it finds a single false answer in one call of 64, wherever it is.
+void one_lie_among_many_is_found_by_chance(void**) {
+  constexpr std::int64_t n = 64, calls = 2000;
+  const Scene of(RC_CONTROL_APPROACH, n, 1);
+  std::int64_t found = 0;
+  for (std::int64_t call = 0; call < calls; ++call) {
+    const Found each = solved(of, [&](rc_many& m) {
+      double* const p = m.p + call % n * points;
+      double* const most = std::max_element(p, p + points);
+      *most *= 1 + 1e-4;
+      m.answers[call % n].sum = 0;
+      for (std::int64_t k = 0; k < points; ++k) m.answers[call % n].sum += p[k];
+    });
+    assert_int_equal(each.status, RC_OK);
+    found += each.refused();
+  }
+  print_message("1 false answer among %d: found in %d of %d calls\n", static_cast<int>(n), static_cast<int>(found),
+                static_cast<int>(calls));
+  assert_true(found >= 5 && found <= 90);  // 31 are expected; chances of fewer than 5, or more than 90: below 1e-9
+}
+
+void an_honest_call_of_many_is_taken(void**) {
+  const Scene of(RC_CONTROL_LOAD, 200, 3);
+  const Found found = solved(of, {});
+  expect_true(of, found, "honest");
+  assert_true(found.taken() && !found.refused());
+}
+
+}  // namespace
+
+const std::vector<CMUnitTest> many_liar_tests = {
+    cmocka_unit_test(no_lie_is_taken),
+    cmocka_unit_test(no_false_approach_is_taken),
+    cmocka_unit_test(no_pressure_above_the_hardness_is_taken),
+    cmocka_unit_test(what_is_not_solved_hides_no_lie),
+    cmocka_unit_test(one_lie_among_many_is_found_by_chance),
+    cmocka_unit_test(an_honest_call_of_many_is_taken),
+};
+
+}  // namespace plugins

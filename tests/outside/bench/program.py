@@ -1,0 +1,50 @@
+"""The program under test: BUILD is the first argument of every test here. Times decide nothing."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+BUILD = sys.argv[1]
+PROGRAM = os.path.join(BUILD, 'bin', 'roughcontact-bench')
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', 'bench'))
+
+if 'ROUGHCONTACT_LIBRARY' not in os.environ:  # the test runs in the program's environment
+    with open(PROGRAM) as launcher:
+        start = launcher.read().split('\nexec ')[0]
+    os.execvp('sh', ['sh', '-c', f'{start}\nexec {sys.executable} -B {os.path.abspath(sys.argv[0])} {" ".join(sys.argv[1:])}'])
+
+
+def run(*arguments):
+    """What the program printed."""
+    return subprocess.run([PROGRAM, *arguments], check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+
+
+def counts(output):
+    """(measured, failed, measured before)"""
+    return [int(count) for count in re.search(r'(\d+) measured, (\d+) of them failed; (\d+) measured before', output).groups()]
+
+
+def load(folder, name):
+    with open(os.path.join(folder, name + '.json'), encoding='utf-8') as file:
+        return json.load(file)
+
+
+def sections(folder, page):
+    """What stands between the markers of a page."""
+    with open(os.path.join(folder, page + '.md'), encoding='utf-8') as file:
+        return dict(re.findall('<!-- begin (.*?) -->\n(.*?)<!-- end .*? -->', file.read(), re.DOTALL))
+
+
+def remade(page, *options):
+    """(output, sections) of `documents PAGE --quick`, with nothing measured before."""
+    folder = os.path.join(BUILD, f'{page}-quick')
+    shutil.rmtree(folder, ignore_errors=True)
+    output = run('documents', page, '--quick', *options)
+    return output, sections(folder, page)
+
+
+def check_pictures(folder, *names):
+    for name in names if shutil.which('gnuplot') else ():
+        assert os.path.getsize(os.path.join(folder, name + '.png')) > 5000, name

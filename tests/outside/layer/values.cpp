@@ -1,0 +1,302 @@
+// The numbers that the kernel gives, against an independent solution of the layered problem and against its limits.
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "layer.h"
+#include "support/unit_system.h"
+
+namespace layer {
+
+namespace {
+
+// A host that knows this layer's options and nothing else.
+class Kernel : rc_host {
+ public:
+  explicit Kernel(const Layer& layer, double hx = 1, double hy = 1) : rc_host{} {
+    values_ = {{"layer.thickness", layer.thickness},
+               {"layer.modulus", layer.modulus},
+               {"layer.poisson", layer.poisson},
+               {"layer.substrate_poisson", layer.substrate}};
+    struct_size = sizeof(rc_host);
+    option_real = [](const rc_host* host, const rc_options*, const char* key, double* out) {
+      *out = static_cast<const Kernel*>(host)->values_.at(key);
+      return rc_status{RC_OK};
+    };
+    fail = [](const rc_host*, rc_status code, const char* message) {
+      print_message("%s\n", message);
+      return code;
+    };
+    const rc_plugin* plugin = nullptr;
+    assert_int_equal(rc_builtin_layer(this, &plugin), RC_OK);
+    kernel_ = plugin->kernels[0];
+    system_.hx = hx;
+    system_.hy = hy;
+  }
+
+  std::vector<double> window(std::int64_t first_x, std::int64_t first_y, std::int64_t mx, std::int64_t my) const {
+    std::vector<double> out(static_cast<std::size_t>(mx * my));
+    const rc_kernel_spec asked = spec(system_);
+    assert_int_equal(kernel_->window(this, &asked, first_x, first_y, mx, my, out.data()), RC_OK);
+    return out;
+  }
+  rc_status window_status() const {
+    double out = 0;
+    const rc_kernel_spec asked = spec(system_);
+    return kernel_->window(this, &asked, 0, 0, 1, 1, &out);
+  }
+  double wave(double q) const {  // of a wave along x
+    rc_system system = system_;
+    system.nx = 2;
+    system.hx = pi / q;
+    system.boundary = RC_BOUNDARY_PERIODIC;
+    const rc_kernel_spec asked = spec(system);
+    double out[2];
+    assert_int_equal(kernel_->symbol(this, &asked, out), RC_OK);
+    return out[1];
+  }
+  rc_kernel_bounds bounds() const {
+    rc_kernel_bounds out{sizeof(rc_kernel_bounds), 0, 0};
+    const rc_kernel_spec asked = spec(system_);
+    assert_int_equal(kernel_->bounds(this, &asked, &out), RC_OK);
+    return out;
+  }
+
+ private:
+  rc_kernel_spec spec(const rc_system& system) const { return {sizeof(rc_kernel_spec), kernel_, &system, nullptr, 1, 1}; }
+
+  std::map<std::string, double> values_;
+  const rc_kernel* kernel_;
+  rc_system system_ = support::unit_system();
+};
+
+// What a wave of pressure deflects: plane strain by Airy's function [(A + B z) exp(-q z) + (C + D z) exp(q (z - t))] cos(q x) in
+// the layer and [(E + F z) exp(-q z)] cos(q x) in the half-space; stresses and displacements are continuous at z = t.
+double by_transfer(const Layer& layer, double q) {
+  // Stresses zz and xz, displacements x and z of one term: `slope` is q or -q, `linear` whether z multiplies it.
+  const auto column = [q](double modulus, double nu, double slope, bool linear, double origin, double z) {
+    const double g = std::exp(slope * (z - origin)) / (q * q), shear = modulus * (1 - nu) / 2;
+    std::array<double, 4> d;  // the function and its derivatives
+    for (int k = 0; k < 4; ++k)
+      d[static_cast<std::size_t>(k)] =
+          linear ? (std::pow(slope, k) * z + (k > 0 ? k * std::pow(slope, k - 1) : 0)) * g : std::pow(slope, k) * g;
+    const auto along = [&](std::size_t k) { return ((1 - nu) * d[k + 2] + nu * q * q * d[k]) / (2 * shear * q); };
+    return Eigen::Vector4d(-q * q * d[0], q * d[1], along(0), along(1) / q - d[1] / shear);
+  };
+  Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Vector4d deflection = Eigen::Vector4d::Zero();
+  const double t = layer.thickness;
+  for (int k = 0; k < 4; ++k) {
+    const auto at = [&](double z) { return column(layer.modulus, layer.poisson, k < 2 ? -q : q, k % 2 == 1, k < 2 ? 0 : t, z); };
+    const Eigen::Vector4d top = at(0);
+    a.block<2, 1>(0, k) = top.head<2>();
+    a.block<4, 1>(2, k) = at(t);
+    deflection[k] = top[3];
+  }
+  for (int k = 0; k < 2; ++k) a.block<4, 1>(2, 4 + k) = -column(1, layer.substrate, -q, k == 1, 0, 0);
+  const Eigen::Matrix<double, 6, 1> load = -Eigen::Matrix<double, 6, 1>::Unit(0);
+  return deflection.dot(a.fullPivLu().solve(load).head<4>());
+}
+
+const Layer layers[] = {{1, 0.1},         {1, 0.5},       {1, 1, 0.2, 0.45}, {1, 2},          {1, 10},
+                        {1, 0.1, 0, 0.5}, {1, 0.3, 0.45}, {1, 10, 0, 0.5},   {1, 10, 0.5, 0}, {1, 3, 0.1, 0.4}};
+
+void assert_near(double value, double wanted, double tolerance, const char* what) {
+  if (!(std::abs(value - wanted) <= tolerance * std::abs(wanted))) fail_msg("%s: %.15g instead of %.15g", what, value, wanted);
+}
+
+void the_symbol_solves_the_layered_problem(void**) {
+  for (const Layer& each : layers)
+    for (double q = 0.02; q < 20; q *= 1.7) assert_near(Kernel(each).wave(q), by_transfer(each, q), 1e-9, "symbol");
+}
+
+void thin_and_thick_layers_are_half_spaces(void**) {
+  for (const double modulus : {0.1, 10.0})
+    for (const double q : {0.1, 1.0, 3.0}) {
+      assert_near(Kernel({1e-9, modulus}).wave(q), 2 / q, 1e-7, "thin, symbol");
+      assert_near(Kernel({1e3, modulus}).wave(q), 2 / q / modulus, 1e-9, "thick, symbol");
+      assert_near(Kernel({0, modulus}).wave(q), 2 / q, 1e-14, "none, symbol");
+    }
+  std::vector<double> galerkin(8 * 8);
+  assert_int_equal(rc_kernel_coefficients("galerkin", 1, 1, 8, 8, galerkin.data()), RC_OK);
+  for (const double modulus : {0.1, 1.0, 10.0}) {
+    const std::vector<double> thin = Kernel({1e-9, modulus}).window(0, 0, 8, 8),
+                              thick = Kernel({1e8, modulus}).window(0, 0, 8, 8), none = Kernel({0, modulus}).window(0, 0, 8, 8);
+    for (std::size_t i = 0; i < galerkin.size(); ++i) {
+      assert_near(thin[i], galerkin[i], 1e-6, "thin");
+      assert_near(thick[i], galerkin[i] / modulus, 1e-6, "thick");
+      assert_near(none[i], galerkin[i], 1e-9, "none");
+    }
+  }
+}
+
+// A long wave compresses a layer on a rigid base like a column that cannot widen: K. L. Johnson, Contact Mechanics (1985),
+// section 5.8: delta = p t (1 - 2 nu) / (1 - nu)^2 (1 - nu^2) / E.
+void a_layer_on_a_rigid_base_is_a_bed_of_springs(void**) {
+  for (const double nu : {0.0, 0.2, 0.3, 0.4}) {
+    const double modulus = 1e-7, q = 1e-2;
+    assert_near(Kernel({1, modulus, nu}).wave(q), (1 - 2 * nu) / (1 - nu) / (1 - nu) / modulus, 1e-3, "spring");
+  }
+}
+
+// The pressures under a flat punch on a half-space, with the transform sin(q a)/(q a), give the change of its compliance to first
+// order: by df is (2/pi) times the integral of df (sin(x)/x)^2 over x = q a.
+double punch_stiffness(const Layer& layer) {
+  constexpr int steps = 30000;  // Simpson's rule, up to s = 30 at least
+  const double step = 30 / std::min(1.0, layer.thickness) / steps;
+  const Kernel kernel(layer);
+  double sum = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const double x = i * step, beyond = kernel.wave(x) * x / 2 - 1 / layer.modulus;
+    sum += (i == steps ? 1 : i % 2 == 1 ? 4 : 2) * beyond * std::pow(std::sin(x) / x, 2);
+  }
+  sum += 1 - 1 / layer.modulus;  // at x = 0
+  return 1 / (1 / layer.modulus + 2 / pi * sum * step / 3);
+}
+
+void a_flat_punch_feels_the_published_share_of_the_layer(void**) {
+  constexpr double little = 1e-3;
+  for (const double xi : {0.1, 0.3, 1.0, 3.0, 10.0})
+    for (const double nu : {0.1, 0.3, 0.45}) {
+      const double stiffer = punch_stiffness({xi, 1 + little, nu, nu}), softer = punch_stiffness({xi, 1 - little, nu, nu});
+      assert_near((stiffer - softer) / (2 * little), gao_modulus_share(xi, nu), 1e-5, "I0");
+      // The same shear modulus: E/(1 - nu^2) = 2 mu/(1 - nu).
+      const auto poisson = [&](double layer) { return 1 - (1 - nu) / punch_stiffness({xi, (1 - nu) / (1 - layer), layer, nu}); };
+      assert_near((poisson(nu + little) - poisson(nu - little)) / (2 * little), gao_poisson_share(xi), 1e-4, "I1");
+    }
+}
+
+// The deflection under a point load less that of a half-space of the layer's material: 1/(2 pi) times the integral of
+// 2 (f - 1/E1*) J0(q r) over q.
+class Remainder {
+ public:
+  explicit Remainder(const Layer& layer) {
+    const Kernel kernel(layer);
+    for (int i = 0; i <= steps; ++i) {
+      const double q = i * step / layer.thickness;
+      value_.push_back(i == 0 ? 1 - 1 / layer.modulus : kernel.wave(q) * q / 2 - 1 / layer.modulus);
+    }
+    step_ = step / layer.thickness;
+  }
+  double operator()(double r) const {  // Simpson's rule
+    double sum = 0;
+    for (int i = 0; i <= steps; ++i)
+      sum += (i == 0 || i == steps ? 1
+              : i % 2 == 1         ? 4
+                                   : 2) *
+             value_[static_cast<std::size_t>(i)] * std::cyl_bessel_j(0.0, i * step_ * r);
+    return sum * step_ / 3 / pi;
+  }
+
+ private:
+  static constexpr int steps = 4000;
+  static constexpr double step = 0.005;
+  std::vector<double> value_;
+  double step_ = 0;
+};
+
+// The mean over two cells at a distance, with Gauss's points of the triangle that the distance is distributed by.
+double mean_over_cells(const Remainder& remainder, double x, double y, double hx, double hy) {
+  constexpr double node[] = {0.069431844202973712, 0.330009478207571868, 0.669990521792428132, 0.930568155797026288};
+  constexpr double weight[] = {0.173927422568726929, 0.326072577431273071, 0.326072577431273071, 0.173927422568726929};
+  double sum = 0;
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) {
+      const double u = node[i / 2], v = node[j / 2], sign_x = i % 2 == 0 ? 1 : -1, sign_y = j % 2 == 0 ? 1 : -1;
+      sum += weight[i / 2] * (1 - u) * weight[j / 2] * (1 - v) * remainder(std::hypot(x + sign_x * u * hx, y + sign_y * v * hy));
+    }
+  return hx * hy * sum;
+}
+
+void coefficients_are_the_transform_of_the_symbol(void**) {
+  for (const Layer& each : {Layer{2, 0.1}, Layer{2, 0.3, 0.45}, Layer{3, 10}, Layer{5, 2, 0.1, 0.4}, Layer{2, 1, 0.2, 0.45}}) {
+    const double hx = 1, hy = 0.8;
+    const Remainder remainder(each);
+    std::vector<double> galerkin(64 * 64);
+    assert_int_equal(rc_kernel_coefficients("galerkin", hx, hy, 64, 64, galerkin.data()), RC_OK);
+    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {0, 2}, {3, 4}, {12, 1}, {13, 9}, {30, 0}}) {
+      const double wanted =
+          galerkin[static_cast<std::size_t>(y * 64 + x)] / each.modulus + mean_over_cells(remainder, hx * x, hy * y, hx, hy);
+      assert_near(Kernel(each, hx, hy).window(x, y, 1, 1)[0], wanted, 2e-6, "coefficient");
+    }
+  }
+}
+
+// A cell of twice the side is four of the smaller ones. This crosses from the closed form to the points of the far field.
+void cells_add_up(void**) {
+  for (const double thickness : {0.02, 0.3, 4.0, 60.0})
+    for (const double modulus : {0.2, 5.0}) {
+      const std::vector<double> fine = Kernel({thickness, modulus}).window(0, 0, 80, 80),
+                                coarse = Kernel({thickness, modulus}, 2, 2).window(0, 0, 39, 39);
+      for (const int x : {0, 1, 3, 6, 11, 12, 30})
+        for (const int y : {0, 2, 7, 13, 38}) {
+          double sum = 0;
+          for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j)
+              sum += (i == 0 ? 2 : 1) * (j == 0 ? 2 : 1) * 0.25 *
+                     fine[static_cast<std::size_t>(std::abs(2 * y + j) * 80 + std::abs(2 * x + i))];
+          assert_near(coarse[static_cast<std::size_t>(y * 39 + x)], sum, 1e-7, "four cells");
+        }
+    }
+}
+
+// A value depends on its offset alone.
+void windows_agree(void**) {
+  const Kernel kernel({3, 0.3});
+  const std::vector<double> whole = kernel.window(0, 0, 40, 40), part = kernel.window(7, 5, 20, 20);
+  for (std::size_t i = 0; i < part.size(); ++i) assert_true(part[i] == whole[(5 + i / 20) * 40 + 7 + i % 20]);
+}
+
+void what_it_promises_holds(void**) {
+  constexpr int side = 9;
+  std::vector<double> galerkin(side * side);
+  assert_int_equal(rc_kernel_coefficients("galerkin", 1, 1, side, side, galerkin.data()), RC_OK);
+  const auto matrix = [](const std::vector<double>& k) {
+    constexpr int n = side * side;
+    Eigen::MatrixXd h(n, n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        h(i, j) = k[static_cast<std::size_t>(std::abs(i / side - j / side) * side + std::abs(i % side - j % side))];
+    return h;
+  };
+  const Eigen::MatrixXd g = matrix(galerkin);
+  for (const Layer& each : layers)
+    for (const double thickness : {0.05, 1.0, 5.0}) {
+      Layer layer = each;
+      layer.thickness = thickness;
+      const Kernel kernel(layer);
+      const Eigen::MatrixXd h = matrix(kernel.window(0, 0, side, side));
+      const double least = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(h, g).eigenvalues()[0];
+      if (!(kernel.bounds().galerkin_share <= least)) fail_msg("share %g, least %g", kernel.bounds().galerkin_share, least);
+      assert_true(kernel.bounds().galerkin_share > 0);
+    }
+}
+
+void what_cannot_be_fitted_is_refused(void**) { assert_int_equal(Kernel({1, 1e-5, 0.5}).window_status(), RC_ERR_INCOMPATIBLE); }
+
+}  // namespace
+
+double gao_modulus_share(double xi, double poisson) {
+  const double square = xi * xi;
+  return 2 / pi * std::atan(xi) +
+         ((1 - 2 * poisson) * xi * std::log1p(1 / square) - xi / (1 + square)) / (2 * pi * (1 - poisson));
+}
+double gao_poisson_share(double xi) { return 2 / pi * std::atan(xi) + xi / pi * std::log1p(1 / (xi * xi)); }
+
+const std::vector<CMUnitTest> value_tests = {
+    cmocka_unit_test(the_symbol_solves_the_layered_problem),
+    cmocka_unit_test(thin_and_thick_layers_are_half_spaces),
+    cmocka_unit_test(a_layer_on_a_rigid_base_is_a_bed_of_springs),
+    cmocka_unit_test(a_flat_punch_feels_the_published_share_of_the_layer),
+    cmocka_unit_test(coefficients_are_the_transform_of_the_symbol),
+    cmocka_unit_test(cells_add_up),
+    cmocka_unit_test(windows_agree),
+    cmocka_unit_test(what_it_promises_holds),
+    cmocka_unit_test(what_cannot_be_fitted_is_refused),
+};
+
+}  // namespace layer

@@ -1,0 +1,79 @@
+"""Texts for other packagers: each is read by the program that it is for, or as far as that goes without it."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import types
+
+import pytest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
+
+
+def test_citation(tmp_path):
+    pytest.importorskip("cffconvert")
+    convert = [sys.executable, "-c", "from cffconvert.cli.cli import cli; cli()", "-i", str(SOURCE / "CITATION.cff")]
+    ran = subprocess.run([*convert, "--validate"], capture_output=True, text=True)
+    assert ran.returncode == 0 and "valid" in ran.stdout, ran.stdout + ran.stderr
+    ran = subprocess.run([*convert, "-f", "bibtex"], capture_output=True, text=True)
+    assert "The roughcontact developers" in ran.stdout, ran.stdout + ran.stderr
+    wrong = (SOURCE / "CITATION.cff").read_text().replace("title:", "titel:", 1)
+    (tmp_path / "CITATION.cff").write_text(wrong)
+    assert subprocess.run([*convert[:-1], str(tmp_path / "CITATION.cff"), "--validate"], capture_output=True).returncode
+
+
+def test_conda_recipe():
+    """rattler-build reads it and fills in versions; nothing is built, which would need a channel of packages."""
+    rattler = pytest.importorskip("rattler_build")
+    recipe = rattler.Stage0Recipe.from_file(str(SOURCE / "packaging" / "conda" / "recipe.yaml"))
+    variants = {"c_compiler": ["gcc"], "cxx_compiler": ["gxx"], "c_stdlib": ["sysroot"], "python": ["3.12"]}
+    (rendered,) = recipe.render(rattler.VariantConfig(variants))
+    found = rendered.recipe.to_dict()
+    assert found["package"]["name"] == "roughcontact" and len(found["tests"]) == 2
+    assert (SOURCE / found["about"]["license_file"][0]).exists()
+    with pytest.raises(rattler.RattlerBuildError):
+        rattler.Stage0Recipe.from_yaml("package: {name: a, version: '1'}\nbuidl: {number: 0}\n")
+
+
+RECIPE = SOURCE / "packaging" / "spack" / "package.py"
+
+
+def test_spack_recipe(monkeypatch):
+    """Run with stand-ins for Spack's directives: it declares what the build needs and turns variants into options."""
+    directives = {name: [] for name in ("license", "version", "variant", "depends_on", "extends")}
+
+    class CMakePackage:
+        spec = types.SimpleNamespace(satisfies=lambda variant: variant in ("+cholmod", "+python"))
+
+        def define(self, name, value):
+            return f"-D{name}={';'.join(value) if isinstance(value, list) else value}"
+
+        def define_from_variant(self, name, variant):
+            assert variant in {arguments[0] for arguments in directives["variant"]}
+            return self.define(name, True)
+
+    spack = types.ModuleType("spack.package")
+    for name, seen in directives.items():
+        setattr(spack, name, lambda *arguments, _seen=seen, **_: _seen.append(arguments))
+    spack.python_platlib = "/prefix/lib/python3.11/site-packages"
+    cmake = types.ModuleType("cmake")
+    cmake.CMakePackage = CMakePackage
+    for name in ("spack", "spack_repo", "spack_repo.builtin", "spack_repo.builtin.build_systems"):
+        monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
+    monkeypatch.setitem(sys.modules, "spack.package", spack)
+    monkeypatch.setitem(sys.modules, "spack_repo.builtin.build_systems.cmake", cmake)
+    names = {}
+    exec(compile(RECIPE.read_text(), str(RECIPE), "exec"), names)
+    assert {"eigen@3.4:", "gsl", "libzip", "pugixml", "cmake@3.22:"} <= {arguments[0] for arguments in directives["depends_on"]}
+    arguments = names["Roughcontact"]().cmake_args()
+    assert "-DRC_MODULE_BACKENDS=fft;split;cholmod" in arguments and any("RC_PYTHON_DIR=/prefix" in each for each in arguments)
+    assert all(re.fullmatch(r"-D[A-Z_]+=\S+", each) for each in arguments)
+
+
+def test_style_of_the_spack_recipe():
+    """What `spack style` looks at with flake8, under Spack's own settings."""
+    pytest.importorskip("flake8")
+    command = [sys.executable, "-m", "flake8", "--isolated", "--max-line-length=99", "--extend-ignore=F403,F405", str(RECIPE)]
+    ran = subprocess.run(command, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stdout + ran.stderr

@@ -1,0 +1,50 @@
+"""The C interface as it is: structs laid out as the golden numbers say, with the values that the library begins with."""
+
+import ctypes
+import dataclasses
+import pathlib
+import re
+
+import pytest
+
+import roughcontact as rc
+from roughcontact import raw
+
+GOLDEN = [
+    pathlib.Path(__file__).resolve().parents[3] / "tests" / "contract" / "abi" / f"golden_{name}.c"
+    for name in ("contact", "surface", "formats")
+]
+STRUCTS = {
+    name: each
+    for name, each in vars(raw).items()
+    if isinstance(each, type) and issubclass(each, raw.Sized) and each is not raw.Sized
+}
+
+
+@pytest.mark.skipif(not GOLDEN[0].exists(), reason="the golden numbers are not beside the tests")
+def test_structs_and_constants_are_those_of_c():
+    golden, seen = "".join(file.read_text() for file in GOLDEN), 0
+    for name, size in re.findall(r"^SIZE\((\w+), (\d+)\);", golden, re.M):
+        if name in STRUCTS:
+            assert ctypes.sizeof(STRUCTS[name]) == int(size), name
+            members = re.findall(rf"^AT\({name}, (\w+), (\d+)\);", golden, re.M)
+            assert [(member, getattr(STRUCTS[name], member).offset) for member, _ in members] == [
+                (member, int(offset)) for member, offset in members
+            ]
+            assert [member for member, _ in members] == [member for member, _ in STRUCTS[name]._fields_]
+            seen += 1
+    assert seen == len(STRUCTS)
+    values = re.findall(r"^VALUE\((\w+), (-?\d+)\);", golden, re.M)
+    assert {getattr(raw, name) - int(value) for name, value in values if hasattr(raw, name)} == {0}
+
+
+def test_a_new_struct_has_the_values_of_the_macros():
+    assert raw.rc_step().warm_start == 1 and raw.rc_step().control == 0
+    assert raw.rc_result().status == raw.RC_ERR_ARGUMENT and raw.rc_batch().first == -1 and raw.rc_patches().neighbours == 4
+    assert all(each().struct_size == ctypes.sizeof(each) for each in STRUCTS.values())
+
+
+def test_results_have_all_members_of_the_structs():
+    for result, struct in ((rc.Result, raw.rc_result), (rc.surface.Statistics, raw.rc_surface_statistics)):
+        members = {name for name, _ in struct._fields_} - {"struct_size", "reserved", "p", "p_single", "gap_single", "memory"}
+        assert members <= {each.name for each in dataclasses.fields(result)}

@@ -1,0 +1,136 @@
+"""Typing: suggestions for words that are nearly right, completion in the shells, and the threads that nobody typed."""
+import json
+import os
+import shutil
+import subprocess
+import unittest
+from pathlib import Path
+
+import harness
+from harness import CommandTest, np, paraboloid, rough, without_gnuplot
+
+SCRIPTS = Path(__file__).resolve().parents[3] / "tools" / "completions"
+GOOD = ["--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-8"]
+
+
+class Suggestions(CommandTest):
+    def test_nearest_word(self):
+        self.npy(paraboloid(24))
+        solve = ["solve", "surface.npy", *GOOD]
+        for arguments, meant in (
+                (["analyse", "x"], "analyze"), (["slove"], "solve"), (["backend"], "backends"), (["generate", "spectrall"], "spectral"),
+                (["generate", "sfere", "--radius", 1], "sphere"), ([*solve, "--tolerance", "1e-3"], "--tol"), ([*solve, "--tolerance=1e-3"], "--tol"),
+                ([*solve, "--boundery", "free"], "--boundary"), (["solve", "--presure=1", "surface.npy"], "--pressure"),
+                (["analyze", "surface.npy", "--periodical"], "--periodic"), (["generate", "rmd", "--level", 3, "--output", "x.npy"], "--levels"),
+                ([*solve, "--solver", "harr-cg"], "haar-cg"), ([*solve, "--backend", "dens"], "dense"), ([*solve, "--kernel", "lov"], "love"),
+                ([*solve, "--set", "maxiter=5"], "max_iter"), ([*solve, "--boundary", "perodic"], "periodic"), ([*solve, "--remove", "plain"], "plane"),
+                ([*solve, "--missing", "excluded"], "exclude"), ([*solve, "--format", "textt"], "text")):
+            with self.subTest(arguments):
+                self.assert_fails(*arguments, says='did you mean "%s"?' % meant)
+
+    def test_nothing_near(self):
+        self.assert_fails("xyzzy", says='roughcontact has no command "xyzzy"; see roughcontact --help')
+        self.assert_fails("solve", "a", "--xyzzy", says='roughcontact solve has no option "--xyzzy"; see roughcontact solve --help')
+        for word in ("--plot", "--spectrum", "--map"):
+            self.assert_fails("solve", "a", word, says='roughcontact solve has no option "%s"; see roughcontact solve --help' % word)
+        self.assert_fails("solve", "a", "b", says='"b" is not expected here; see roughcontact solve --help')
+
+
+class Completion(CommandTest):
+    def candidates(self, *words):
+        done = self.run_command("complete", *words)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout.split()
+
+    def test_candidates(self):
+        self.assertEqual(self.candidates("so"), ["solve", "solvers"])
+        self.assertEqual(self.candidates("generate", "sp"), ["spectral", "sphere"])
+        self.assertEqual(self.candidates("solve", "file", "--b"), ["--boundary", "--backend"])
+        self.assertEqual(self.candidates("solve", "--boundary", ""), ["free", "periodic"])
+        self.assertEqual(self.candidates("solve", "--boundary=p"), ["--boundary=periodic"])
+        self.assertEqual(self.candidates("solve", "--boundary", "=", "p"), ["--boundary=periodic"])
+        self.assertEqual(self.candidates("solve", "--set", "greedy.i"), ["greedy.inner="])
+        self.assertEqual(self.candidates("solve", "--set", "solver", "=", "haar"), ["solver=haar-cg"])
+        self.assertEqual(self.candidates("solve", "--remove", "--resume", "--q"), ["--quiet"])
+        self.assertEqual(self.candidates("solve", "--write", ""), ["vti", "netcdf", "hdf5"])
+        self.assertIn("dense", self.candidates("solve", "--backend", ""))
+        self.assertEqual(self.candidates("solve", "f"), [])  # a file
+        self.assertEqual(self.candidates("generate", "sphere", "--pa"), ["--paraboloid"])
+
+    def test_every_option_of_the_help(self):
+        shown = self.run_command("solve", "--help").stdout
+        for option in self.candidates("solve", "--"):
+            self.assertIn(option, shown)
+
+    def asked(self, shell, script):
+        if not shutil.which(shell):
+            raise unittest.SkipTest(shell + " is not installed")
+        folder = os.pathsep.join([str(Path(harness.COMMAND).parent), os.environ["PATH"]])
+        done = subprocess.run([shell, *script], cwd=self.folder, env=dict(os.environ, PATH=folder), capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout.split()
+
+    def in_bash(self, *words):
+        listed = " ".join("'%s'" % word for word in words)
+        return self.asked("bash", ["-c", """source '%s'; COMP_WORDS=(roughcontact %s); COMP_CWORD=%d; compopt() { :; }; _roughcontact
+                                            printf '%%s\\n' "${COMPREPLY[@]}" """ % (SCRIPTS / "roughcontact.bash", listed, len(words))])
+
+    def test_bash(self):
+        self.asked("bash", ["-n", str(SCRIPTS / "roughcontact.bash")])
+        self.assertEqual(self.in_bash("an"), ["analyze"])
+        self.assertEqual(self.in_bash("solve", "--bou"), ["--boundary"])
+        self.assertEqual(self.in_bash("solve", "--boundary", ""), ["free", "periodic"])
+        self.assertEqual(self.in_bash("solve", "--boundary", "=", "fr"), ["free"])
+        self.assertEqual(self.in_bash("solve", "--boundary", "="), ["free", "periodic"])
+        self.assertEqual(self.in_bash("solve", "--set", "solver", "=", "haar"), ["haar-cg"])
+        self.assertEqual(self.in_bash("solve", "file"), [])
+
+    def test_zsh(self):
+        self.asked("zsh", ["-n", str(SCRIPTS / "_roughcontact")])
+
+    def test_fish(self):
+        script = SCRIPTS / "roughcontact.fish"
+        self.asked("fish", ["--no-execute", str(script)])
+        self.assertEqual(self.asked("fish", ["-N", "-c", "source '%s'; complete -C 'roughcontact solve --boundary '" % script]), ["free", "periodic"])
+
+
+class Threads(CommandTest):
+    def result(self, *arguments, **settings):
+        self.solve(self.npy(rough(96, 128)), "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7,3e-7", "--out", "out", "--quiet", *arguments, **settings)
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        for step in summary["steps"]:
+            del step["seconds"], step["setup_seconds"]
+        return summary["steps"], [np.load(self.folder / "out" / ("pressure-%d.npy" % k)) for k in (1, 2)], summary["input"]["options"]
+
+    def test_same_bits(self):
+        all_cores = self.result(env=without_gnuplot())
+        self.assertNotIn("threads", all_cores[2])
+        for arguments, environment in ((["--threads", "1"], {}), (["--threads", "3"], {}), (["--set", "threads=2"], {}), ([], {"OMP_THREAD_LIMIT": "1"})):
+            steps, pressures, _ = self.result(*arguments, env=dict(without_gnuplot(), **environment))
+            self.assertEqual(steps, all_cores[0])
+            np.testing.assert_array_equal(pressures, all_cores[1])
+
+    def threads_of(self, *arguments, **settings):
+        """Threads that the running command has."""
+        surface = self.npy(rough(512, 512))
+        with subprocess.Popen([harness.COMMAND, "solve", surface, "--pitch", "1e-6", "--modulus", "1e9", "--approach", "1e-7:4e-7:40", "--tol", "1e-12", *arguments],
+                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **settings) as process:
+            for _ in range(3):
+                process.stdout.readline()  # two lines of head, and the first step
+            count = len(os.listdir("/proc/%d/task" % process.pid))
+            process.kill()
+        return count
+
+    def test_cores(self):
+        cores = len(os.sched_getaffinity(0))
+        if cores < 2:
+            raise unittest.SkipTest("one core")
+        self.assertEqual(self.threads_of(), cores)
+        self.assertEqual(self.threads_of("--threads", "3"), 3)
+        self.assertEqual(self.threads_of(env=dict(os.environ, OMP_NUM_THREADS="1")), 1)
+        self.assertEqual(self.threads_of(env=dict(os.environ, OMP_THREAD_LIMIT="1")), 1)
+        self.assertEqual(self.threads_of(preexec_fn=lambda: os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1])), 1)
+
+
+if __name__ == "__main__":
+    harness.main()

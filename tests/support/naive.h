@@ -1,0 +1,31 @@
+// The mathematics a second time, without the library: plain sums over pairs of points, and closed forms for near offsets.
+#pragma once
+
+#include <string>
+
+#include "support/contact.h"
+
+namespace pairs {
+
+/** E* times the deflection at offset (x, y) from a cell hx x hy under unit pressure; offsets of some ten cells. */
+double coefficient(const std::string& kernel, double x, double y, double hx, double hy);
+
+/** n x n, row by row [length per pressure]. "auto" is love, spectral for periodic boundaries. */
+Field influence_matrix(const Problem& problem);
+Field product(const Field& matrix, const Field& x);
+
+struct Certificate {
+  double primal, dual, complementarity, control;
+  double load, energy;
+  std::int64_t contacts;
+  Field gap;
+};
+Certificate certificate(const Problem& problem, const Field& matrix, const Field& p, double approach);
+
+/** The answer's residuals, load, energy, counts and gap are those of its pressures and approach. */
+void check_against_naive(const Problem& problem, const Answer& answer);
+
+/** Solves a small symmetric positive definite system by Cholesky's method. */
+Field solve_linear(Field matrix, Field right);
+
+}  // namespace pairs

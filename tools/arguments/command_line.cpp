@@ -1,0 +1,124 @@
+#include "arguments/command_line.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "arguments/shared_options.h"
+
+namespace cli {
+
+namespace {
+
+constexpr const char* solve_help = R"(
+Lengths, pressures and forces may have a unit with any SI prefix: 39nm, 210GPa, 1mN. Numbers alone are in m (or --unit, as are
+the lengths of files that name no unit), Pa and N. Results are in m, Pa and N.
+
+A target is a number, a list a,b,c, a range a:b:n of n points or a:b:nlog of n points with equal ratios. The highest point of the surface touches first; the approach is
+counted from there. E* is E/(1-nu^2), or with
+--E2 and --nu2 1/((1-nu^2)/E + (1-nu2^2)/E2).
+
+Exit code: 0 every step is certified, 1 wrong input or a failed call, 2 a step is not certified (its results are written, marked by
+their status), 130 interrupted (a second signal ends it at once). With --resume an interrupted history goes on.
+)";
+
+Command solve_command(SolveArguments& arguments) {
+  Command solve{"solve", "Press a rough surface against a flat half-space", solve_help};
+  add_surface(solve, arguments.surface, "Missing points: reject (default), fill (interpolate) or exclude (from contact)");
+  add_other_body(solve, arguments.surface);
+  solve.add("Surface", {{"--shape", &arguments.surface.shape, "SHAPE",
+                         "Add a nominal shape: sphere:R=1mm, cylinder:R=1mm,axis=x or wedge:angle=5deg,axis=x"}});
+  add_loading(solve, arguments);
+  solve.add("Loading (one of)", {{"--area", &arguments.area, "TARGETS", "Contact area, 10%: the load that gives it is found"}});
+  add_method(solve, arguments,
+             "Number of threads (default: one for each 16384 points, up to the cores that the process may use)");
+  solve.add(
+      "Output",
+      {{"--out", &arguments.out, "DIR", "Folder for summary.json, steps.csv, pressure-K.npy, gap-K.npy, contact-K.png"},
+       {"--no-maps", &arguments.no_maps, "", "Only summary.json, steps.csv and history.png: no arrays, no pictures of steps"},
+       {"--write", &arguments.write, "FORMATS", "Each step also as a file of these: vti, netcdf, hdf5"}});
+  add_resume(solve, arguments);
+  solve.add("Output", {{"--explain", &arguments.explain, "", "Say why auto chose its solver and backend"}});
+  add_quiet(solve, arguments);
+  return solve;
+}
+
+constexpr const char* generate_help = R"(
+Lengths may have a unit, 39nm; numbers alone are in --unit. A .gsf file is in metres (float32); a .npy file (float64) is in --unit and does not say its pitch: give the
+same --unit and --pitch where it is read. The same arguments give the same surface at every call.
+)";
+
+constexpr std::pair<const char*, const char*> generate_kinds[] = {
+    {"rmd", "Random midpoint displacement, self-affine on all scales"},
+    {"spectral", "Periodic self-affine surface with cut-offs and roll-off"},
+    {"sphere", "A sphere or paraboloid about the centre"},
+    {"waves", "Sinusoidal waves along x, y or both"},
+    {"pyramids", "Square pyramids or ridges"},
+    {"noise", "Independent Gaussian heights"},
+};
+
+Command generate_command(GenerateArguments& arguments) {
+  struct Setting {
+    std::string_view kinds;  // kinds of surfaces that have it; "": all
+    Option option;
+  };
+  const Setting settings[] = {
+      {"", {"--output", &arguments.output, "FILE", "File to write, .npy or .gsf"}},
+      {"spectral sphere waves pyramids noise", {"--size", &arguments.size, "N or NX,NY", "Grid points (default 256)"}},
+      {"rmd", {"--levels", &arguments.levels, "K", "2^K points a side (default 8)"}},
+      {"rmd", {"--stage", &arguments.stage, "S", "The coarser grid of 2^S points a side of the same surface"}},
+      {"", {"--pitch", &arguments.pitch, "H or HX,HY", "Cell size (default 1; rmd: of the finest grid)"}},
+      {"", {"--unit", &arguments.unit, "UNIT", "Unit of .npy files and of lengths without one: m (default), mm, um, nm, pm"}},
+      {"rmd spectral noise", {"--seed", &arguments.seed, "N", "Random seed (default 1)"}},
+      {"rmd spectral", {"--hurst", &arguments.hurst, "H", "Hurst exponent (default 0.7 for rmd, 0.8 for spectral)"}},
+      {"rmd spectral noise", {"--rms-height", &arguments.rms_height, "LENGTH", "rms height (default 1 for rmd and noise)"}},
+      {"spectral", {"--rms-slope", &arguments.rms_slope, "SLOPE", "rms slope (default 0.1 without --rms-height)"}},
+      {"spectral", {"--longest", &arguments.longest, "LENGTH", "Longest wavelength (default: the surface's size)"}},
+      {"spectral", {"--rolloff", &arguments.roll_off, "LENGTH", "Wavelength above which the spectrum is flat (default: none)"}},
+      {"spectral", {"--shortest", &arguments.shortest, "LENGTH", "Shortest wavelength (default: two pitches)"}},
+      {"sphere", {"--radius", &arguments.radius, "LENGTH", "Radius"}},
+      {"waves pyramids", {"--height", &arguments.height, "LENGTH", "Amplitude of waves, height of pyramids (default 1)"}},
+      {"waves pyramids", {"--period", &arguments.period, "P or PX,PY", "Period; 0: none along this direction"}},
+      {"rmd", {"--vertices", &arguments.vertices, "", "All 2^K + 1 points a side"}},
+      {"rmd", {"--additions", &arguments.additions, "", "Random additions to all points at every stage"}},
+      {"spectral", {"--fixed-amplitudes", &arguments.fixed_amplitudes, "", "Only phases are random"}},
+      {"sphere", {"--paraboloid", &arguments.paraboloid, "", "z = -r^2/(2 R) instead of a sphere"}},
+  };
+  Command generate{"generate", "Make a surface and write it to a file", generate_help, true};
+  for (const auto& [name, help] : generate_kinds) {
+    Command& kind = generate.commands.emplace_back(Command{name, help, generate_help});
+    for (const Setting& setting : settings) {
+      if (setting.kinds.empty() || setting.kinds.find(name) != std::string_view::npos) kind.options.push_back(setting.option);
+    }
+  }
+  return generate;
+}
+
+Command analyze_command(AnalyzeArguments& arguments) {
+  Command analyze{"analyze", "Roughness parameters and spectrum of a surface, and advice on cmr"};
+  add_surface(analyze, arguments.surface, "Missing points: reject (default) or fill (interpolate)");
+  analyze.add("Options",
+              {{"--periodic", &arguments.periodic, "", "The surface repeats: no window, only the mean is removed"},
+               {"--levels", &arguments.levels, "K", "Halvings of the grid to judge cmr for, 4"},
+               {"--approach", &arguments.approach, "LENGTH", "Approach to judge cmr for; half the highest point's height"},
+               {"--json", &arguments.json, "FILE", "Write all numbers and the spectrum"},
+               {"--picture", &arguments.picture, "FILE", "Draw the spectrum with the fitted range (PNG, needs gnuplot)"}});
+  return analyze;
+}
+
+}  // namespace
+
+Command whole_command(CommandLine& line) {
+  return {.name = "roughcontact",
+          .help = "Normal contact of rough surfaces on an elastic half-space, every answer certified",
+          .commands = {solve_command(line.solve),
+                       generate_command(line.generate),
+                       analyze_command(line.analyze),
+                       {"backends", "List the backends"},
+                       {"solvers", "List the solvers"},
+                       {"kernels", "List the influence kernels"},
+                       {"options", "List every option with its type, default and range"},
+                       {"formats", "List the formats of surface files"}}};
+}
+
+}  // namespace cli

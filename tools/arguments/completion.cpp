@@ -1,0 +1,109 @@
+#include "arguments/completion.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+#include <string_view>
+
+#include "files/step_writers.h"
+#include "formats/form.h"
+#include "formats/registry.h"
+#include "library.h"
+#include "solve/problem.h"
+
+namespace cli {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+template <class Count, class Describe> Names components(Count count, Describe describe) {
+  const Context context;
+  Names names{"auto"};
+  for (int64_t i = 0, n = count(context.get()); i < n; ++i) {
+    rc_component component = RC_COMPONENT_INIT;
+    check(describe(context.get(), i, &component), "");
+    names.emplace_back(component.name);
+  }
+  return names;
+}
+
+Names keys() {
+  const Context context;
+  Names names;
+  for (int64_t i = 0, n = rc_options_count(context.get()); i < n; ++i) {
+    rc_option_spec option = RC_OPTION_SPEC_INIT;
+    check(rc_options_describe(context.get(), i, &option), "");
+    names.push_back(std::string(option.key) + "=");
+  }
+  return names;
+}
+
+Names texts(std::span<const std::string_view> names) { return {names.begin(), names.end()}; }
+
+// What may stand after an option, by its name, or after KEY= in --set.
+Names values(std::string_view option) {
+  while (option.starts_with('-')) option.remove_prefix(1);
+  if (option == "solver") return components(rc_solver_count, rc_solver_describe);
+  if (option == "backend") return components(rc_backend_count, rc_backend_describe);
+  if (option == "kernel") return components(rc_kernel_count, rc_kernel_describe);
+  if (option == "boundary") return texts(boundary_names);
+  if (option == "missing") return texts(missing_rule_names);
+  if (option == "remove") return texts(form_names);
+  if (option == "unit") return {"m", "mm", "um", "nm", "pm"};
+  if (option == "shape") return {"sphere:R=", "cylinder:R=", "wedge:angle="};
+  if (option == "write") return texts(step_formats);
+  if (option == "set") return keys();
+  Names names;
+  if (option == "format") {
+    for (const Format& format : surface_formats()) names.emplace_back(format.name);
+  }
+  return names;
+}
+
+// bash takes KEY=VALUE apart.
+void join_at_equals(std::vector<std::string>& words) {
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    if (words[k] != "=" && !words[k - 1].ends_with('=')) continue;
+    words[k - 1] += words[k];
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(k--));
+  }
+}
+
+bool takes_value(const Command& command, const std::string& word) {
+  return word.starts_with("-") && std::ranges::any_of(command.options, [&](const Option& option) {
+           return word == option.name && !std::holds_alternative<bool*>(option.target);
+         });
+}
+
+// What may stand at the place of the last word.
+Names candidates(const Command& command, const std::vector<std::string>& words) {
+  const Command* at = &command;
+  std::string waiting;  // the option whose value comes next
+  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+    const auto below = std::ranges::find(at->commands, words[k], &Command::name);
+    const bool goes_down = waiting.empty() && below != at->commands.end();
+    waiting = waiting.empty() && takes_value(*at, words[k]) ? words[k] : "";
+    if (goes_down) at = &*below;
+  }
+  const std::string& word = words.back();
+  if (const auto equals = word.find('='); equals != std::string::npos) {
+    Names found;
+    for (const std::string& value : values(word.substr(0, equals))) found.push_back(word.substr(0, equals + 1) + value);
+    return found;
+  }
+  if (!waiting.empty()) return values(waiting);
+  return word.starts_with("-") ? option_names(*at) : command_names(*at);
+}
+
+}  // namespace
+
+void complete(const Command& command, Names words) {
+  join_at_equals(words);
+  if (words.empty()) words.emplace_back();
+  for (const std::string& each : candidates(command, words)) {
+    if (each.starts_with(words.back())) std::printf("%s\n", each.c_str());
+  }
+}
+
+}  // namespace cli

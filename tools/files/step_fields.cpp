@@ -1,0 +1,96 @@
+#include "files/step_fields.h"
+
+#include <utility>
+
+namespace cli {
+
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> units[] = {{"approach", "m"},          {"load", "N"},
+                                                                   {"mean_pressure", "Pa"},    {"max_pressure", "Pa"},
+                                                                   {"mean_gap", "m"},          {"stiffness", "N/m"},
+                                                                   {"punch_stiffness", "N/m"}, {"stiffness_lower", "N/m"},
+                                                                   {"stiffness_upper", "N/m"}, {"corrected_area", "m^2"},
+                                                                   {"area_lower", "m^2"},      {"area_upper", "m^2"},
+                                                                   {"largest_patch", "m^2"},   {"load_lower", "N"},
+                                                                   {"load_upper", "N"},        {"energy", "N m"},
+                                                                   {"duality_gap", "N m"},     {"seconds", "s"},
+                                                                   {"setup_seconds", "s"},     {"left_out", "m"},
+                                                                   {"plastic_volume", "m^3"}};
+
+const char* directions(std::int32_t x, std::int32_t y) { return x != 0 ? (y != 0 ? "xy" : "x") : y != 0 ? "y" : "none"; }
+
+}  // namespace
+
+std::vector<JsonEntry> step_fields(const StepRecord& step, bool yields) {
+  const rc_result& r = step.result;
+  std::vector<JsonEntry> fields = {
+      {"status", rc_status_name(r.status)},
+      {"approach", r.approach},
+      {"load", r.load},
+      {"mean_pressure", r.mean_pressure},
+      {"area_fraction", r.area_fraction},
+      {"max_pressure", r.max_pressure},
+      {"mean_gap", r.mean_gap},
+      {"corrected_area", step.measures.corrected_area},
+      {"patches", step.measures.patches},
+      {"largest_patch", step.measures.largest_patch},
+      {"contact_crosses", directions(step.measures.crosses.contact_x, step.measures.crosses.contact_y)},
+      {"gap_crosses", directions(step.measures.crosses.gap_x, step.measures.crosses.gap_y)},
+      {"contacts", r.contacts},
+      {"candidates", r.candidates},
+      {"stiffness", r.stiffness},
+      {"punch_stiffness", r.punch_stiffness},
+      {"kkt_primal", r.kkt_primal},
+      {"kkt_dual", r.kkt_dual},
+      {"kkt_complementarity", r.kkt_complementarity},
+      {"kkt_control", r.kkt_control},
+      {"iterations", r.iterations},
+      {"products", r.products},
+      {"seconds", r.seconds},
+      {"setup_seconds", r.setup_seconds},
+      {"solver", r.solver},
+      {"backend", r.backend},
+      {"kernel", r.kernel},
+      {"points", r.points},
+      {"modelled", r.modelled},
+      {"energy", r.energy},
+      {"duality_gap", r.duality_gap},
+      {"load_lower", r.load_lower},
+      {"load_upper", r.load_upper},
+      {"area_lower", r.area_lower},
+      {"area_upper", r.area_upper},
+      {"stiffness_lower", r.stiffness_lower},
+      {"stiffness_upper", r.stiffness_upper},
+      {"proven_contacts", r.proven_contacts},
+      {"proven_open", r.proven_open},
+      {"undecided", r.undecided},
+      {"tolerance", r.tolerance},
+      {"model_nx", step.accuracy.model_nx},
+      {"model_ny", step.accuracy.model_ny},
+      {"error_estimate", step.accuracy.error_estimate},
+      {"left_out", step.accuracy.left_out},
+      {"area_estimate", step.accuracy.area_estimate},
+      {"note", r.note},
+      {"message", step.message}};
+  if (yields) {
+    fields.push_back({"capped", r.capped});
+    fields.push_back({"plastic_volume", r.plastic_volume});
+    fields.push_back({"proven_capped", r.proven_capped});
+  }
+  return fields;
+}
+
+std::string_view name_of(const JsonEntry& field) {
+  const std::string_view place = field.place;
+  return place.substr(place.rfind('/') + 1);  // npos + 1 = 0
+}
+
+std::string_view unit_of(std::string_view name) {
+  for (const auto& [field, unit] : units) {
+    if (field == name) return unit;
+  }
+  return "";
+}
+
+}  // namespace cli

@@ -1,0 +1,122 @@
+#include "files/step_files.h"
+
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "error.h"
+#include "files/npy_writer.h"
+#include "files/step_fields.h"
+#include "pictures/contact.h"
+#include "platform/files.h"
+#include "surface/surface.h"
+#include "text.h"
+
+namespace cli {
+
+namespace {
+
+HistoryPoint history_point(const EarlierStep& step) {
+  const auto number = [&step](std::string_view field) {
+    for (const auto& [place, value] : step.fields) {
+      if (place.ends_with(field)) return number_in(value, std::numeric_limits<double>::quiet_NaN());
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  return {step.load,           step.approach,       number("/area_fraction"), number("/corrected_area"),
+          number("/mean_gap"), number("/stiffness")};
+}
+
+std::string checksum_of(const Problem& problem) {
+  Checksum sum;
+  sum.add(problem.input.surface.heights);
+  return sum.text();
+}
+
+}  // namespace
+
+StepFiles::StepFiles(const std::string& folder, const Problem& problem, Choice choice)
+    : run_(folder, problem, checksum_of(problem), choice.resume),
+      problem_(problem),
+      maps_(choice.maps),
+      writers_(std::move(choice.writers)) {
+  for (const EarlierStep& step : run_.finished()) history_.push_back(history_point(step));
+}
+
+std::vector<CertifiedStep> StepFiles::certified() const {
+  std::vector<CertifiedStep> found;
+  for (const std::size_t number : run_.certified()) {
+    const EarlierStep& step = run_.finished()[number - 1];
+    found.push_back({values("pressure", number), step.approach, step.load});
+  }
+  return found;
+}
+
+std::vector<double> StepFiles::indentation() const {
+  if (!(problem_.system.hardness > 0) || run_.finished().empty()) return {};
+  return values("indentation", run_.finished().size());
+}
+
+std::vector<double> StepFiles::values(const char* stem, std::size_t number) const {
+  const std::string name = run_.step_name(stem, number, "npy");
+  const Surface read = read_surface(run_.files().path(name), 1, "npy");
+  if (read.nx != problem_.system.nx || read.ny != problem_.system.ny)
+    throw Error(format("--resume: %s has %lld x %lld points, the surface has %lld x %lld", name.c_str(),
+                       static_cast<long long>(read.nx), static_cast<long long>(read.ny),
+                       static_cast<long long>(problem_.system.nx), static_cast<long long>(problem_.system.ny)));
+  return read.heights;
+}
+
+void StepFiles::write_maps(const StepRecord& step, const Fields& fields, const std::vector<JsonEntry>& values) {
+  const auto name = [&](const char* stem, const char* extension) {
+    return run_.step_name(stem, static_cast<std::size_t>(step.number), extension);
+  };
+  const auto array = [&](const char* stem, const std::vector<double>& field) {
+    run_.files().write(name(stem, "npy"), [&](std::FILE* file) {
+      write_npy(file, field, problem_.system.nx, problem_.system.ny);
+      return true;
+    });
+  };
+  array("pressure", fields.pressure);
+  array("gap", fields.gap);
+  if (!fields.indentation.empty()) array("indentation", fields.indentation);
+  for (const NamedWriter& writer : writers_) {
+    run_.files().write(name("step", writer.extension), [&](std::FILE* file) {
+      writer.write(make_image(problem_, values, fields), file);
+      return true;
+    });
+  }
+  if (!can_draw_) return;
+  draw(name("contact", "png"), [&](std::FILE* file) {
+    return draw_picture({problem_.input.surface, fields.pressure, step, problem_.targets.size()}, file);
+  });
+}
+
+void StepFiles::write(const StepRecord& step, const Fields& fields) {
+  run_.begin_step(static_cast<std::size_t>(step.number));
+  const std::vector<JsonEntry> values = step_fields(step, problem_.system.hardness > 0);
+  if (maps_) write_maps(step, fields, values);
+  history_.push_back({step.result.load, step.result.approach, step.result.area_fraction, step.measures.corrected_area,
+                      step.result.mean_gap, step.result.stiffness});
+  run_.end_step(values);
+}
+
+void StepFiles::write_history() {
+  if (history_.size() < 2 || !can_draw_) return;
+  draw(history_name, [this](std::FILE* file) { return draw_history(problem_, history_, file); });
+}
+
+void StepFiles::draw(const std::string& name, const std::function<Gnuplot(std::FILE*)>& picture) {
+  run_.files().write(name, [&](std::FILE* file) {
+    const Gnuplot outcome = picture(file);
+    can_draw_ = !outcome.missing;
+    if (outcome.missing) {
+      if (name != history_name) report("gnuplot not found: contact-K.png not drawn");  // else told before
+    } else if (!outcome.drawn) {
+      report(name + " not drawn, gnuplot failed: " + outcome.message);
+    }
+    return outcome.drawn;
+  });
+}
+
+}  // namespace cli

@@ -1,0 +1,64 @@
+#include "solve/conclusion.h"
+
+#include "text.h"
+#include "units.h"
+
+namespace cli {
+
+namespace {
+
+// Hardest martensitic steels and single crystals of diamond are below these [Pa].
+constexpr double hardest_steel = 10e9, hardest_diamond = 150e9;
+constexpr double small_strain = 0.2;  // largest pressure over E*
+
+std::string limit(double pressure, double modulus) {
+  for (const auto& [hardness, body] : {std::pair{hardest_diamond, "diamond"}, std::pair{hardest_steel, "any steel"}}) {
+    if (pressure > hardness)
+      return format("; warning: above the hardness of %s, this is a purely elastic answer (add --hardness)", body);
+  }
+  if (pressure > small_strain * modulus)
+    return format("; warning: that is %.2g E*, linear elasticity does not hold there (add --hardness)", pressure / modulus);
+  return "";
+}
+
+// Which part of the contact is at the hardness, and what it carries.
+std::string yielding(const rc_system& system, const rc_result& r) {
+  const double capped = static_cast<double>(r.capped), load = capped * system.hardness * system.hx * system.hy;
+  return format("; %.3g %% of the contact is at the hardness of ", 100 * capped / static_cast<double>(r.contacts)) +
+         with_prefix(system.hardness, "Pa") + format(" and carries %.3g %% of the load", 100 * load / r.load);
+}
+
+}  // namespace
+
+std::string asked(const Problem& problem, std::size_t step) {
+  const double target = problem.targets[step];
+  if (problem.control == "area") return format("area %.3g %%", 100 * target);
+  if (problem.control == "load") return "load " + with_prefix(target, "N");
+  if (problem.control == "pressure") return "mean pressure " + with_prefix(target, "Pa");
+  return "approach " + with_prefix(target, "m");
+}
+
+std::string reached(const Problem& problem, const StepRecord& step) {
+  if (problem.control == "area") return format("%.3g %%", 100 * step.result.area_fraction);
+  if (problem.control == "load") return with_prefix(step.result.load, "N");
+  if (problem.control == "pressure") return with_prefix(step.result.mean_pressure, "Pa");
+  return with_prefix(step.result.approach, "m");
+}
+
+std::string conclusion(const Problem& problem, const StepRecord& last) {
+  const rc_result& r = last.result;
+  std::string line = problem.targets.size() > 1 ? format("step %d of %zu: ", last.number, problem.targets.size()) : "";
+  if (!last.good()) {
+    line += format("not certified (%s), ", rc_status_name(r.status)) + asked(problem, static_cast<std::size_t>(last.number - 1)) +
+            " asked, " + reached(problem, last) + " reached: ";
+  }
+  if (r.contacts == 0) return line + "load " + with_prefix(r.load, "N") + ", no contact";
+  line += format("contact area %.3g %% at ", 100 * r.area_fraction) + with_prefix(r.load, "N");
+  const rc_system& system = problem.system;
+  if (r.capped > 0) return line + yielding(system, r);
+  line += "; largest pressure " + with_prefix(r.max_pressure, "Pa");
+  if (system.hardness > 0) return line + ", below the hardness of " + with_prefix(system.hardness, "Pa");
+  return line + limit(r.max_pressure, system.modulus);
+}
+
+}  // namespace cli

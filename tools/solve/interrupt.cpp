@@ -1,0 +1,36 @@
+#include "solve/interrupt.h"
+
+#include <atomic>
+
+#include "files/whole_file.h"
+#include "platform/terminal.h"
+
+namespace cli {
+
+namespace {
+
+std::atomic<rc_contact*> watched{nullptr};
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<rc_contact*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+
+void on_signal(int number) {
+  rc_contact* const contact = watched;
+  if (contact && !interrupted.exchange(true)) {
+    rc_contact_cancel(contact);
+    return;
+  }
+  remove_unfinished_file();
+  rc_platform::end_by(number);
+}
+
+}  // namespace
+
+void handle_signals() { rc_platform::when_asked_to_end(on_signal); }
+
+Interrupt::Interrupt(rc_contact* contact) { watched = contact; }
+
+Interrupt::~Interrupt() { watched = nullptr; }
+
+bool Interrupt::requested() const { return interrupted; }
+
+}  // namespace cli

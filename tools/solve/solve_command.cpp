@@ -1,0 +1,135 @@
+#include "solve/solve_command.h"
+
+#include <cstdio>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "error.h"
+#include "files/step_files.h"
+#include "files/step_writers.h"
+#include "library.h"
+#include "platform/terminal.h"
+#include "solve/conclusion.h"
+#include "solve/cores.h"
+#include "solve/interrupt.h"
+#include "solve/progress_bar.h"
+#include "solve/step_record.h"
+#include "solve/step_solver.h"
+#include "solve/table.h"
+#include "text.h"
+
+namespace cli {
+
+namespace {
+
+Contact make_contact(const Problem& problem, const Options& options) {
+  rc_contact* handle = nullptr;
+  check(rc_contact_create(&problem.system, options.get(), &handle), "");
+  return Contact{handle};
+}
+
+double tolerance(const Options& options) {
+  double tol = 0;
+  check(rc_options_get_real(options.get(), RC_OPT_TOL, &tol), "--tol");
+  return tol;
+}
+
+int32_t on_progress(const rc_progress* progress, void* bar) {
+  static_cast<ProgressBar*>(bar)->update(*progress);
+  return 0;
+}
+
+// The library's remarks, with the option that helps, and the command's.
+std::string remarks(const StepRecord& step) {
+  constexpr std::string_view doubt = "level them";
+  std::string text = step.result.note;
+  if (const auto place = text.find(doubt); place != std::string::npos) text.insert(place + doubt.size(), " with --remove plane");
+  if (!step.remark.empty()) text += (text.empty() ? "" : "; ") + step.remark;
+  return text;
+}
+
+void report_choice(rc_contact* contact) {
+  const char* text = nullptr;
+  check(rc_contact_explain(contact, &text), "--explain");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) report(line);
+}
+
+void report_uncertified(const Problem& problem, const StepRecord& step) {
+  const auto number = static_cast<std::size_t>(step.number - 1);
+  report(
+      format("step %d of %zu is not certified (%s): ", step.number, problem.targets.size(), rc_status_name(step.result.status)) +
+      asked(problem, number) + " asked, " + reached(problem, step) + " reached; " + step.message);
+}
+
+void check_output(const SolveArguments& arguments) {
+  const std::pair<bool, const char*> uses[] = {{arguments.resume, "--resume goes on in the folder of --out"},
+                                               {arguments.write.has_value(), "--write puts its files into the folder of --out"},
+                                               {arguments.no_maps, "--no-maps is about the folder of --out"}};
+  for (const auto& [used, what] : uses) {
+    if (used && !arguments.out) throw Error(std::string(what) + ", which is missing");
+  }
+  if (!arguments.no_maps) return;
+  if (arguments.write) throw Error("give either --write or --no-maps, not both");
+  if (arguments.resume) throw Error("--resume goes on from the pressures in the folder of --out, which --no-maps leaves out");
+}
+
+}  // namespace
+
+ExitCode run_solve(const SolveArguments& arguments) {
+  check_output(arguments);
+  StepWriters writers;
+  if (arguments.write) writers = find_step_writers(*arguments.write);
+  const Problem problem = make_problem(arguments);
+  const int steps = static_cast<int>(problem.targets.size());
+  Fields fields{problem.input.surface.heights.size(), problem.system.hardness > 0};
+
+  Context context;
+  const Options options = make_options(context, default_threads(problem.system.nx * problem.system.ny), problem.options);
+  ProgressBar bar{!arguments.quiet && rc_platform::is_terminal(stderr), tolerance(options), problem.targets.size()};
+  const Contact contact = make_contact(problem, options);
+  check(rc_contact_on_progress(contact.get(), on_progress, &bar, 1), "");
+  const Interrupt interrupt{contact.get()};
+  std::optional<StepFiles> files;
+  if (arguments.out)
+    files.emplace(*arguments.out, problem, StepFiles::Choice{arguments.resume, !arguments.no_maps, std::move(writers)});
+  const int finished = files ? files->finished() : 0;
+  StepSolver solver{contact.get(), problem};
+  if (finished > 0) {
+    solver.restore(files->certified(), files->indentation());
+    report(format("--resume: %d of %d steps are finished", finished, steps));
+  }
+
+  std::string remarked, last;
+  ExitCode code = files && !files->all_certified() ? exit_uncertified : exit_certified;
+  for (int number = finished + 1; number <= steps && !interrupt.requested(); ++number) {
+    const bool first = number == finished + 1;
+    bar.begin(number);
+    const StepRecord step = solver.solve(number, fields);
+    bar.clear();
+
+    context.report_log(arguments.explain ? RC_LOG_INFO : RC_LOG_WARNING);
+    for (const std::string& note : problem.input.notes) {
+      if (first) report(note);
+    }
+    if (!step.good()) code = exit_uncertified;
+    if (!arguments.quiet && first) print_table_head(problem);
+    if (!arguments.quiet) print_table_row(problem, step);
+    if (!step.good()) report_uncertified(problem, step);
+    if (arguments.explain) report_choice(contact.get());
+    const std::string said = remarks(step);
+    if (!said.empty() && said != remarked) report("remark: " + said);
+    remarked = said;
+    if (files) files->write(step, fields);
+    last = conclusion(problem, step);
+    if (step.result.status == RC_STOP_CANCELLED) return exit_cancelled;
+  }
+  if (files && !interrupt.requested()) files->write_history();
+  if (!arguments.quiet && !last.empty()) std::printf("%s\n", last.c_str());
+  return interrupt.requested() ? exit_cancelled : code;
+}
+
+}  // namespace cli

@@ -1,0 +1,27 @@
+// One finished step of the sequence.
+#pragma once
+
+#include <roughcontact/roughcontact.h>
+
+#include <algorithm>
+#include <string>
+
+#include "solve/contact_measures.h"
+
+namespace cli {
+
+struct StepRecord {
+  int number;  // 1, 2, ...
+  rc_result result;
+  rc_accuracy accuracy;
+  ContactMeasures measures;
+  std::string message;  // why the step is not certified; "" if it is
+  std::string remark;   // of the command, beside the library's; "" if there is none
+
+  bool good() const { return result.status == RC_OK || result.status == RC_WITHIN_GOAL; }
+  double worst_residual() const {
+    return std::max({result.kkt_primal, result.kkt_dual, result.kkt_complementarity, result.kkt_control});
+  }
+};
+
+}  // namespace cli

@@ -1,0 +1,27 @@
+// Nominal shapes that are added to a roughness: sphere:R=1mm, cylinder:R=1mm,axis=x, wedge:angle=5deg,axis=x.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "surface/surface.h"
+
+namespace cli {
+
+inline constexpr std::string_view shape_names[] = {"sphere", "cylinder", "wedge"};
+
+// A checked --shape: highest, 0, at the middle of the surface or along its axis.
+struct Shape {
+  std::string_view name;
+  double radius = 0;    // sphere, cylinder [m]
+  double angle = 0;     // of a wedge's flanks to the surface [rad]
+  bool along_x = true;  // the axis of a cylinder, the ridge of a wedge
+};
+
+// Lengths without a unit count in `unit`. Throws an Error that says what was expected.
+Shape parse_shape(std::string_view text, double unit);
+
+// Adds the shape to all heights. Throws an Error if the surface reaches beyond the sphere or cylinder.
+void add_shape(const Shape& shape, Surface& surface);
+
+}  // namespace cli
